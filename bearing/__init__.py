@@ -1,6 +1,7 @@
 """Ball bearings: geometry, materials, quasi-static equilibrium, and the lubricated contacts it
 yields.
 
+catalogue         - bearings of the catalogue as geometry and materials
 contacts          - the lubricated contacts that follow from an equilibrium: shape, motion, stress
 dynamics          - time simulation of a ball bearing
 files             - files that are there as a whole or not at all
@@ -15,11 +16,11 @@ operation         - speeds, loads and temperatures, and the assumptions of the m
 quasistatic       - quasi-static equilibrium of rings and balls
 rating            - rating life, load ratings and defect frequencies
 rings             - rings as elastic bodies on their seats
-rows              - rows of balls on one inner ring: where they sit
-shoulder_diameter - diameters of the shoulders of the rings, given or estimated
+rows              - rows of balls on one inner ring and their positions
+shoulder_diameter - diameters of the shoulders of the rings, prescribed or estimated
 studies           - studies over load and speed: slip, stiffness, preload
 supply            - oil supply and starved films
-torque            - friction torque of a ball bearing, by several models side by side
+torque            - friction torque of a ball bearing, by several models
 vibration         - vibration by form of surfaces and passing balls, with films and supports
 """
 

@@ -1,3 +1,4 @@
+from .catalogue import load_bearing
 from .contacts.contact import BearingContact
 from .contacts.contacts import contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
@@ -72,6 +73,7 @@ __all__ = [
     "list_greases",
     "list_lubricants",
     "list_materials",
+    "load_bearing",
     "load_catalogue_entry",
     "load_grease",
     "load_material",

@@ -1,4 +1,4 @@
-"""Files that are there as a whole or not at all."""
+"""Files that appear complete or not at all."""
 
 import atexit
 import errno
@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-# of a disk that is full, beyond the user's share, broken or read-only
+# errors of a disk that is full, beyond the user's quota, broken or read-only
 DISK_ERRORS = frozenset(
     getattr(errno, name)
     for name in ("ENOSPC", "EDQUOT", "EFBIG", "EIO", "EROFS")
@@ -19,17 +19,40 @@ PARTIAL = ".part"  # end of the name of a file that is not complete, before its 
 
 
 def is_disk_failure(error: BaseException) -> bool:
-    """Whether a disk takes nothing more, so that further work is in vain."""
+    """Check whether an error means that the disk takes nothing more, so that further work is in
+    vain.
+
+    Parameters
+    ----------
+    error : BaseException
+        error of a write
+
+    Returns
+    -------
+    bool
+        true for errors of a full, broken or read-only disk
+    """
     return isinstance(error, OSError) and error.errno in DISK_ERRORS
 
 
 @contextmanager
 def atomic_path(path: Path, *, with_suffix: bool = True) -> Iterator[Path]:
-    """A temporary name beside `path`; on success it becomes `path`, on failure nothing is left,
-    nor where the program ends while it is written.
+    """Temporary name next to `path`, which becomes `path` on success and vanishes on failure.
 
-    Missing folders are created; the name has the suffix of `path` for writers that go by it, and
-    then is found by whoever looks for files of that suffix.
+    It also vanishes if the program ends during the write. Missing folders are created.
+
+    Parameters
+    ----------
+    path : Path
+        name of the complete file
+    with_suffix : bool, default True
+        keep the suffix of `path`, for writers that choose the format by it; a search for files of
+        that suffix then also lists the temporary one
+
+    Yields
+    ------
+    Iterator[Path]
+        temporary name to write to
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     ending = f"{PARTIAL}{path.suffix}" if with_suffix else PARTIAL
@@ -47,7 +70,17 @@ def atomic_path(path: Path, *, with_suffix: bool = True) -> Iterator[Path]:
 
 
 def write_bytes(path: Path, data: bytes, *, durable: bool = False) -> None:
-    """Write a file, which appears when it is complete; if `durable` also after a power cut."""
+    """Write a file, which appears when it is complete.
+
+    Parameters
+    ----------
+    path : Path
+        name of the file
+    data : bytes
+        its content
+    durable : bool, default False
+        flush to the disk, so that the file survives a power cut
+    """
     with atomic_path(path, with_suffix=False) as temporary, temporary.open("wb") as file:
         file.write(data)
         file.flush()
@@ -56,8 +89,21 @@ def write_bytes(path: Path, data: bytes, *, durable: bool = False) -> None:
 
 
 def require_room(folder: Path, size: int) -> None:
-    """OSError where a file of so many bytes does not fit into a folder; for libraries that a full
-    disk ends together with the program.
+    """Check that a file of a given size fits into a folder.
+
+    For libraries that a full disk ends together with the program.
+
+    Parameters
+    ----------
+    folder : Path
+        folder of the file
+    size : int
+        size of the file [bytes]
+
+    Raises
+    ------
+    OSError
+        if the file does not fit
     """
     block = os.urandom(PROBE)  # nothing that a disk could keep in less room
     with tempfile.TemporaryFile(dir=folder) as file:

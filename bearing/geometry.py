@@ -24,7 +24,7 @@ ANGULAR_CONTACT = radians(14.25)
 
 
 class BearingType(Enum):
-    """What rating and friction formulas distinguish."""
+    """Types that rating and friction formulas distinguish."""
 
     DEEP_GROOVE = "deep groove"
     ANGULAR_CONTACT = "angular contact"
@@ -44,7 +44,31 @@ class Bearing:
     Raises
     ------
     ValueError
-        If a dimension is impossible; the message names the field.
+        if a dimension is impossible; the message names the field
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> from bearing import Bearing, load_material
+    >>> steel = load_material("bearing steel")
+    >>> bearing = Bearing(
+    ...     name="6208",
+    ...     ball_diameter=12e-3,
+    ...     pitch_diameter=60e-3,
+    ...     balls=9,
+    ...     inner_groove_radius=6.17e-3,
+    ...     outer_groove_radius=6.29e-3,
+    ...     diametral_clearance=13e-6,
+    ...     ball_material=steel,
+    ...     inner_ring_material=steel,
+    ...     outer_ring_material=steel,
+    ... )
+    >>> f"{bearing.outer_conformity:.3f}"
+    '0.524'
+    >>> replace(bearing, balls=16)
+    Traceback (most recent call last):
+    ...
+    ValueError: balls: 16 of the given diameter do not fit on the pitch circle
     """
 
     name: str
@@ -113,7 +137,7 @@ class Bearing:
 
     @property
     def angular_contact(self) -> bool:
-        """Whether the bearing is one of angular contact: by its type, which no clearance changes,
+        """True for a bearing of angular contact: by its type, which no clearance changes,
         or where none is given by a free contact angle above 14.25 degrees.
         """
         if self.type is None:
@@ -171,11 +195,13 @@ def _check_lengths(bearing: Bearing) -> None:
             f"pitch_diameter must exceed ball_diameter {bearing.ball_diameter} m, "
             f"got {bearing.pitch_diameter}"
         )
-    least = 0.5 * bearing.ball_diameter
+    ball_radius = 0.5 * bearing.ball_diameter
     for field in grooves:
         value = getattr(bearing, field)
-        if value <= least:
-            raise ValueError(f"{field} must exceed the ball radius {least:.6g} m, got {value!r} m")
+        if value <= ball_radius:
+            raise ValueError(
+                f"{field} must exceed the ball radius {ball_radius:.6g} m, got {value!r} m"
+            )
 
 
 def _check_shoulders(bearing: Bearing) -> None:
@@ -193,8 +219,26 @@ def _check_shoulders(bearing: Bearing) -> None:
 def clearance_to_contact_angle(
     clearance: float, inner_groove_radius: float, outer_groove_radius: float, ball_diameter: float
 ) -> float:
-    """Free contact angle [rad], cos = 1 - Pd/(2 A), Harris and Kotzalas; zero with interference;
-    diametral clearance Pd and the other lengths in [m].
+    """Free contact angle, cos = 1 - Pd/(2 A), Harris and Kotzalas; zero with interference.
+
+    Parameters
+    ----------
+    clearance : float
+        diametral clearance Pd [m]
+    inner_groove_radius, outer_groove_radius : float
+        radii of the cross-sections of the grooves [m]
+    ball_diameter : float
+        D [m]
+
+    Returns
+    -------
+    float
+        free contact angle [rad]
+
+    Raises
+    ------
+    ValueError
+        if the clearance exceeds 2 A, A = r_i + r_o - D
     """
     distance = inner_groove_radius + outer_groove_radius - ball_diameter
     if clearance > 2.0 * distance:
@@ -210,8 +254,28 @@ def contact_angle_to_clearance(
     outer_groove_radius: float,
     ball_diameter: float,
 ) -> float:
-    """Diametral clearance [m], Pd = 2 A (1 - cos) of the free contact angle [rad], the inverse of
-    `clearance_to_contact_angle`; lengths in [m].
+    """Diametral clearance, Pd = 2 A (1 - cos) of the free contact angle.
+
+    The inverse of `clearance_to_contact_angle`.
+
+    Parameters
+    ----------
+    contact_angle : float
+        free contact angle, in [0, pi/2) [rad]
+    inner_groove_radius, outer_groove_radius : float
+        radii of the cross-sections of the grooves [m]
+    ball_diameter : float
+        D [m]
+
+    Returns
+    -------
+    float
+        diametral clearance [m]
+
+    Raises
+    ------
+    ValueError
+        if the angle lies outside its range
     """
     if not 0.0 <= contact_angle < 0.5 * pi:
         raise ValueError(f"free_contact_angle must lie in [0, pi/2), got {contact_angle!r} rad")
@@ -220,8 +284,25 @@ def contact_angle_to_clearance(
 
 
 def reduced_radii(bearing: Bearing, race: Race, contact_angle: float) -> tuple[float, float]:
-    """Reduced radii of curvature of the contact of a ball with a race at a contact angle [rad]: in
-    the rolling direction D/2 (1 -+ D cos(angle)/d_m) (inner, outer), across it 1/(2/D - 1/r) [m].
+    """Reduced radii of curvature of the contact of a ball with a race.
+
+    In the rolling direction D/2 (1 -+ D cos(angle)/d_m) (inner, outer), across it 1/(2/D - 1/r).
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    race : Race
+        raceway in contact
+    contact_angle : float
+        contact angle [rad]
+
+    Returns
+    -------
+    radius_x
+        in the rolling direction [m]
+    radius_y
+        across it [m]
     """
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
     if race is Race.INNER:
@@ -234,7 +315,37 @@ def reduced_radii(bearing: Bearing, race: Race, contact_angle: float) -> tuple[f
     return 0.5 * bearing.ball_diameter * factor, radius_y
 
 
+def ring_material(bearing: Bearing, race: Race) -> Material:
+    """Material of a ring.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        materials of the rings
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    Material
+        its material
+    """
+    return bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
+
+
 def contact_modulus(bearing: Bearing, race: Race) -> float:
-    """Reduced modulus E' [Pa] of a ball on a race."""
-    ring = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
-    return reduced_modulus(bearing.ball_material, ring)
+    """Reduced modulus E' of a ball on a race.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        materials of ball and rings
+    race : Race
+        raceway in contact
+
+    Returns
+    -------
+    float
+        E' [Pa]
+    """
+    return reduced_modulus(bearing.ball_material, ring_material(bearing, race))

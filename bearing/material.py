@@ -20,13 +20,13 @@ FIELDS = {  # of Material: key of the data file
     "bending_strength": "bending_strength_MPa",
     "weibull_modulus": "weibull_modulus",
 }
-# positive where they are known
+# positive or None
 MAY_BE_UNKNOWN = ("thermal_conductivity", "specific_heat", "bending_strength", "weibull_modulus")
 STRENGTH = ("bending_strength", "weibull_modulus")  # of brittle materials, with their ranges
 
 
 class MaterialKind(Enum):
-    """What rating standards distinguish."""
+    """Kinds that rating standards distinguish."""
 
     BEARING_STEEL = "bearing steel"
     SILICON_NITRIDE = "silicon nitride"
@@ -35,7 +35,20 @@ class MaterialKind(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Material:
-    """One homogeneous, isotropic, linear elastic material."""
+    """One homogeneous, isotropic, linear elastic material.
+
+    Raises
+    ------
+    ValueError
+        if a property lies outside its range; the message names the field
+
+    Examples
+    --------
+    >>> from bearing import Material
+    >>> steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0)
+    >>> steel.poisson_ratio
+    0.3
+    """
 
     name: str
     youngs_modulus: float  # E [Pa]
@@ -47,8 +60,8 @@ class Material:
     kind: MaterialKind = MaterialKind.OTHER
     thermal_conductivity: float | None = None  # k [W/(m K)]; None if not known
     specific_heat: float | None = None  # c at constant pressure [J/(kg K)]; None if not known
-    # of a brittle material: mean strength of bars in four-point bending, Weibull's modulus, and
-    # the ends of what is known of them; None if not known
+    # brittle material: mean strength of bars in four-point bending, Weibull's modulus, and
+    # the ends of their ranges; None if not known
     bending_strength: float | None = None  # [Pa]
     weibull_modulus: float | None = None  # m [-]
     bending_strength_range: tuple[float, float] | None = None  # [Pa]
@@ -69,7 +82,25 @@ class Material:
 
 
 def reduced_modulus(material_1: Material, material_2: Material) -> float:
-    """E' [Pa], 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (twice the E* of Johnson, 1985)."""
+    """E' of 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2, twice the E* of Johnson (1985).
+
+    Parameters
+    ----------
+    material_1, material_2 : Material
+        materials of the two bodies
+
+    Returns
+    -------
+    float
+        reduced modulus E' [Pa]
+
+    Examples
+    --------
+    >>> from bearing import load_material, reduced_modulus
+    >>> steel = load_material("bearing steel")
+    >>> f"{reduced_modulus(steel, steel) / 1e9:.0f} GPa"
+    '226 GPa'
+    """
     compliance = sum(
         (1.0 - m.poisson_ratio**2) / m.youngs_modulus for m in (material_1, material_2)
     )
@@ -77,13 +108,45 @@ def reduced_modulus(material_1: Material, material_2: Material) -> float:
 
 
 def list_materials() -> tuple[str, ...]:
-    """Names of the shipped materials, in the order of the data file."""
+    """Names of the shipped materials, in the order of the data file.
+
+    Returns
+    -------
+    tuple[str, ...]
+        names for `load_material`
+
+    Examples
+    --------
+    >>> from bearing import list_materials
+    >>> "silicon nitride" in list_materials()
+    True
+    """
     return tuple(library_data(DATA))
 
 
 def load_material(name: str) -> Material:
-    """Shipped material at room temperature by a name of `list_materials()`, case, spaces and
-    hyphens apart; ValueError if there is none of this name.
+    """Shipped material at room temperature by its name.
+
+    Parameters
+    ----------
+    name : str
+        one of `list_materials()`; case, spaces and hyphens do not matter
+
+    Returns
+    -------
+    Material
+        properties with their sources, SI
+
+    Raises
+    ------
+    ValueError
+        if no material has this name
+
+    Examples
+    --------
+    >>> from bearing import load_material
+    >>> load_material("silicon nitride").density
+    3250.0
     """
     table = library_data(DATA)
     key = matching_name(name, table)
@@ -115,8 +178,18 @@ def load_material(name: str) -> Material:
 
 
 def material_data(name: str) -> dict[str, Any]:
-    """What the data file says of a material of `list_materials()`: `kind`, and per number, in the
-    unit of its key, `value`, `range`, `source` and, where no source was read, `verified` false.
+    """Entry of the data file for a material.
+
+    Parameters
+    ----------
+    name : str
+        one of `list_materials()`
+
+    Returns
+    -------
+    dict[str, Any]
+        `kind`, and for each number `value` in the unit of its key, `range`, `source` and, if no
+        source was read, `verified` false
     """
     entry = library_data(DATA)[name]
     return library_data(DATA)[str(entry["same_as"])] if "same_as" in entry else entry

@@ -1,4 +1,4 @@
-"""What is done to a bearing, and the assumptions it is computed with."""
+"""Speeds and loads of a bearing, and the assumptions it is computed with."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -10,8 +10,8 @@ DEGREES_OF_FREEDOM = ("x", "y", "z", "tilt y", "tilt z")
 
 
 class BallKinematics(Enum):
-    """Hypothesis that fixes the attitude of the balls' spin and shares the gyroscopic couple among
-    the races.
+    """Hypothesis that fixes the attitude of the balls' spin and divides the gyroscopic couple
+    among the races.
 
     OUTER_RACE_CONTROL: no spin at the outer race, which takes the whole couple;
     INNER_RACE_CONTROL: likewise inner; HALF_AND_HALF: the ball spins about the mean contact angle
@@ -57,7 +57,15 @@ class Operation:
     Raises
     ------
     ValueError
-        If a degree of freedom has both or neither, or a value is not finite.
+        if a degree of freedom has both or neither, or a value is not finite
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> from bearing import Operation
+    >>> operation = Operation(inner_speed=3000.0 * pi / 30.0, force=(0.0, 1000.0, 0.0))
+    >>> f"{operation.shaft_speed:.1f} rad/s"
+    '314.2 rad/s'
     """
 
     inner_speed: float  # of the ring about +x [rad/s]
@@ -114,7 +122,7 @@ class Operation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RatingInput:
-    """What a rating needs beyond the bearing and its loads."""
+    """Inputs of a rating beyond the bearing and its loads."""
 
     # C_r of the catalogue [N]; None computes it from the geometry
     dynamic_rating: float | None = None

@@ -1,5 +1,4 @@
-"""Rows of balls on one inner ring: where they sit, and how far their grooves are set against each
-other.
+"""Rows of balls on one inner ring: their positions and the offsets of their grooves.
 
 All rows have the same bearing. The undisplaced inner ring is the reference: there the middle of a
 row's inner groove lies at `axial_position`, that of its outer groove `offset` behind. A row
@@ -21,7 +20,7 @@ from .geometry import Array, Bearing
 class Row:
     """One row of balls."""
 
-    # of the middle of the inner groove from the point about which moments and tilts count [m]
+    # middle of the inner groove from the point about which moments and tilts count [m]
     axial_position: float = 0.0
     # middle of the inner groove from that of the outer one along +x, ring undisplaced [m]
     offset: float = 0.0
@@ -34,7 +33,18 @@ class Row:
                 raise ValueError(f"{field} must be finite, got {getattr(self, field)!r} m")
 
     def bearing(self, bearing: Bearing) -> Bearing:
-        """The bearing with this row's first azimuth."""
+        """The bearing with this row's first azimuth.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            bearing of all rows
+
+        Returns
+        -------
+        Bearing
+            the same bearing, or one with the azimuth of this row's first ball
+        """
         first = self.first_ball_azimuth
         return bearing if first is None else replace(bearing, first_ball_azimuth=first)
 
@@ -48,15 +58,54 @@ SINGLE = (Row(),)
 
 
 def row_azimuths(bearing: Bearing, rows: Sequence[Row]) -> Array:
-    """Azimuths of the balls of all rows, row by row [rad], shape (N,)."""
+    """Azimuths of the balls of all rows, row by row.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        bearing of all rows
+    rows : Sequence[Row]
+        rows on the inner ring
+
+    Returns
+    -------
+    Array
+        azimuths, shape (N,) [rad]
+    """
     return np.concatenate([row.bearing(bearing).azimuths for row in rows])
 
 
 def row_directions(bearing: Bearing, rows: Sequence[Row]) -> Array:
-    """Cosines and sines of the azimuths of all rows [-], shape (2, N)."""
+    """Cosines and sines of the azimuths of all rows.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        bearing of all rows
+    rows : Sequence[Row]
+        rows on the inner ring
+
+    Returns
+    -------
+    Array
+        cosines and sines, shape (2, N) [-]
+    """
     return np.concatenate([row.bearing(bearing).azimuth_directions for row in rows], axis=1)
 
 
 def per_ball(bearing: Bearing, values: Sequence[float]) -> Array:
-    """One value [any unit] a row as one a ball, shape (N,)."""
+    """One value a row as one value a ball.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        bearing of all rows, which gives the number of balls a row
+    values : Sequence[float]
+        one value a row, shape (rows,) [any unit]
+
+    Returns
+    -------
+    Array
+        the values, each repeated for the balls of its row, shape (N,) [any unit]
+    """
     return np.repeat(np.asarray(values, dtype=np.float64), bearing.balls)

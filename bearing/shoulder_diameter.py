@@ -9,13 +9,25 @@ ESTIMATED_HEIGHT = 0.2
 
 
 def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None:
-    """Diameter of a ring's shoulders [m] and whether it is an estimate; None where the bearing
-    gives none and is no deep groove bearing.
+    """Diameter of a ring's shoulders, prescribed or estimated.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    tuple[float, bool] | None
+        diameter [m] and whether it is an estimate; None if the bearing gives none and is no deep
+        groove bearing
     """
     inner = race is Race.INNER
-    given = bearing.inner_shoulder_diameter if inner else bearing.outer_shoulder_diameter
-    if given is not None:
-        return given, False
+    diameter = bearing.inner_shoulder_diameter if inner else bearing.outer_shoulder_diameter
+    if diameter is not None:
+        return diameter, False
     if bearing.angular_contact:
         return None
     centre = bearing.inner_centre_radius if inner else bearing.outer_centre_radius

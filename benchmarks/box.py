@@ -1,9 +1,14 @@
 """Central film against the size of the box, edge pressure zero and open: `python benchmarks/box.py`.
 
-Mesh size is kept, so that only the box changes; boxes in Hertz semi-axes. A part of `oilfilm verify --section same`.
+Mesh size is kept, so that only the box changes; boxes in Hertz semi-axes. As `verification/run.py --section same`.
 """
 
 from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
 from verification.limits import BOX_CONTACTS, BOX_SCALES, box_film
 

@@ -8,6 +8,7 @@ residuals leave more open than a hundredth of the share are left out.
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
@@ -16,6 +17,9 @@ import ehl.solver
 from ehl import SolverOptions
 from ehl.multigrid.open_box import BOX_ERROR, BOX_ERROR_ROTATION, choose_domain
 from ehl.scaling import scale_contact
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.draws import draws
 
 NUMBER, SEED = 90, 778

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import sys
 import time
+from pathlib import Path
 
 from ehl import SolverOptions
 from ehl.multigrid.cycle import relative_residual
@@ -16,6 +17,9 @@ from ehl.multigrid.full_multigrid import ATTEMPTS, start_from_hertz
 from ehl.multigrid.history import film_values
 from ehl.multigrid.newton import certify
 from ehl.solver import solve_attempts
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import OIL, SKEWED, TURNING, moes
 
 CONTACTS = {

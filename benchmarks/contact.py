@@ -8,8 +8,12 @@ before the clock starts.
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 from ehl import SolverOptions, solve_contact
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 from verification.costs import deflection_time
 

@@ -12,9 +12,13 @@ from __future__ import annotations
 import statistics
 import sys
 import time
+from pathlib import Path
 
 from ehl import SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import OIL, Named, moes
 from verification.elements import CONTACTS, RACES
 

@@ -9,11 +9,15 @@ from __future__ import annotations
 
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 from scipy import fft
 
 from ehl import SolverOptions, solve_contact
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import moes
 
 SECONDS = {257: 0.07, 513: 0.2, 1025: 0.6}  # goals

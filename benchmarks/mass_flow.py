@@ -8,9 +8,13 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 from ehl.multigrid.cycle import relative_residual
 from ehl.oil.rheology import Rheology, ShearLaw
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import BALL_ON_DISC
 from verification.mass_balance import cycle_on, film_centre, mass_drift, reversed_nodes, solve_film
 

@@ -45,7 +45,7 @@ def main() -> None:
         for speed in (10.0, 20.0, 38.0, 46.0):
             conditions = contact(viscosity, speed)
             found = film(conditions, section.NODES).contact
-            with patch.object(solver, "SECTION_ERROR", 0.0), patch.object(solver, "SECTION_SHARE", 0.0):
+            with patch.object(solver, "SECTION_ERROR", 0.0), patch.object(solver, "SECTION_FRACTION", 0.0):
                 finer = film(conditions, 3 * section.NODES).contact
                 without = film(conditions, section.NODES).contact
             own = found.film_central_dimensionless

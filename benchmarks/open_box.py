@@ -5,10 +5,15 @@ Central film, extrapolated from 513 points, over that of the box as it is; the e
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
 from unittest.mock import patch
 
 from ehl import MoesConditions, SolverOptions, solve_contact
 from ehl.multigrid import open_box
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import OIL
 
 CONTACTS = (  # M, L, Rx/Ry, angle of the entrainment
@@ -33,7 +38,7 @@ def film(contact):
 
 def main():
     """Print one line per constant: halved and doubled for each contact, the box not widened by the load outside."""
-    with patch.object(open_box, "EXTERIOR_SHARE", 1e9):
+    with patch.object(open_box, "EXTERIOR_FRACTION", 1e9):
         base = [film(contact) for contact in CONTACTS]
         print(f"{'':12}" + "".join(f"{contact!s:>26}" for contact in CONTACTS))
         print(f"{'bar':12}" + "".join(f"{value.relative_uncertainty:26.2%}" for value in base))

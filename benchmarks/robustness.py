@@ -1,6 +1,6 @@
 """Random contacts, untuned: `python benchmarks/robustness.py [draws] [seed] [folder]`.
 
-The sweep of `oilfilm verify --robustness`, without pictures: finished contacts are kept in FOLDER/robustness.jsonl
+The sweep of `verification/run.py --robustness`, without pictures: finished contacts are kept in FOLDER/robustness.jsonl
 (default: the current folder), and the same command goes on with them. Prints what was not plain, and the tables.
 """
 
@@ -9,10 +9,12 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.page import markdown
 from verification.robustness import sweep
 from verification.robustness_page import robustness_section
-from verification.run import SWEEP
+from verification.sections import SWEEP
 
 
 def progress(done, total, state):

@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 from dataclasses import replace
 from math import log
+from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
@@ -18,6 +19,9 @@ from ehl.generalized.solver import solve_generalized
 from ehl.multigrid.supply.oil_supply import pressure_moment
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import race_6208
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=18e-9)

@@ -1,13 +1,17 @@
 """Cost per unknown from 65 to 2049 points, cycles, memory, all contacts of the 6208: `python benchmarks/scaling.py`.
 
-The section on cost of `oilfilm verify`; times are also given in deflections of the same run. `--quick`: to 257 points.
+`verification/run.py --section cost`; times are also given in deflections of the same run. `--quick`: to 257 points.
 """
 
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 from cases import load_case, run_case
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.costs import BEARING, costs
 from verification.page import markdown
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
@@ -26,6 +27,9 @@ from ehl.scaling import scale_contact
 from ehl.solution import MEAN_PRESSURE_RATIO
 from ehl.traction.atlas.films import atlas_load
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.draws import draws
 
 SHEAR = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=0.047, limiting_coefficient=0.047, limiting_minimum=5e6)

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 from scipy import fft
@@ -20,6 +21,9 @@ from ehl.grid import Grid
 from ehl.multigrid import cycle as multigrid
 from ehl.multigrid.flow_model import entrainment_factors
 from ehl.solid.deformation import deflect, deflection_kernel, unit_deflections
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 
 CONTACTS = (CIRCULAR_20_10, CIRCULAR_200_10, Named(name="6208 outer", conditions=race_6208(1611.8, outer=True)))

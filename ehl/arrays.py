@@ -1,4 +1,4 @@
-"""The type of the arrays of numbers, and which rows of one are the same."""
+"""The type of the arrays of numbers, interpolation weights and groups of equal rows."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,31 +8,53 @@ Array = NDArray[np.float64]
 SAME = 1.0e-12  # within which two numbers count as one, over the scale of their column [-]
 
 
-def lagrange_weights(places: Array, place: Array | float) -> Array:
-    """Lagrange's weights of values at k places [same unit] at another place [-]; of many at once
-    where places have the shape (..., k) and those others the shape (...).
+def lagrange_weights(nodes: Array, point: Array | float) -> Array:
+    """Lagrange's interpolation weights of the values at k nodes.
+
+    Parameters
+    ----------
+    nodes : Array
+        positions of the values, shape (..., k) [any unit]
+    point : Array | float
+        position to interpolate at, a number or shape (...) [unit of `nodes`]
+
+    Returns
+    -------
+    Array
+        weights, shape (..., k) [-]
     """
-    apart = places[..., :, None] - places[..., None, :]
-    away = np.asarray(place)[..., None, None] - places[..., None, :]
+    apart = nodes[..., :, None] - nodes[..., None, :]
+    away = np.asarray(point)[..., None, None] - nodes[..., None, :]
     same = apart == 0.0
     return np.asarray(np.prod(np.where(same, 1.0, away) / np.where(same, 1.0, apart), axis=-1))
 
 
-def alike(rows: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """First row of each kind, and the kind of each row, of rows (n, m) of numbers over the scale
-    of their column [-]; infinite ones are all the same.
+def unique_rows(rows: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Groups of equal rows of a table, up to round-off.
 
     Balls on both sides of a load line, or all balls under a thrust, are the same but for rounding:
     an equilibrium leaves their loads apart by some 1e-13.
+
+    Parameters
+    ----------
+    rows : Array
+        numbers over the scale of their column, shape (n, m) [-]; infinite ones count as equal
+
+    Returns
+    -------
+    first
+        number of the first row of each group, shape (groups,)
+    group
+        number of the group of each row, shape (n,)
     """
-    kinds = np.rint(np.where(np.isfinite(rows), rows, 0.0) / SAME)
-    known: dict[bytes, int] = {}
+    rounded = np.rint(np.where(np.isfinite(rows), rows, 0.0) / SAME)
+    groups: dict[bytes, int] = {}
     first: list[int] = []
-    like = np.empty(len(rows), dtype=np.int64)
-    for number, kind in enumerate(kinds + 0.0):
-        key = kind.tobytes()
-        if key not in known:
-            known[key] = len(first)
+    group = np.empty(len(rows), dtype=np.int64)
+    for number, row in enumerate(rounded + 0.0):
+        key = row.tobytes()
+        if key not in groups:
+            groups[key] = len(first)
             first.append(number)
-        like[number] = known[key]
-    return np.array(first, dtype=np.int64), like
+        group[number] = groups[key]
+    return np.array(first, dtype=np.int64), group

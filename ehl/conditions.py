@@ -12,7 +12,17 @@ from .solid.coating import Coating
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactConditions:
-    """One lubricated elliptical point contact, SI; x, y principal directions, body 1 the ball."""
+    """One lubricated elliptical point contact, SI; x, y principal directions, body 1 the ball.
+
+    Examples
+    --------
+    >>> from oilfilm import ContactConditions, Lubricant
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
+    >>> contact = ContactConditions(load=50.0, radius_x=6e-3, radius_y=60e-3,
+    ...     reduced_modulus=2.3e11, entrainment_speed=5.0, slide_roll_ratio=0.02, lubricant=oil)
+    >>> round(contact.speed_1, 3), round(contact.speed_2, 3)
+    (5.05, 4.95)
+    """
 
     load: float  # w, normal [N]
     radius_x: float  # reduced radius of curvature in x [m]
@@ -27,8 +37,8 @@ class ContactConditions:
     lateral_slide_ratio: float = 0.0
     # of body 1 relative to body 2 about the normal into body 2, x cross y [rad/s]
     spin: float = 0.0
-    # (omega_1 + omega_2)/2 about the same normal, with which the entrainment turns from place to
-    # place [rad/s]; None: body 2 does not turn, and it is half the spin
+    # (omega_1 + omega_2)/2 about the same normal, the rotation of the entrainment over the contact
+    # [rad/s]; None: body 2 does not turn, and it is half the spin
     mean_spin: float | None = None
     # of one of the bodies; E' and all groups and scales are then those of the uncoated half
     # spaces, one of them of the coating's material
@@ -77,12 +87,24 @@ SMALLEST_ENTRAINMENT = 1e-6
 def surface_motion(
     velocity_1: tuple[float, float], velocity_2: tuple[float, float]
 ) -> SurfaceMotion:
-    """Entrainment and sliding of two surface velocities in x and y, body 1 and body 2 [m/s].
+    """Entrainment and sliding of two surface velocities.
+
+    Parameters
+    ----------
+    velocity_1 : tuple[float, float]
+        of body 1 in x and y [m/s]
+    velocity_2 : tuple[float, float]
+        of body 2 in x and y [m/s]
+
+    Returns
+    -------
+    SurfaceMotion
+        mean and difference by the names of `ContactConditions`
 
     Raises
     ------
     ValueError
-        If the velocities are opposite and equal: their mean entrains nothing.
+        if the velocities are opposite and equal: their mean entrains nothing
     """
     (u_1, v_1), (u_2, v_2) = velocity_1, velocity_2
     mean = (0.5 * (u_1 + u_2), 0.5 * (v_1 + v_2))
@@ -100,8 +122,21 @@ def surface_motion(
 
 
 def speed_load_material(conditions: ContactConditions) -> tuple[float, float, float]:
-    """U = eta_0 u_m/(E' Rx), W = F/(E' Rx^2), G = alpha E' [-], Hamrock and Dowson (1977); G is
-    zero for an isoviscous oil, whatever its coefficient.
+    """U = eta_0 u_m/(E' Rx), W = F/(E' Rx^2) and G = alpha E', Hamrock and Dowson (1977).
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact, in SI
+
+    Returns
+    -------
+    speed
+        U [-]
+    load
+        W [-]
+    material
+        G, zero for an isoviscous oil, whatever its coefficient [-]
     """
     c = conditions
     oil = conditions.lubricant
@@ -114,14 +149,36 @@ def speed_load_material(conditions: ContactConditions) -> tuple[float, float, fl
 
 
 def moes_groups(conditions: ContactConditions) -> tuple[float, float]:
-    """M = W (2U)^(-3/4) and L = G (2U)^(1/4) [-], Moes (1992)."""
+    """M = W (2U)^(-3/4) and L = G (2U)^(1/4), Moes (1992).
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact, in SI
+
+    Returns
+    -------
+    load_parameter
+        M [-]
+    lubricant_parameter
+        L [-]
+    """
     speed, load, material = speed_load_material(conditions)
     return load * (2.0 * speed) ** -0.75, material * (2.0 * speed) ** 0.25
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MoesConditions:
-    """One contact by its dimensionless groups, Moes (1992)."""
+    """One contact by its dimensionless groups, Moes (1992).
+
+    Examples
+    --------
+    >>> from oilfilm import Lubricant, MoesConditions
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
+    >>> contact = MoesConditions(load_parameter=200.0, lubricant_parameter=10.0, lubricant=oil)
+    >>> contact.radius_ratio
+    1.0
+    """
 
     load_parameter: float  # M = W (2U)^(-3/4), W = F/(E' Rx^2), U = eta_0 u_m/(E' Rx) [-]
     lubricant_parameter: float  # L = G (2U)^(1/4), G = alpha E' [-]
@@ -130,7 +187,7 @@ class MoesConditions:
     lubricant: Lubricant
     radius_ratio: float = 1.0  # Rx/Ry [-]
     entrainment_angle: float = 0.0  # direction of the entrainment, from x towards y [rad]
-    # thickness in units of a^2/Rx, places of a, the Hertz semi-axis along x [-]; None: flooded
+    # thickness in units of a^2/Rx, positions of a, the Hertz semi-axis along x [-]; None: flooded
     inlet_layer: InletLayer | None = None
 
     def __post_init__(self) -> None:

@@ -10,7 +10,22 @@ Array = NDArray[np.float64]
 
 
 def unfolded(values: Array, axis: int = 0, sign: float = 1.0) -> Array:
-    """Values at y >= 0 along an axis and their mirror image, times `sign`, before them."""
+    """Values at y >= 0 along an axis, preceded by their mirror image.
+
+    Parameters
+    ----------
+    values : Array
+        nodal values, the first of the axis at y = 0 [any unit]
+    axis : int, default 0
+        axis along y
+    sign : float, default 1.0
+        1 for an even, -1 for an odd quantity [-]
+
+    Returns
+    -------
+    Array
+        values over the whole axis, 2 n - 1 in place of n [unit of `values`]
+    """
     half = np.moveaxis(values, axis, 0)
     return np.moveaxis(np.concatenate((sign * half[:0:-1], half)), 0, axis)
 
@@ -46,7 +61,18 @@ class Grid:
         return self.hx * self.hy
 
     def integral(self, values: Array) -> float:
-        """Integral over the whole box of nodal values, trapezoidal rule [-]."""
+        """Integral over the whole box by the trapezoidal rule.
+
+        Parameters
+        ----------
+        values : Array
+            nodal values, shape (ny, nx) [-]
+
+        Returns
+        -------
+        float
+            integral over X and Y, both halves of a symmetric grid [-]
+        """
         lines = values.sum(axis=1) - 0.5 * (values[:, 0] + values[:, -1])
         total = float(lines.sum()) - 0.5 * float(lines[0] + lines[-1])
         return (2.0 if self.symmetric else 1.0) * total * self.cell
@@ -72,14 +98,20 @@ def grid_hierarchy(
     Parameters
     ----------
     points : int
-        Nodes along x on the finest grid, 2^k + 1.
-    domain : tuple of float
-        x_in, x_out, y_half in units of a [-].
+        nodes along x on the finest grid, 2^k + 1
+    domain : tuple[float, float, float]
+        x_in, x_out, y_half in units of a [-]
     aspect : float
-        Largest hy/hx [-]; the next smaller one that fits the box is taken.
+        largest hy/hx; the next smaller one that fits the box is taken [-]
     levels : int
+        number of grids
     symmetric : bool
-        Grids of y >= 0 only.
+        grids of y >= 0 only
+
+    Returns
+    -------
+    tuple[Grid, ...]
+        the grids, the finest last
     """
     x_in, x_out, y_half = domain
     hx = (x_out - x_in) / (points - 1)

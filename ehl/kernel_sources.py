@@ -12,8 +12,6 @@ CONSTANTS = (  # modules from which kernels take constants, types and how they a
     "bearing/vibration/arrays.py",
     "ehl/arrays.py",
     "ehl/compiled.py",
-    "ehl/oil/heat_properties.py",
-    "ehl/oil/lubricant.py",
     "ehl/traction/heated/nahme.py",
 )
 

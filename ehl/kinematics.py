@@ -10,11 +10,11 @@ relative to body 2, omega (about y) and Omega (about n), body 1 slides over body
 .. math::
     s_x = S_x - \Omega y - \omega y^2/(2R), \qquad s_y = S_y + \Omega x .
 
-Off the ellipse the surfaces part and the radius is none of both; a flooded gap sheared by y^2
-there would drag in proportion to the area of the box. So y^2 does not grow beyond the ellipse's
-width (`curvature_width`).
+Off the ellipse the surfaces separate and the radius is that of neither; a flooded gap sheared by
+y^2 there would drag in proportion to the area of the box. So y^2 does not grow beyond the
+ellipse's width (`curvature_width`).
 
-What rolling does in the direction of n closes and opens the gap and is no sliding.
+The velocity of rolling along n closes and opens the gap and is no sliding.
 """
 
 from dataclasses import dataclass, fields
@@ -31,8 +31,21 @@ MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
 
 
 def curvature_height(curvature: Array | float, width: Array | float, y: Array) -> Array:
-    """Height -y^2/(2R) of a surface of curvature 1/(2R) [1/m] at distances y, constant beyond half
-    its width [m].
+    """Height -y^2/(2R) of a curved surface, constant beyond its width.
+
+    Parameters
+    ----------
+    curvature : Array | float
+        1/(2R), a number or an array [1/m]
+    width : Array | float
+        half the width over which the surface is curved so [m]
+    y : Array
+        distances from the middle, any shape [m]
+
+    Returns
+    -------
+    Array
+        height, the common shape of the inputs [m]
     """
     return np.asarray(-curvature * np.minimum(y * y, np.square(width)))
 
@@ -62,8 +75,8 @@ class ContactKinematics:
     mean_rolling: float = 0.0  # [rad/s]
     # mean surface speed along y, where the grid does not follow the entrainment [m/s]
     entrainment_lateral: float = 0.0
-    # 1/R_2x - 1/R_1x of the bodies' own curvatures along x: how the horizontal part of the
-    # pressure is shared; zero: equally [1/m]
+    # 1/R_2x - 1/R_1x of the bodies' curvatures along x: it divides the horizontal force of the
+    # pressure between them; zero: equally [1/m]
     curvature_difference: float = 0.0
 
     def __post_init__(self) -> None:
@@ -82,16 +95,57 @@ class ContactKinematics:
         return 0.5 / self.curvature_radius
 
     def curvature_height(self, y: Array) -> Array:
-        """Height -y^2/(2R) of the loaded surface at distances y, constant beyond its rim [m]."""
+        """Height -y^2/(2R) of the loaded surface, constant beyond its rim.
+
+        Parameters
+        ----------
+        y : Array
+            distances across the entrainment, any shape [m]
+
+        Returns
+        -------
+        Array
+            height, shape of `y` [m]
+        """
         return curvature_height(self.curvature, self.curvature_width, y)
 
     def sliding(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Velocity of body 1 relative to body 2 along x and y [m/s] at places x, y [m]."""
+        """Velocity of body 1 relative to body 2.
+
+        Parameters
+        ----------
+        x : Array
+            positions along the grid's x, any shape [m]
+        y : Array
+            positions along the grid's y, a shape that broadcasts with `x` [m]
+
+        Returns
+        -------
+        along
+            component along x, the common shape [m/s]
+        across
+            component along y, the common shape [m/s]
+        """
         s_x = self.sliding_x - self.spin * y + self.rolling * self.curvature_height(y) + 0.0 * x
         return s_x, self.sliding_y + self.spin * x + 0.0 * y
 
     def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Mean velocity of both surfaces along x and y [m/s] at places x, y [m]."""
+        """Mean velocity of both surfaces.
+
+        Parameters
+        ----------
+        x : Array
+            positions along the grid's x, any shape [m]
+        y : Array
+            positions along the grid's y, a shape that broadcasts with `x` [m]
+
+        Returns
+        -------
+        along
+            component along x, the common shape [m/s]
+        across
+            component along y, the common shape [m/s]
+        """
         u = (
             self.entrainment_speed
             - self.mean_spin * y
@@ -108,12 +162,26 @@ def contact_kinematics(
     curvature_width: float = inf,
     grid_angle: float | None = None,
 ) -> ContactKinematics:
-    """Motion that a contact's conditions describe, in the frame of the grid its film is solved on;
-    rolling is u_m/R_x, with R_x in the direction of the entrainment.
+    """Motion that the conditions of a contact describe, in the frame of the grid of its film.
 
-    grid_angle: direction of the grid's x from the principal direction x, `frame_angle` of a
-    solution [rad]; None: that of the entrainment. curvature_radius and curvature_width as in
-    `ContactKinematics` [m].
+    Rolling is u_m/R_x, with R_x in the direction of the entrainment.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact, in SI
+    curvature_radius : float, default inf
+        R of the loaded surface across the entrainment; infinite without curvature slip [m]
+    curvature_width : float, default inf
+        half the width over which it is curved so [m]
+    grid_angle : float | None, optional
+        direction of the grid's x from the principal direction x, `frame_angle` of a solution;
+        None: that of the entrainment [rad]
+
+    Returns
+    -------
+    ContactKinematics
+        velocities at the centre and their slopes
     """
     c = conditions
     turn = 0.0 if grid_angle is None else c.entrainment_angle - grid_angle

@@ -2,27 +2,36 @@
 
 from dataclasses import dataclass
 
-TOLERANCE = 0.01  # of the film where neither points nor a tolerance are given
-GENERALIZED_POINTS = 257  # of films with shear or heat, where neither is given
-MOST_POINTS = 1025  # taken to reach a tolerance, where no other number is given
+TOLERANCE = 0.01  # of the film without points and tolerance
+GENERALIZED_POINTS = 257  # of films with shear or heat, without both
+MOST_POINTS = 1025  # at most, to reach a tolerance without points
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SolverOptions:
-    """What the user may choose about a contact solve."""
+    """Options of a contact solve that a user may choose.
+
+    Examples
+    --------
+    >>> from oilfilm import SolverOptions
+    >>> SolverOptions(tolerance=0.005).most_points
+    1025
+    >>> SolverOptions(points=257).wanted_tolerance is None
+    True
+    """
 
     # nodes along x on the finest level, 2^k + 1, or with a tolerance the most of them; None: as
     # many as the tolerance needs, `MOST_POINTS` at most [-]
     points: int | None = None
-    # box (x_in, x_out, y_half) in Hertz semi-axes along x and along y [-]; None: the solver's own
+    # box (x_in, x_out, y_half) in Hertz semi-axes along x and along y [-]; None: by the solver
     domain: tuple[float, float, float] | None = None
     # relative error bar of central and minimum film to reach [-]; None: `TOLERANCE` without
     # points, else none, and the film is solved on the points
     tolerance: float | None = None
     # multigrid cycles on the finest level; from six on three times as many where they lead nearer
     max_cycles: int = 20
-    # that share the lines of one contact; films do not depend on it beyond round-off, and below
-    # some 257 points they do not help
+    # over which the lines of one contact are distributed; films do not depend on it beyond
+    # round-off, and below some 257 points there is no gain
     threads: int = 1
     # after the cycles, Newton's method until the equations of the finest grid hold to 1e-8
     certify: bool = False
@@ -57,9 +66,7 @@ class SolverOptions:
 
     @property
     def strictness(self) -> float:
-        """Factor on residual and change of film at which cycles stop, for a tolerance that asks
-        for more than the default [-].
-        """
+        """Factor on the limits at which cycles stop, for a tolerance below the default [-]."""
         return 1.0 if self.tolerance is None else min(1.0, self.tolerance / TOLERANCE)
 
     @property

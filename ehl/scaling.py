@@ -2,8 +2,8 @@
 
 X = x/a, Y = y/a, P = p/p_h, H = h Rx/a^2; a is the Hertz semi-axis along the principal direction
 x, p_h the Hertz pressure. With M, L and the ratio Rx/Ry the whole problem follows but for the
-scale of pressure (Moes, 1992), so both kinds of conditions are scaled alike: SI -> (M, L, Rx/Ry,
-p_h) -> `ScaledContact`.
+scale of pressure (Moes, 1992), so both kinds of conditions are scaled in one way: SI -> (M, L,
+Rx/Ry, p_h) -> `ScaledContact`.
 """
 
 from dataclasses import dataclass, replace
@@ -31,10 +31,11 @@ Array = NDArray[np.float64]
 # s [(1 + q P)^z - 1]
 CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)
 ALIGNMENT_TOLERANCE = 1e-12  # |C| below this is an entrainment along a principal direction
-# speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left out
+# speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is neglected
 SMALLEST_ROTATION = 1e-3
 # Beyond these the law of starvation, which is of entrainment along a principal direction, counts
-# as left: |C|, the mixed curvature, and the speed of rotation at the end of the ellipse over u_m
+# as outside its range: |C|, the mixed curvature, and the speed of rotation at the end of the
+# ellipse over u_m
 OBLIQUE = 0.05
 TURNING = 0.1
 
@@ -49,7 +50,7 @@ class _Frame:
 
     @property
     def direction(self) -> float:
-        """Of the entrainment, from the principal direction x towards y [rad]."""
+        """Direction of the entrainment, from the principal direction x towards y [rad]."""
         return self.angle + atan2(self.velocity[1], self.velocity[0])
 
 
@@ -86,23 +87,64 @@ class ScaledContact:
     coating: ScaledCoating | None = None
     # of a law that is none of the closed forms above, which are then not used
     oil: Lubricant | None = None
-    # thickness in units of a^2/Rx over places along the grid's Y in units of a; None: flooded
+    # thickness in units of a^2/Rx over positions along the grid's Y in units of a; None: flooded
     inlet_layer: InletLayer | None = None
 
     def gap(self, X: Array, Y: Array) -> Array:
-        """S X^2/2 + T Y^2/2 + C X Y [-]."""
+        """Gap of the undeformed bodies, S X^2/2 + T Y^2/2 + C X Y.
+
+        Parameters
+        ----------
+        X : Array
+            positions along the grid's X, any shape [-]
+        Y : Array
+            positions along the grid's Y, a shape that broadcasts with `X` [-]
+
+        Returns
+        -------
+        Array
+            gap in units of a^2/Rx, the common shape [-]
+        """
         along = 0.5 * self.curvature_x * X**2
         return along + 0.5 * self.curvature_y * Y**2 + self.curvature_xy * X * Y
 
     def dry_pressure(self, X: Array, Y: Array) -> Array:
-        """Hertz pressure in the grid's frame, sqrt(1 - X^2 - (a/b)^2 Y^2) [-]."""
+        """Hertz pressure in the grid's frame, sqrt(1 - X^2 - (a/b)^2 Y^2).
+
+        Parameters
+        ----------
+        X : Array
+            positions along the grid's X, any shape [-]
+        Y : Array
+            positions along the grid's Y, a shape that broadcasts with `X` [-]
+
+        Returns
+        -------
+        Array
+            P, the common shape, zero outside the ellipse [-]
+        """
         c, s = np.cos(self.frame_angle), np.sin(self.frame_angle)
         along = X * c - Y * s
         across = (X * s + Y * c) / self.semi_axis_ratio
         return np.asarray(np.sqrt(np.maximum(1.0 - along**2 - across**2, 0.0)))
 
     def principal(self, X: float, Y: float) -> tuple[float, float]:
-        """A place of the grid's frame in the principal directions [-]."""
+        """Position in the principal directions of a position in the grid's frame.
+
+        Parameters
+        ----------
+        X : float
+            position along the grid's X [-]
+        Y : float
+            position along the grid's Y [-]
+
+        Returns
+        -------
+        x
+            along the principal direction x, in units of a [-]
+        y
+            along the principal direction y, in units of a [-]
+        """
         c, s = cos(self.frame_angle), sin(self.frame_angle)
         return X * c - Y * s, X * s + Y * c
 
@@ -113,12 +155,12 @@ class ScaledContact:
 
     @property
     def symmetric(self) -> bool:
-        """Whether the solution is even in Y."""
+        """The solution is even in Y."""
         return abs(self.curvature_xy) < ALIGNMENT_TOLERANCE and not self.lateral
 
     @property
     def lateral(self) -> bool:
-        """Whether the entrainment has a part along Y anywhere."""
+        """The entrainment has a component along Y somewhere."""
         return self.velocity_y != 0.0 or self.rotation != 0.0
 
 
@@ -129,13 +171,25 @@ def scale_contact(
 
     The grid's X is the principal direction in which the entrainment passes the ellipse sooner;
     with `along_entrainment`, and where no direction is principal, X is the entrainment's. A
-    rotation of the entrainment below `SMALLEST_ROTATION` at the end of the ellipse is left out.
+    rotation of the entrainment below `SMALLEST_ROTATION` at the end of the ellipse is neglected.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        the contact, in SI or by Moes' groups
+    along_entrainment : bool, default False
+        the grid follows the entrainment
+
+    Returns
+    -------
+    ScaledContact
+        coefficients of the dimensionless equations
 
     Raises
     ------
     ValueError
-        If Moes conditions leave the scale of pressure open: L > 0 needs a pressure-viscosity
-        coefficient.
+        if Moes conditions leave the scale of pressure open: L > 0 needs a pressure-viscosity
+        coefficient
     """
     if isinstance(conditions, MoesConditions):
         d = conditions.radius_ratio
@@ -143,7 +197,7 @@ def scale_contact(
         pressure = _pressure_scale(conditions, hertz_coefficients(d)[1])
         frame = _frame(d, conditions.entrainment_angle, 0.0, along_entrainment)
         scaled = _scaled(groups, pressure, conditions.lubricant, frame, None)
-        return with_layer(scaled, conditions.inlet_layer)
+        return with_inlet_layer(scaled, conditions.inlet_layer)
     d = conditions.radius_x / conditions.radius_y
     f, g, _ = hertz_coefficients(d)
     _, load, _ = speed_load_material(conditions)
@@ -155,7 +209,7 @@ def scale_contact(
     scaled = _scaled(groups, pressure, conditions.lubricant, frame, length)
     if conditions.inlet_layer is not None:
         layer = conditions.inlet_layer.scaled(length[0], length[0] ** 2 / length[1])
-        scaled = with_layer(scaled, layer)
+        scaled = with_inlet_layer(scaled, layer)
     if conditions.coating is None:
         return scaled
     return replace(
@@ -163,14 +217,27 @@ def scale_contact(
     )
 
 
-def with_layer(contact: ScaledContact, layer: InletLayer | None) -> ScaledContact:
-    """A contact with a layer at its inlet, in the solver's units [-].
+def with_inlet_layer(contact: ScaledContact, layer: InletLayer | None) -> ScaledContact:
+    """A contact with a layer of oil at its inlet.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+    layer : InletLayer | None
+        thickness in units of a^2/Rx over positions across the track in units of a [-]; None:
+        flooded
+
+    Returns
+    -------
+    ScaledContact
+        the contact with the layer
 
     Raises
     ------
     ValueError
-        If the layer is not the same everywhere and the entrainment is at an angle to the ellipse,
-        so that places across the track are not places along the grid's Y.
+        if the layer is not uniform and the entrainment is at an angle to the ellipse, so that
+        positions across the track are not positions along the grid's Y
     """
     if layer is None:
         return contact
@@ -261,10 +328,10 @@ def _scaled(
 def _film_guess(groups: tuple[float, float, float], lubricant: Lubricant, angle: float) -> float:
     """Central film by formula, in Moes' units [-]; an isoviscous oil has L = 0.
 
-    An entrainment at an angle has the films of its two parts, each along a principal direction
-    with its own curvature S: M S^(5/4)/v^(3/4) and L (S v)^(1/4) at the share v of the speed.
-    Their cubes add up: 0.77 to 1.59 times the film of 93 random contacts at an angle (fitted; 0.75
-    to 1.38 where there is none).
+    An entrainment at an angle has the films of its two components, each along a principal
+    direction with its curvature S: M S^(5/4)/v^(3/4) and L (S v)^(1/4) at the fraction v of the
+    speed. Their cubes add up: 0.77 to 1.59 times the film of 93 random contacts at an angle
+    (fitted; 0.75 to 1.38 where there is none).
     """
     m, l, d = groups
     if lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS:
@@ -297,10 +364,24 @@ def _viscosity_coefficients(
 
 
 def groups_along(contact: ScaledContact) -> tuple[float, float, float]:
-    """M, L and Rx/Ry by the curvatures of the gap along and across the grid's x, which are those
-    of the conditions where the entrainment has a principal direction [-].
+    """M, L and Rx/Ry by the curvatures of the gap along and across the grid's x.
 
-    With the radius R/S in place of R: W S^2 and U S give M S^(5/4) and L S^(1/4).
+    They are those of the conditions where the entrainment has a principal direction. With the
+    radius R/S in place of R, W S^2 and U S give M S^(5/4) and L S^(1/4).
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+
+    Returns
+    -------
+    load_parameter
+        M [-]
+    lubricant_parameter
+        L [-]
+    radius_ratio
+        Rx/Ry [-]
     """
     s = contact.curvature_x
     return (contact.moes_load * s**1.25, contact.moes_lubricant * s**0.25, contact.curvature_y / s)
@@ -309,10 +390,24 @@ def groups_along(contact: ScaledContact) -> tuple[float, float, float]:
 def contact_shares(
     contact: ScaledContact, ratio: float, flooded_ratio: float = inf
 ) -> StarvationShares:
-    """What a layer of `ratio` times the oil of the flooded film leaves of a contact, in the frame
-    of its entrainment; a layer of `flooded_ratio` counts as flooded [-].
+    """Starvation factors of a contact, in the frame of its entrainment.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+    ratio : float
+        inlet layer over the oil of the flooded film [-]
+    flooded_ratio : float, default inf
+        ratio from which on a layer counts as flooded [-]
+
+    Returns
+    -------
+    StarvationShares
+        factors on films, rolling moment and damping; with wider uncertainties outside the range of
+        the law
     """
-    shares = starvation_shares(*groups_along(contact), ratio, flooded_ratio)
+    factors = starvation_shares(*groups_along(contact), ratio, flooded_ratio)
     if abs(contact.curvature_xy) <= OBLIQUE and contact.turning <= TURNING:
-        return shares
-    return shares.outside()
+        return factors
+    return factors.outside()

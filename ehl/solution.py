@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .closed_form.hertz import MEAN_PRESSURE_RATIO
-from .closed_form.starvation import Share, StarvationShares
+from .closed_form.starvation import ReductionFactor, StarvationShares
 from .conditions import ContactConditions, MoesConditions
 from .oil.film_state import FilmState
 from .options import SolverOptions
@@ -36,14 +36,17 @@ class FilmValue:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Certificate:
-    """Whether the discrete equations of the finest grid hold to 1e-8, and what that took [-]."""
+    """Newton's method on the finest grid: residuals before and after, and its work [-].
+
+    `certified`: the discrete equations hold to 1e-8.
+    """
 
     certified: bool
     message: str
     # sum |R| over sum |div(rho u H)| of the fluid nodes, at the start and after each Newton step
     residual: tuple[float, ...]
     force_error: tuple[float, ...]  # relative error of the load balance, likewise
-    # largest relative change of central and minimum film; zero where the state was left as it was
+    # largest relative change of central and minimum film; zero where the state was not changed
     film_change: float
     deflections: int  # deflection FFTs
     factorisations: int  # of the near field
@@ -64,7 +67,7 @@ class ConvergenceRecord:
     fft_equivalents: float
     fallbacks: tuple[str, ...]  # attempts and corrections after the first, in order
     wall_time: float  # of the solve alone [s]
-    # sum of R over the same, after the last cycle: the oil lost or gained [-]; None: not known
+    # sum of R over the same, after the last cycle: the oil lost or gained [-]; None: not computed
     mass_imbalance: float | None = None
     certificate: Certificate | None = None  # of Newton's method; None: not asked for
     attempt: str = ""  # name of the attempt that the solution is of; empty: of finite elements
@@ -72,8 +75,9 @@ class ConvergenceRecord:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OilSupply:
-    """What a layer at the inlet does to a contact, by solutions of the same box or the flooded one
-    and the law of starvation; all [-].
+    """Effect of a layer at the inlet on a contact; all [-].
+
+    By two solutions of one box, or by the flooded one and the law of starvation.
     """
 
     flooded: "ContactSolution"  # without limit of the supply, in the same box
@@ -84,9 +88,9 @@ class OilSupply:
     # or by the law
     meniscus: float | None
     rolling_moment_ratio: float  # of the box, over that of the flooded film there
-    damping: Share  # along the normal at 0.3 u_m/a rad/s, by the law of starvation
+    damping: ReductionFactor  # along the normal at 0.3 u_m/a rad/s, by the law of starvation
     # None by the law: shape (ny,), oil that leaves the box over its velocity, and shape (nx, ny),
-    # share of the gap that oil fills
+    # fraction of the gap that oil fills
     outlet_layer: Array | None = None
     filled: Array | None = None
     # what the law gave, None: solved behind the layer; and the moment of the flooded pressure in
@@ -108,7 +112,20 @@ class OilSupply:
         return self.flooded.film_minimum_dimensionless
 
     def thinned(self, points: int, step: int) -> "OilSupply":
-        """The same on every `step`-th node, and flooded on as many as leave `points` along x."""
+        """Every `step`-th node of the fields.
+
+        Parameters
+        ----------
+        points : int
+            largest number of nodes along x of the flooded film [-]
+        step : int
+            distance of the nodes that stay, of those behind the layer [-]
+
+        Returns
+        -------
+        OilSupply
+            the same supply on fewer nodes
+        """
         thin = replace(self, flooded=self.flooded.thinned(points))
         if self.outlet_layer is None or self.filled is None:
             return thin
@@ -163,8 +180,17 @@ class ContactSolution:
         return MEAN_PRESSURE_RATIO * self.hertz_pressure
 
     def thinned(self, points: int) -> "ContactSolution":
-        """The same on every second node, or every fourth and so on, until at most `points` are
-        left along x; edges and origin stay.
+        """Every second node, or every fourth and so on; edges and origin stay.
+
+        Parameters
+        ----------
+        points : int
+            largest number of nodes along x [-]
+
+        Returns
+        -------
+        ContactSolution
+            the same solution on at most `points` nodes along x where the mesh allows it
         """
         step = 1
         cells = (self.X.size - 1, self.Y.size - 1)

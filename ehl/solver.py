@@ -34,10 +34,10 @@ from .multigrid.verdict import (
     error_by_box,
     film_over_radius,
     film_value,
-    judged,
     resolution_message,
     tolerance_judged,
     tolerance_reached,
+    with_status,
 )
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
@@ -47,7 +47,7 @@ Array = NDArray[np.float64]
 
 FLOODED_ONLY = "inlet_layer: films with shear or heat are solved flooded only"
 CAUTIOUS_LEVEL = "finer mesh with damping halved, less Gauss-Seidel"
-LOAD_STEPS = (1 / 16, 1 / 8, 1 / 4, 1 / 2)  # shares of the load by which a fallback reaches it
+LOAD_STEPS = (1 / 16, 1 / 8, 1 / 4, 1 / 2)  # fractions of the load by which a fallback reaches it
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula
 FIRST_FINENESS = 6.0
 FEWEST_POINTS = 65  # of the first mesh
@@ -64,6 +64,15 @@ def solve_contact(
     `multigrid/far_field.py`; without a flow model the oil is Newtonian and of uniform
     temperature. Behind a layer at the inlet the flooded film is solved first, see `solve_starved`.
 
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        the contact, in SI or by Moes' groups
+    options : SolverOptions | None, optional
+        mesh, tolerance and effort; None: the defaults
+    flow_model : FlowModel | None, optional
+        flow of an oil with shear thinning or heat; None: Newtonian and isothermal
+
     Returns
     -------
     ContactSolution
@@ -72,7 +81,17 @@ def solve_contact(
     Raises
     ------
     ValueError
-        If the conditions leave the problem undetermined; the message names the field.
+        if the conditions leave the problem undetermined; the message names the field
+
+    Examples
+    --------
+    >>> from oilfilm import ContactConditions, Lubricant, SolverOptions, solve_contact
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
+    >>> contact = ContactConditions(load=50.0, radius_x=6e-3, radius_y=60e-3,
+    ...     reduced_modulus=2.3e11, entrainment_speed=5.0, lubricant=oil)
+    >>> solution = solve_contact(contact, SolverOptions(points=65))
+    >>> solution.converged, f"{solution.film_central * 1e6:.1f} um"
+    (True, '0.8 um')
     """
     options = options or SolverOptions()
     if conditions.inlet_layer is not None:
@@ -88,8 +107,27 @@ def solve_attempts(
     attempts: tuple[Attempt, ...] = ATTEMPTS,
     film_guess: float | None = None,
 ) -> tuple[ContactSolution, Multigrid]:
-    """As `solve_contact`, with attempts of choice; the levels of the solution, too. `film_guess`:
-    central film to start from in the units of the solver; None: that of the formula.
+    """A contact by chosen attempts, with the levels of its solution.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        the contact, in SI or by Moes' groups
+    options : SolverOptions
+        mesh, tolerance and effort
+    flow_model : FlowModel | None, optional
+        flow of an oil with shear thinning or heat; None: Newtonian and isothermal
+    attempts : tuple[Attempt, ...], default ATTEMPTS
+        settings of the multigrid, tried one after the other until one converges
+    film_guess : float | None, optional
+        central film to start from, in units of a^2/Rx [-]; None: that of the film formula
+
+    Returns
+    -------
+    solution
+        the solution of the attempt that came closest
+    levels
+        its grids and fields
     """
     tolerance = options.wanted_tolerance
     progress = Progress()
@@ -100,8 +138,8 @@ def solve_attempts(
     points = options.most_points
     if tolerance is not None:
         points = _first_points(problem.scaled()[0], domain, tolerance, points)
-    given = replace(options, points=points)
-    solution, result = _solve(problem, given, attempts, progress)
+    mesh = replace(options, points=points)
+    solution, result = _solve(problem, mesh, attempts, progress)
     while tolerance is not None and points < options.most_points:
         if (
             tolerance_reached(solution, tolerance)
@@ -110,10 +148,10 @@ def solve_attempts(
             break
         if error_by_box(result) > max(tolerance, 0.5 * solution.widest_bar):
             break  # of which no mesh takes anything away
-        given = replace(given, points=2 * points - 1)
+        mesh = replace(mesh, points=2 * points - 1)
         sound = solution.converged and solution.resolved
-        anew = () if sound else attempts
-        finer, finer_result = _solve_finer(problem, given, result, anew, progress)
+        further = () if sound else attempts
+        finer, finer_result = _solve_finer(problem, mesh, result, further, progress)
         if sound and not finer.converged:
             solution = beside_finer(solution)
             break
@@ -131,8 +169,19 @@ def solve_attempts(
 def solve_nested(
     conditions: ContactConditions | MoesConditions, meshes: Sequence[SolverOptions]
 ) -> Iterator[tuple[ContactSolution, Multigrid]]:
-    """A flooded contact on meshes each half as wide as the one before, on which it starts from
-    the levels of that; without tolerance.
+    """A flooded contact on a series of meshes without tolerance, each started from the one before.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        the contact, in SI or by Moes' groups
+    meshes : Sequence[SolverOptions]
+        options with `points`, each with half the mesh size of the one before
+
+    Yields
+    ------
+    Iterator[tuple[ContactSolution, Multigrid]]
+        solution and levels of each mesh
     """
     domain = meshes[0].domain or choose_domain(scale_contact(conditions))
     problem = _Problem(conditions, domain, None, None)
@@ -151,14 +200,29 @@ def solve_starved(
     options: SolverOptions,
     flow_model: FlowModel | None = None,
 ) -> ContactSolution:
-    """A contact behind a layer of oil: its flooded film, then the film with mass conserved, see
-    `multigrid/starved.py`, and what the layer changes. Not converged where the oil runs against
-    the entrainment somewhere in the box, as beside a pole of spin.
+    """A contact behind a layer of oil: the flooded film, then the film with mass conserved.
+
+    See `multigrid/starved.py`. Not converged where the oil runs against the entrainment somewhere
+    in the box, for example near a pole of spin.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        the contact, with its `inlet_layer`
+    options : SolverOptions
+        mesh, tolerance and effort
+    flow_model : FlowModel | None, optional
+        None; there is no other one behind a layer
+
+    Returns
+    -------
+    ContactSolution
+        the starved film; its `supply` compares it with the flooded one
 
     Raises
     ------
     ValueError
-        If a flow model or a certificate is asked for: neither is there behind a layer.
+        if a flow model or a certificate is requested: neither exists behind a layer
     """
     if flow_model is not None:
         raise ValueError(FLOODED_ONLY)
@@ -170,7 +234,22 @@ def solve_starved(
 def solve_behind_layer(
     conditions: ContactConditions | MoesConditions, options: SolverOptions
 ) -> tuple[ContactSolution, Multigrid]:
-    """As `solve_starved`; the levels of the solution, too: of the flooded one if there is none."""
+    """A contact behind a layer of oil as by `solve_starved`, with the levels of its solution.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        the contact, with its `inlet_layer`
+    options : SolverOptions
+        mesh, tolerance and effort
+
+    Returns
+    -------
+    solution
+        the starved film, or the flooded one with a message if there is none
+    levels
+        grids and fields of that film
+    """
     layer = scale_contact(conditions).inlet_layer
     assert layer is not None
     flooded, levels = solve_attempts(replace(conditions, inlet_layer=None), options)
@@ -195,13 +274,29 @@ def solve_by_law(
     options: SolverOptions,
     flow_model: FlowModel | None = None,
 ) -> ContactSolution:
-    """A contact behind a layer of oil: its flooded film, and what the tabulated law of starvation
-    leaves of it, see `multigrid/supply/starvation_law.py`.
+    """A contact behind a layer of oil: the flooded film, reduced by the tabulated law of
+    starvation.
+
+    See `multigrid/supply/starvation_law.py`.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        the contact, with its `inlet_layer`
+    options : SolverOptions
+        mesh, tolerance and effort of the flooded film
+    flow_model : FlowModel | None, optional
+        None; the law holds for Newtonian films without heat
+
+    Returns
+    -------
+    ContactSolution
+        the starved film by the law, fields of the flooded one
 
     Raises
     ------
     ValueError
-        If a flow model is asked for: the law is of Newtonian films without heat.
+        if a flow model is requested
     """
     contact = scale_contact(conditions)
     assert contact.inlet_layer is not None
@@ -260,7 +355,7 @@ def _solve(
     before, too.
     """
     conditions = problem.conditions
-    lighter = tuple(scale_contact(at_load(conditions, share)) for share in LOAD_STEPS)
+    lighter = tuple(scale_contact(at_load(conditions, fraction)) for fraction in LOAD_STEPS)
     progress.fallbacks.clear()
     result = solve_with_fallbacks(
         problem.scaled(), problem.domain, options, progress, problem.flow_model, lighter, attempts
@@ -275,9 +370,11 @@ def _solve_finer(
     attempts: tuple[Attempt, ...],
     progress: Progress,
 ) -> tuple[ContactSolution, AttemptResult]:
-    """A contact on twice the points: from its solution, or by attempts anew where there is none or
-    it does not lead to one, what came closest before first. Without attempts the coarser films
-    are what stands if their solution does not lead to one with more damping either.
+    """A contact on twice the points, from its solution on the coarser mesh.
+
+    Without one, or if it does not converge, all attempts follow, the closest one first. Without
+    attempts the coarser films stay if their solution does not lead to a finer one with more
+    damping either.
     """
     results: list[AttemptResult] = []
     dampings = [] if coarse.attempt.newton or not coarse.converged else [coarse.attempt.damping]
@@ -315,11 +412,24 @@ def _assembled(
         ),
         result,
     )
-    return judged(_solution(conditions, options, result, record), error_by_box(result))
+    return with_status(_solution(conditions, options, result, record), error_by_box(result))
 
 
 def with_history(record: ConvergenceRecord, result: AttemptResult) -> ConvergenceRecord:
-    """The record with the cycles on the finest level."""
+    """The record with the cycles on the finest level.
+
+    Parameters
+    ----------
+    record : ConvergenceRecord
+        record of the attempt
+    result : AttemptResult
+        levels of the attempt with their histories
+
+    Returns
+    -------
+    ConvergenceRecord
+        the completed record
+    """
     if not result.levels:
         return record
     history = result.levels[-1]
@@ -336,7 +446,20 @@ def with_history(record: ConvergenceRecord, result: AttemptResult) -> Convergenc
 def at_load(
     conditions: ContactConditions | MoesConditions, factor: float
 ) -> ContactConditions | MoesConditions:
-    """The contact under `factor` times its load [-]."""
+    """The contact under a multiple of its load.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        the contact, in SI or by Moes' groups
+    factor : float
+        of the load [-]
+
+    Returns
+    -------
+    ContactConditions | MoesConditions
+        conditions at the other load
+    """
     if isinstance(conditions, MoesConditions):
         return replace(conditions, load_parameter=factor * conditions.load_parameter)
     return replace(conditions, load=factor * conditions.load)
@@ -380,7 +503,22 @@ def _solution(
 
 
 def unfold_symmetry(state: Multigrid) -> tuple[Array, Array, Array]:
-    """Y, P and H of the finest grid over the whole box; fields of shape (nx, ny)."""
+    """Y, P and H of the finest grid over the whole box.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the solve, the finest last
+
+    Returns
+    -------
+    Y
+        shape (ny,) [-]
+    P
+        shape (nx, ny) [-]
+    H
+        shape (nx, ny) [-]
+    """
     level = state.levels[-1]
     Y = level.grid.Y
     P = level.P

@@ -129,12 +129,22 @@ def _split(key: str) -> tuple[list[str], Unit | None]:
 def unit(path: str) -> Unit:
     """Unit of a dotted path: that of the last part that ends in one, `NO_UNIT` if none does.
 
-    What has no unit by its name takes none from the block it stands in.
+    A part that is dimensionless by its name takes no unit from the block around it.
+
+    Parameters
+    ----------
+    path : str
+        key, or keys joined by dots
+
+    Returns
+    -------
+    Unit
+        the unit
     """
     for part in reversed(path.split(".")):
-        words, unit_of_part = _split(part)
-        if unit_of_part is not None:
-            return unit_of_part
+        words, word_unit = _split(part)
+        if word_unit is not None:
+            return word_unit
         if words[-1] in DIMENSIONLESS:
             break
     return NO_UNIT
@@ -143,6 +153,18 @@ def unit(path: str) -> Unit:
 def unit_of(path: str) -> str:
     """Text of the unit of a dotted path, empty if it has none.
 
+    Parameters
+    ----------
+    path : str
+        key, or keys joined by dots
+
+    Returns
+    -------
+    str
+        text for files
+
+    Examples
+    --------
     >>> unit_of("torque_N_mm.models.skf.total")
     'N mm'
     >>> unit_of("torque_N_mm.coulomb_coefficient")
@@ -152,59 +174,145 @@ def unit_of(path: str) -> str:
 
 
 def si_unit_of(path: str) -> str:
-    """Text of the SI unit of a dotted path, empty if it has none."""
-    own = unit(path)
-    return own.base or own.text
+    """Text of the SI unit of a dotted path, empty if it has none.
+
+    Parameters
+    ----------
+    path : str
+        key, or keys joined by dots
+
+    Returns
+    -------
+    str
+        text for files
+    """
+    key_unit = unit(path)
+    return key_unit.base or key_unit.text
 
 
 def unit_symbol(path: str) -> str:
-    """As `unit_of`, with the signs that people read: `µm`, `°C`, `r/min`."""
+    """Symbol of the unit of a dotted path for people: `µm`, `°C`, `r/min`.
+
+    Parameters
+    ----------
+    path : str
+        key, or keys joined by dots
+
+    Returns
+    -------
+    str
+        text for pictures, pages and terminals
+    """
     text = unit_of(path)
     return SYMBOLS.get(text, text)
 
 
 def without_unit(key: str) -> str:
-    """A key in words, its unit taken off: `film_minimum_um` is `film minimum`."""
+    """A key in words, without its unit: `film_minimum_um` is `film minimum`.
+
+    Parameters
+    ----------
+    key : str
+        key of a table
+
+    Returns
+    -------
+    str
+        words
+    """
     return " ".join(_split(key)[0])
 
 
 def from_si(key: str, value: Any) -> Any:
-    """A number or an array in SI, in the unit of its key; None stays None.
+    """A value in SI, converted to the unit of its key.
 
+    Parameters
+    ----------
+    key : str
+        key that ends in a unit
+    value : Any
+        number or array in SI; None stays None
+
+    Returns
+    -------
+    Any
+        number or array in the unit of the key
+
+    Examples
+    --------
     >>> from_si("film_minimum_um", 2.5e-7)
     0.25
     """
     if value is None:
         return None
-    own = unit(key)
-    if own.text == "deg":  # as `math.degrees`, which divides nothing
+    key_unit = unit(key)
+    if key_unit.text == "deg":  # as `math.degrees`, which divides nothing
         return value * (180.0 / pi)
-    return (value - own.zero) / own.si if own.zero or own.si != 1.0 else value
+    return (value - key_unit.zero) / key_unit.si if key_unit.zero or key_unit.si != 1.0 else value
 
 
 def is_si(key: str) -> bool:
-    """Whether the unit of a key is that of SI, so that nothing is converted."""
-    own = unit(key)
-    return own.text != "deg" and not own.zero and own.si == 1.0
+    """Tell if the unit of a key is that of SI, so that nothing is converted.
+
+    Parameters
+    ----------
+    key : str
+        key that ends in a unit
+
+    Returns
+    -------
+    bool
+        True without a conversion
+    """
+    key_unit = unit(key)
+    return key_unit.text != "deg" and not key_unit.zero and key_unit.si == 1.0
 
 
 def to_si(key: str, value: Any) -> Any:
-    """A number or an array in the unit of its key, in SI; None stays None.
+    """A value in the unit of its key, converted to SI.
 
+    Parameters
+    ----------
+    key : str
+        key that ends in a unit
+    value : Any
+        number or array in the unit of the key; None stays None
+
+    Returns
+    -------
+    Any
+        number or array in SI
+
+    Examples
+    --------
     >>> to_si("temperature_C", 40.0)
     313.15
     """
     if value is None:
         return None
-    own = unit(key)
-    return value * own.si + own.zero if own.zero or own.si != 1.0 else value
+    key_unit = unit(key)
+    return value * key_unit.si + key_unit.zero if key_unit.zero or key_unit.si != 1.0 else value
 
 
 def value_with_error(value: float, error: float, most: int = 5) -> str:
-    """Text of a value and its uncertainty, both in one unit, such as [um].
+    """Text of a value and its uncertainty.
 
-    To the error's first digit (second after a 1), with at most `most` decimals [-]; a smaller
-    error is rounded up, and left out where the value has no two digits then.
+    The text has the error's first digit (second after a 1). An error below the last decimal is
+    rounded up, and omitted where the value has no two digits then.
+
+    Parameters
+    ----------
+    value : float
+        the value [any unit]
+    error : float
+        its uncertainty [unit of `value`]
+    most : int, default 5
+        largest number of decimals [-]
+
+    Returns
+    -------
+    str
+        such as "0.253 ± 0.004"
     """
     digits = 3
     if 0.0 < error < inf:
@@ -221,15 +329,27 @@ def value_with_error(value: float, error: float, most: int = 5) -> str:
 def notebook_html(
     title: str, facts: Mapping[str, Any], columns: Mapping[str, Sequence[Any]] | None = None
 ) -> str:
-    """A result as a notebook shows it: facts by their keys, and a table of columns [SI].
+    """A result as a notebook shows it: facts by their keys, and a table of columns.
 
-    A value in SI is shown in the unit of its key, a pair as a value with its error bar, text and
-    None (a dash) as they are.
+    Parameters
+    ----------
+    title : str
+        heading
+    facts : Mapping[str, Any]
+        values in SI by their keys; each is shown in the unit of its key, a pair as a value with
+        its error bar, text and None (a dash) unchanged
+    columns : Mapping[str, Sequence[Any]] | None, optional
+        columns of a table in SI by their keys, of one length
+
+    Returns
+    -------
+    str
+        HTML
     """
-    left = "style='text-align:left'"
+    align = "style='text-align:left'"
     rows = "".join(
-        f"<tr><th {left}>{escape(without_unit(key))}</th>"
-        f"<td {left}>{_cell(key, value, unit_symbol(key))}</td></tr>"
+        f"<tr><th {align}>{escape(without_unit(key))}</th>"
+        f"<td {align}>{_cell(key, value, unit_symbol(key))}</td></tr>"
         for key, value in facts.items()
     )
     table = _columns_html(columns or {})

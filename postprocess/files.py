@@ -19,17 +19,59 @@ CONTACTS_FILE = "contacts.csv"
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text, which appears when it is complete."""
+    """Write a text, which appears when it is complete.
+
+    Parameters
+    ----------
+    path : Path
+        File to write.
+    text : str
+        Content.
+
+    Raises
+    ------
+    OSError
+        If the disk does not take it.
+    """
     write_bytes(path, text.encode("utf-8"))
 
 
 def write_json(document: dict[str, Any], path: Path) -> None:
-    """Write a JSON document; NaN and infinity are refused with ValueError."""
+    """Write a JSON document.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Plain JSON types.
+    path : Path
+        File to write.
+
+    Raises
+    ------
+    ValueError
+        If a number is NaN or infinite.
+    """
     write_text(path, json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
 
 
 def read_summary(directory: Path) -> dict[str, Any]:
-    """The summary of a result folder; ValueError if there is none, or it is not ours."""
+    """Read the summary of a result folder.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+
+    Returns
+    -------
+    dict[str, Any]
+        Content of `summary.json`.
+
+    Raises
+    ------
+    ValueError
+        If the folder holds no summary, or one that is damaged or not of oilfilm.
+    """
     path = directory / SUMMARY_FILE
     try:
         summary = json.loads(path.read_text(encoding="utf-8"))
@@ -48,7 +90,18 @@ def read_summary(directory: Path) -> dict[str, Any]:
 
 
 def plain_document(document: dict[str, Any]) -> dict[str, Any]:
-    """A summary in plain JSON types, with a message for each number that is not finite."""
+    """A summary in plain JSON types, with a message for each number that is not finite.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary with the list `messages`.
+
+    Returns
+    -------
+    dict[str, Any]
+        The summary, null in place of each such number.
+    """
     lost: list[str] = []
     values: dict[str, Any] = plain(document, "", lost)
     values["messages"] += [f"{path}: null, the computed value is not finite" for path in lost]
@@ -56,9 +109,24 @@ def plain_document(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
-    """Plain JSON types; a number that is not finite becomes None, its path is added to `lost`."""
+    """Plain JSON types; a number that is not finite becomes None.
+
+    Parameters
+    ----------
+    value : Any
+        Any value of a summary, arrays of NumPy included.
+    path : str, default ''
+        Dotted path of the value in the summary.
+    lost : list[str] | None, optional
+        Takes the paths of numbers that are not finite.
+
+    Returns
+    -------
+    Any
+        The value in dictionaries, lists, text, numbers and None.
+    """
     if isinstance(value, dict):
-        # what is of JSON as it is, as nearly all is, costs no call and no path
+        # a value of JSON, as nearly all are, costs no call and no path
         return {
             key: v
             if (kind := type(v)) in PLAIN or (kind is float and -LARGEST <= v <= LARGEST)
@@ -84,7 +152,19 @@ def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
 def write_csv(
     path: Path, header: Iterable[str], rows: Iterable[Iterable[Any]], number: str = ""
 ) -> None:
-    """Write a table: floats by the format `number`, in full if it is empty; nothing for null."""
+    """Write a table; a cell of null is empty.
+
+    Parameters
+    ----------
+    path : Path
+        File to write.
+    header : Iterable[str]
+        Names of the columns.
+    rows : Iterable[Iterable[Any]]
+        Cells of each line.
+    number : str, default ''
+        Format of floats, such as ".7g"; in full if it is empty.
+    """
     with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(header)
@@ -103,6 +183,23 @@ def attempt(name: str, write: Callable[[], object]) -> tuple[str, ...]:
     """Messages of an extra that failed, or those that it returns.
 
     Any failure in a drawing library is a lost picture, not a lost run. That of a disk is one.
+
+    Parameters
+    ----------
+    name : str
+        What is written, for the message.
+    write : Callable[[], object]
+        Writes it.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Why it failed, or the messages that it returns.
+
+    Raises
+    ------
+    OSError
+        If the disk is full or broken.
     """
     try:
         messages = write()
@@ -116,5 +213,18 @@ def attempt(name: str, write: Callable[[], object]) -> tuple[str, ...]:
 
 
 def contact_name(ball: int, race: str) -> str:
-    """Name of a contact in files: `ball01/inner`."""
+    """Name of a contact in files: `ball01/inner`.
+
+    Parameters
+    ----------
+    ball : int
+        Number of the ball, from 1.
+    race : str
+        "inner" or "outer".
+
+    Returns
+    -------
+    str
+        Name of the contact.
+    """
     return f"ball{ball:02d}/{race}"

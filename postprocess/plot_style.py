@@ -16,7 +16,7 @@ from ehl.solution import Array
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
 FORMATS = (".png", ".pdf", ".svg")  # of pictures
-# of zlib, 1 to 9; of a contact's picture 1 takes 0.04 s and 0.40 MB, 3 0.04 s and 0.38 MB,
+# level of zlib, 1 to 9; of a contact's picture 1 takes 0.04 s and 0.40 MB, 3 0.04 s and 0.38 MB,
 # the default 6 0.07 s and 0.35 MB, 9 0.33 s and 0.34 MB
 PNG_COMPRESSION = 3
 INNER_COLOUR = "#0b5394"
@@ -43,17 +43,17 @@ RC: Any = {
     "contour.linewidth": 0.4,
     "figure.constrained_layout.use": True,
 }
-# of the part shown, in Hertz semi-axes along and across the entrainment; chosen by eye
+# ends of the part shown, in Hertz semi-axes along and across the entrainment; chosen by eye
 SHOWN_INLET = -2.5
 SHOWN_OUTLET = 1.5
 SHOWN_SIDE = 1.35
 STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
-# of the largest pressure: the shown part reaches beyond where the pressure has fallen to this
+# share of the largest pressure [-]: the shown part reaches beyond where the pressure is smaller
 QUIET_PRESSURE = 0.1
-# of the central film: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
+# share of the central film [-]: a contact with a minimum nearer to it has no horseshoe
 FLAT_FILM = 0.03
-# of the largest Hertz pressure, 1/20 of the load: the contacts above it rule colours and window,
-# not the balls that carry little more than their centrifugal force [-]
+# share of the largest Hertz pressure, 1/20 of the load [-]: contacts above it rule colours and
+# window, not the balls that carry little more than their centrifugal force
 RULING_PRESSURE = 0.05 ** (1.0 / 3.0)
 TICK_GAP = 0.05  # between ticks of a logarithmic colour bar, of its length [-]
 BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale
@@ -63,6 +63,18 @@ def film_range(central: float, minimum: float) -> tuple[float, float]:
     """Ends of a film's colour scale in the unit of the films, as [um]; the inlet is beyond.
 
     Chosen by eye, so that plateau and horseshoe of most contacts take most of the colours.
+
+    Parameters
+    ----------
+    central : float
+        Central film in the unit of the map.
+    minimum : float
+        Minimum film, in that unit.
+
+    Returns
+    -------
+    tuple[float, float]
+        Lower and upper end.
     """
     spread = central - minimum
     if not central > 0.0:  # a failed solution
@@ -73,14 +85,40 @@ def film_range(central: float, minimum: float) -> tuple[float, float]:
 
 
 def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tuple[float, float]:
-    """Ends of the logarithmic scale that many contacts share, in the unit of films, as [um]."""
+    """Ends of the logarithmic scale that many contacts share, in the unit of films, as [um].
+
+    Parameters
+    ----------
+    central : Sequence[float]
+        Central films, all in one unit.
+    minimum : Sequence[float]
+        Minimum films, in that unit.
+
+    Returns
+    -------
+    tuple[float, float]
+        Lower and upper end.
+    """
     low = min((h for h in minimum if h > 0.0), default=0.5)
     high = max((h for h in central if h > 0.0), default=1.0)
     return low, max(1.3 * high, 1.1 * low)
 
 
 def film_ticks(low: float, high: float) -> list[float]:
-    """About eight round values on a scale from `low` to `high` [any unit]."""
+    """About eight round values on a linear scale.
+
+    Parameters
+    ----------
+    low : float
+        Lower end [any unit].
+    high : float
+        Upper end, in that unit.
+
+    Returns
+    -------
+    list[float]
+        Values of the ticks.
+    """
     step = 10.0 ** np.floor(np.log10((high - low) / 4.0))
     step *= 5.0 if (high - low) / step > 30.0 else 2.0 if (high - low) / step > 12.0 else 1.0
     numbers = np.arange(np.ceil(low / step), np.floor(high / step) + 1.0)
@@ -88,7 +126,22 @@ def film_ticks(low: float, high: float) -> list[float]:
 
 
 def few_ticks(low: float, high: float, most: float) -> list[float]:
-    """Multiples of a round step, at most so many steps (2 or more), and two ticks at least."""
+    """Multiples of a round step, at most so many steps (2 or more), and two ticks at least.
+
+    Parameters
+    ----------
+    low : float
+        Lower end [any unit].
+    high : float
+        Upper end, in that unit.
+    most : float
+        Steps at most, 2 or more [-].
+
+    Returns
+    -------
+    list[float]
+        Values of the ticks.
+    """
     size = 10.0 ** np.floor(np.log10(high - low))
     steps = [factor * size for factor in (5.0, 2.5, 2.0, 1.0, 0.5, 0.2, 0.1)]
     fitting = [step for step in steps if (high - low) / step <= most]
@@ -100,7 +153,20 @@ def few_ticks(low: float, high: float, most: float) -> list[float]:
 
 
 def logarithmic_ticks(low: float, high: float) -> list[float]:
-    """Round values on a logarithmic scale from `low` to `high`, none too near to another."""
+    """Round values on a logarithmic scale, none too near to another.
+
+    Parameters
+    ----------
+    low : float
+        Lower end, positive [any unit].
+    high : float
+        Upper end, in that unit.
+
+    Returns
+    -------
+    list[float]
+        Values of the ticks.
+    """
     ticks: list[float] = []
     for tick in film_ticks(low, high):
         if not ticks or np.log(tick / ticks[-1]) > TICK_GAP * np.log(high / low):
@@ -109,15 +175,68 @@ def logarithmic_ticks(low: float, high: float) -> list[float]:
 
 
 def colour_stops(quantity: str, count: int) -> Array:
-    """Even colours of a quantity's map, red, green, blue from 0 to 1 [-], shape (count, 3)."""
+    """Even colours of a quantity's map, red, green, blue from 0 to 1 [-], shape (count, 3).
+
+    Parameters
+    ----------
+    quantity : str
+        "film", "pressure" or "displacement".
+    count : int
+        Colours [-].
+
+    Returns
+    -------
+    Array
+        Red, green and blue from 0 to 1, shape (count, 3) [-].
+    """
     colours = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))
     return np.asarray(colours[:, :3])
+
+
+def titled_panels(
+    figure: Figure, title: str, height: float, rows: int = 1, columns: int = 1, **options: Any
+) -> Any:
+    """Panels of a page-wide picture below its title, as `Figure.subplots` gives them.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    title : str
+        Title of the picture.
+    height : float
+        Height of the picture [in].
+    rows, columns : int, default 1
+        Panels one below the other and side by side [-].
+    **options : Any
+        Further options of `Figure.subplots`.
+
+    Returns
+    -------
+    Any
+        Axes, or an array of them.
+    """
+    figure.set_size_inches(PAGE_WIDTH, height)
+    figure.suptitle(title, fontsize=8.5)
+    return figure.subplots(rows, columns, **options)
 
 
 def save(figure: Figure, path: Path) -> None:
     """Write a figure as PNG, PDF or SVG under its final name when it is complete.
 
     The canvas draws a PNG once; `Figure.savefig` gives the same pixels, but draws twice.
+
+    Parameters
+    ----------
+    figure : Figure
+        Drawn figure.
+    path : Path
+        File that ends in .png, .pdf or .svg.
+
+    Raises
+    ------
+    ValueError
+        If the file has another suffix.
     """
     kind = path.suffix.lower()
     if kind not in FORMATS:
@@ -132,7 +251,15 @@ def save(figure: Figure, path: Path) -> None:
 
 
 def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:
-    """Draw into an empty figure and write it."""
+    """Draw into an empty figure and write it.
+
+    Parameters
+    ----------
+    path : Path
+        File that ends in .png, .pdf or .svg.
+    draw : Callable[[Figure], object]
+        Draws into an empty figure.
+    """
     with matplotlib.rc_context(RC):
         figure = Figure(dpi=DPI)
         draw(figure)
@@ -146,7 +273,19 @@ def write_figures(
 ) -> tuple[str, ...]:
     """Write PNG pictures by their paths without suffix; what cannot be drawn is a message.
 
-    None is begun any more when one is `hurried`.
+    Parameters
+    ----------
+    directory : Path
+        Folder of the pictures.
+    figures : Iterable[tuple[str, Callable[[Figure], object]]]
+        Path without suffix and function that draws, of each picture.
+    hurried : Callable[[], bool], default lambda: False
+        Asked before each picture; once it is true no further one is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        What could not be drawn, and why.
     """
     problems: list[str] = []
     for name, draw in figures:
@@ -154,7 +293,7 @@ def write_figures(
             return (*problems, "the other pictures not written: interrupted")
         try:
             write_figure(directory / f"{name}.png", draw)
-        # of a field that nobody thought of
+        # fields may be such that no picture can be drawn
         except (ValueError, ArithmeticError, LookupError, RuntimeError) as error:
             problems.append(f"{name}.png not written: {type(error).__name__}: {error}")
     return tuple(problems)

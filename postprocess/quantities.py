@@ -17,7 +17,7 @@ from ehl.units import from_si, is_si, si_unit_of, unit_of, unit_symbol, without_
 _Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...], tuple[str, ...]]
 
 
-@dataclass(frozen=True, slots=True, eq=False)  # each is declared once, and known by where it is
+@dataclass(frozen=True, slots=True, eq=False)  # each is declared once
 class Quantity:
     """One output quantity.
 
@@ -55,25 +55,48 @@ class Quantity:
         return {"units": si_unit_of(self.key) or "1"}
 
     def in_unit(self, value: Any) -> Any:
-        """A number or an array in SI, in the unit of the key; None stays None."""
+        """A number or an array in SI, in the unit of the key; None stays None.
+
+        Parameters
+        ----------
+        value : Any
+            Number or array in SI, or None.
+
+        Returns
+        -------
+        Any
+            The value in the unit of the key.
+        """
         return from_si(self.key, value)
 
     def value(self, record: Any) -> Any:
-        """The value of a record, in the unit of the key; None where a part of its path is None."""
+        """Value of a record, in the unit of the key.
+
+        Parameters
+        ----------
+        record : Any
+            Object that has the attributes of `source`, SI.
+
+        Returns
+        -------
+        Any
+            The value in the unit of the key; None where a part of its path is None.
+        """
         return from_si(self.key, _attribute(record, self.source))
 
 
-def _attribute(record: Any, source: str, known: dict[str, Any] | None = None) -> Any:
-    """Of a record by its dotted path; None where a part of it is None; known: parts that were
-    looked up before.
+def _attribute(record: Any, source: str, looked_up: dict[str, Any] | None = None) -> Any:
+    """Attribute of a record by its dotted path; None where a part of the path is None.
+
+    `looked_up` takes the parts of the record by their paths.
     """
-    known = {} if known is None else known
+    looked_up = {} if looked_up is None else looked_up
     owner, name = _names(source)
     value = record
     if owner:
-        if owner not in known:
-            known[owner] = _attribute(record, owner, known)
-        value = known[owner]
+        if owner not in looked_up:
+            looked_up[owner] = _attribute(record, owner, looked_up)
+        value = looked_up[owner]
     return None if value is None else getattr(value, name)
 
 
@@ -91,6 +114,22 @@ def quantities(
 
     Each row is a key or key, title, attribute of the part, symbol and short title; where title or
     attribute are left out, they are the words of the key.
+
+    Parameters
+    ----------
+    source : str
+        Path of the part in a record, with its dot at the end.
+    null : str
+        Reason for a value of null.
+    *rows : str | tuple[str, ...]
+        Key, or key, title, attribute, symbol and short title.
+    words : bool, default False
+        The values have no unit.
+
+    Returns
+    -------
+    tuple[Quantity, ...]
+        The quantities in the order of the rows.
     """
     declared = []
     for row in rows:
@@ -103,19 +142,43 @@ def quantities(
 
 
 def by_key(declared: Iterable[Quantity]) -> dict[str, Quantity]:
-    """Quantities by their keys."""
+    """Quantities by their keys.
+
+    Parameters
+    ----------
+    declared : Iterable[Quantity]
+        Quantities.
+
+    Returns
+    -------
+    dict[str, Quantity]
+        The quantities by key.
+    """
     return {quantity.key: quantity for quantity in declared}
 
 
 def values_of(record: Any, declared: Iterable[Quantity]) -> dict[str, Any]:
-    """Values of a record by key, in the units of the keys."""
-    known: dict[str, Any] = {}
+    """Values of a record by key, in the units of the keys.
+
+    Parameters
+    ----------
+    record : Any
+        Object that has the attributes, SI; None gives None for each key.
+    declared : Iterable[Quantity]
+        Quantities.
+
+    Returns
+    -------
+    dict[str, Any]
+        Value by key; None where a part of the record is None.
+    """
+    looked_up: dict[str, Any] = {}
     keys, parts = _parts(tuple(declared))
     values: dict[str, Any] = dict.fromkeys(keys)
     for owner, get, own, scaled in parts:
-        if owner and owner not in known:
-            known[owner] = _attribute(record, owner, known)
-        part = known[owner] if owner else record
+        if owner and owner not in looked_up:
+            looked_up[owner] = _attribute(record, owner, looked_up)
+        part = looked_up[owner] if owner else record
         if part is None:
             continue
         values.update(zip(own, get(part), strict=True))
@@ -143,17 +206,28 @@ def _parts(declared: tuple[Quantity, ...]) -> tuple[tuple[str, ...], tuple[_Part
 
 
 def _getter(names: Sequence[str]) -> Callable[[Any], tuple[Any, ...]]:
-    """What has the attributes of these names, one, too, in a tuple."""
+    """Function that looks up attributes as a tuple, also of one attribute."""
     get = attrgetter(*names)
     return get if len(names) > 1 else lambda part: (get(part),)
 
 
 def rows_of(columns: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
-    """A dictionary for each row of columns of equal length."""
+    """A dictionary for each row of columns of equal length.
+
+    Parameters
+    ----------
+    columns : Mapping[str, Iterable[Any]]
+        Values by key, all of one length.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        A dictionary a row.
+    """
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
-# of an equilibrium and of a simulation
+# quantities of an equilibrium and of a simulation
 CAGE_SPEED = Quantity("cage_speed_rpm", "cage speed", "cage_speed", symbol="cage")
 FREQUENCIES = quantities(  # in a block that has the unit
     "",

@@ -29,7 +29,7 @@ class Results:
 
     @property
     def title(self) -> str:
-        """Of the case."""
+        """Title of the case."""
         return str(self.case.get("title", ""))
 
     @property
@@ -38,18 +38,31 @@ class Results:
         return {FILMS: 0, OTHERS: 0}
 
     def _repr_html_(self) -> str:
-        """What there is, for a notebook; kinds that show more have their own."""
+        """Title, state and messages for a notebook; kinds that show more have their own."""
         return notebook_html(self.title or type(self).__name__, self._facts())
 
     def _facts(self) -> dict[str, Any]:
-        """Whether it converged, and what is to be said of it."""
+        """State of convergence, and the messages."""
         facts: dict[str, Any] = {"oilfilm": self.version}
         if hasattr(self, "converged"):
             facts["converged"] = str(self.converged)
         return facts | {f"note {k + 1}": note for k, note in enumerate(self.messages)}
 
     def head(self, converged: bool, messages: Iterable[str]) -> dict[str, Any]:
-        """First keys of a summary; the messages of the run stand before those given."""
+        """First keys of a summary; the messages of the run stand before those given.
+
+        Parameters
+        ----------
+        converged : bool
+            State of the results.
+        messages : Iterable[str]
+            Further messages.
+
+        Returns
+        -------
+        dict[str, Any]
+            Version, case, converged, messages.
+        """
         return {
             "oilfilm": self.version,
             "case": self.case,

@@ -1,8 +1,7 @@
-"""Seed of the rotating sample of slow tests, what processes of tests import, and kernels that are compiled once."""
+"""Seed of the rotating sample of slow tests, what processes of tests import, and kernels compiled before them."""
 
 from __future__ import annotations
 
-import functools
 import gc
 import os
 import random
@@ -12,12 +11,12 @@ from datetime import date
 import pytest
 from filelock import FileLock
 
+from cases.runs.kernel_cache import compile_all
 from cases.runs.processes import COLLECTED, own_packages
 
 SEED = "OILFILM_SEED"
 SAMPLED = "sample"  # mark of the slow tests that are drawn
 SHARE = 0.1  # of the slow tests that are in the sample
-WORKER = "PYTEST_XDIST_WORKER" in os.environ
 
 
 def pytest_configure(config):
@@ -29,6 +28,7 @@ def pytest_configure(config):
         config.option.loadscopereorder = False  # the order of the files is that of `longest_first`
     if getattr(config.option, "numprocesses", None):
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+        compile_all()  # else each worker would compile the same kernels
 
 
 def pytest_terminal_summary(terminalreporter, config):
@@ -71,30 +71,6 @@ def draw_sample(items):
             item.add_marker(SAMPLED)
 
 
-@pytest.fixture(scope="session", autouse=WORKER)
-def kernels_compiled_once(tmp_path_factory):
-    """A worker that needs a kernel waits while another compiles it, and finds it in the cache on disk.
-
-    One lock a kernel: a kernel waits for those that it calls, never the other way round, so that no two workers wait
-    for each other.
-    """
-    from numba.core.dispatcher import Dispatcher
-
-    folder = tmp_path_factory.getbasetemp().parent
-    plain = Dispatcher.compile
-
-    @functools.cache
-    def lock_of(kernel):
-        return FileLock(folder / f"{kernel}.lock")
-
-    @functools.wraps(plain)
-    def compile_in_turn(self, signature):
-        with lock_of(f"{self.py_func.__module__}.{self.py_func.__qualname__}"):
-            return plain(self, signature)
-
-    Dispatcher.compile = compile_in_turn
-    yield
-    Dispatcher.compile = plain
 
 
 @pytest.fixture(scope="session")

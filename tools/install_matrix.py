@@ -27,7 +27,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 WARNINGS = "error,ignore::DeprecationWarning,ignore::PendingDeprecationWarning"
-PACKAGES = ("ehl", "bearing", "postprocess", "verification", "cases", "oilfilm")
+PACKAGES = ("ehl", "bearing", "postprocess", "cases", "oilfilm")
 RUN = ("6208_full_ceramic", "moes_20_10")  # run where the others are validated only
 
 

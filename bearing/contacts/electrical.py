@@ -34,7 +34,7 @@ Ends = tuple[float, float, float]  # value, low and high end
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Electrical:
-    """Of a bearing between its rings."""
+    """Capacitance and breakdown voltage of a bearing between its rings."""
 
     capacitance: float  # [F]
     capacitance_low: float  # by films and balls [F]
@@ -49,7 +49,22 @@ Films = Sequence[FilmInstruments | None]
 
 
 def bearing_electrical(bearing: Bearing, contacts: Contacts, films: Films) -> Electrical:
-    """Of a bearing of which `electrical_lack` misses nothing; films of its contacts."""
+    """Capacitance of a bearing between its rings, and the voltage that breaks its films down.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        a bearing of which `electrical_lack` misses nothing
+    contacts : Contacts
+        contacts of its equilibrium
+    films : Films
+        electrical values of the film of each contact, None without a solved film
+
+    Returns
+    -------
+    Electrical
+        capacitance [F] and breakdown voltage [V] with their ranges
+    """
     paths = _paths(bearing, contacts, films)
     insulating = bearing.ball_material.kind is INSULATOR
     totals = [
@@ -73,11 +88,26 @@ def bearing_electrical(bearing: Bearing, contacts: Contacts, films: Films) -> El
 
 
 def electrical_lack(bearing: Bearing, contacts: Contacts, films: Films) -> str:
-    """Why no capacitance of a bearing is known; empty if it is."""
+    """Reason why a bearing has no capacitance; empty if it has one.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    contacts : Contacts
+        contacts of its equilibrium
+    films : Films
+        electrical values of the film of each contact, None without a solved film
+
+    Returns
+    -------
+    str
+        reason, for a message
+    """
     rings = (bearing.inner_ring_material, bearing.outer_ring_material)
     if any(ring.kind is INSULATOR for ring in rings):
         return "a ring of silicon nitride insulates"
-    unknown = [m.name for m in (*rings, bearing.ball_material) if not _is_known(m)]
+    unknown = [m.name for m in (*rings, bearing.ball_material) if not _is_classified(m)]
     if unknown:
         return f"whether {unknown[0]!r} conducts is not known"
     if not _paths(bearing, contacts, films):
@@ -89,14 +119,14 @@ def electrical_lack(bearing: Bearing, contacts: Contacts, films: Films) -> str:
     return ""
 
 
-def _is_known(material: Material) -> bool:
+def _is_classified(material: Material) -> bool:
     return material.kind in (CONDUCTOR, INSULATOR)
 
 
 def _carries_both(contacts: Contacts, ball: int) -> bool:
-    """Whether a ball touches both races: an unloaded inner contact breaks the path."""
-    own = [c for c in contacts if c.ball == ball]
-    return all(c.conditions is not None for c in own)
+    """Check that a ball touches both races: an unloaded inner contact breaks the path."""
+    ball_contacts = [c for c in contacts if c.ball == ball]
+    return all(c.conditions is not None for c in ball_contacts)
 
 
 def _paths(
@@ -109,20 +139,20 @@ def _paths(
             by_race.setdefault(contact.race, {})[contact.ball] = (contact.hertz, film)
     inner, outer = (by_race.get(race, {}) for race in (Race.INNER, Race.OUTER))
     insulating = bearing.ball_material.kind is INSULATOR
-    found = []
+    paths = []
     for ball in sorted(inner.keys() & outer.keys()):
-        own = None
+        capacitance = None
         if insulating:
             spots = [
                 (hertz.semi_axis_x, hertz.semi_axis_y) for hertz, _ in (inner[ball], outer[ball])
             ]
-            own = _ball_capacitance(np.array(spots), 0.5 * bearing.ball_diameter)
-        found.append((inner[ball][1], outer[ball][1], own))
-    return found
+            capacitance = _ball_capacitance(np.array(spots), 0.5 * bearing.ball_diameter)
+        paths.append((inner[ball][1], outer[ball][1], capacitance))
+    return paths
 
 
 def _ball_capacitance(spots: Array, radius: float) -> Ends:
-    """Of a ball of silicon nitride [F]; semi-axes of both spots, shape (2, 2), radius [m]."""
+    """Capacitance of a ball of silicon nitride [F]; semi-axes of both spots (2, 2), radius [m]."""
     permittivity = VACUUM_PERMITTIVITY * CERAMIC_PERMITTIVITY
     short, long = np.sort(spots, axis=1).T
     one = 2.0 * pi * permittivity * long / scipy.special.ellipk(1.0 - (short / long) ** 2)
@@ -136,8 +166,10 @@ def _in_series(inner: FilmInstruments, outer: FilmInstruments, ball: Ends | None
     ends = []
     for end, sign in enumerate((0.0, -1.0, 1.0)):
         films = [film.capacitance + sign * film.capacitance_uncertainty for film in (inner, outer)]
-        parts = [max(part, 0.0) for part in films] + ([] if ball is None else [ball[end]])
-        ends.append(0.0 if min(parts) <= 0.0 else 1.0 / sum(1.0 / part for part in parts))
+        series = [max(film, 0.0) for film in films]
+        if ball is not None:
+            series.append(ball[end])
+        ends.append(0.0 if min(series) <= 0.0 else 1.0 / sum(1.0 / one for one in series))
     return ends[0], ends[1], ends[2]
 
 
@@ -147,6 +179,6 @@ def _first_breakdown(inner: FilmInstruments, outer: FilmInstruments, end: int) -
     """
     names = ("breakdown_voltage", "breakdown_voltage_low", "breakdown_voltage_high")
     together = inner.capacitance + outer.capacitance
-    shares = (outer.capacitance / together, inner.capacitance / together)
-    pairs = zip((inner, outer), shares, strict=True)
-    return min(float(getattr(film, names[end])) / share for film, share in pairs)
+    fractions = (outer.capacitance / together, inner.capacitance / together)
+    pairs = zip((inner, outer), fractions, strict=True)
+    return min(float(getattr(film, names[end])) / fraction for film, fraction in pairs)

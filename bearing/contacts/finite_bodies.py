@@ -18,7 +18,7 @@ from ehl.solid.bodies.ring_stress import RingStress, ring_stress
 from ehl.solid.bodies.sphere import ball_difference
 from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, groove_gap
 
-from ..geometry import Bearing, Race
+from ..geometry import Bearing, Race, ring_material
 from ..rings.elastic_ring import elastic_ring
 from ..shoulder_diameter import shoulder_diameter
 from .contact import BearingContact
@@ -39,21 +39,32 @@ class RaceDifference:
 
     @property
     def total(self) -> SurfaceDifference:
-        """Of both bodies and the gap."""
+        """Difference of both bodies and the gap."""
         return self.ring.with_body(self.ball).with_body(self.groove)
 
     def radii(self, radii: tuple[float, float], load: float) -> tuple[float, float]:
-        """Reduced radii (R_x, R_y) [m] with the curvatures of the difference, proportional to the
-        load [N] at a race.
+        """Reduced radii with the curvatures of the difference, proportional to the load.
+
+        Parameters
+        ----------
+        radii : tuple[float, float]
+            R_x and R_y of half-spaces [m]
+        load : float
+            load of the contact [N]
+
+        Returns
+        -------
+        tuple[float, float]
+            R_x and R_y of finite bodies [m]
         """
-        share = load / self.contact.load
+        fraction = load / self.contact.load
         curvatures = (self.total.curvature_x, self.total.curvature_y)
-        x, y = (1.0 / (1.0 / r + share * c) for r, c in zip(radii, curvatures, strict=True))
+        x, y = (1.0 / (1.0 / r + fraction * c) for r, c in zip(radii, curvatures, strict=True))
         return x, y
 
     @property
     def approach_change(self) -> float:
-        """What both bodies give way more than half-spaces [m]."""
+        """Approach of both bodies beyond that of half-spaces [m]."""
         return self.ring.constant + self.ball.constant
 
     @property
@@ -98,7 +109,18 @@ class RaceDifference:
         return film_nijenbanning_central(after) / film_nijenbanning_central(before) - 1.0
 
     def conditions(self, conditions: ContactConditions) -> ContactConditions:
-        """Conditions of a film at the race, with the radii of finite bodies."""
+        """Conditions of a film at the race, with the radii of finite bodies.
+
+        Parameters
+        ----------
+        conditions : ContactConditions
+            conditions with the radii of half-spaces
+
+        Returns
+        -------
+        ContactConditions
+            the same conditions with `radius_x` and `radius_y` of finite bodies
+        """
         radii = self.radii((conditions.radius_x, conditions.radius_y), conditions.load)
         return replace(conditions, radius_x=radii[0], radius_y=radii[1])
 
@@ -117,39 +139,92 @@ class FiniteBodies:
     reason: str = ""
 
     def at(self, race: Race) -> RaceDifference | None:
-        """That of a race."""
+        """Difference at a race.
+
+        Parameters
+        ----------
+        race : Race
+            raceway
+
+        Returns
+        -------
+        RaceDifference | None
+            its difference; None if films stay those of half-spaces
+        """
         return self.inner if race is Race.INNER else self.outer
 
 
 def finite_bodies(bearing: Bearing, contacts: Sequence[BearingContact]) -> FiniteBodies:
-    """Differences at the most heavily loaded contact of each race; for both races or none."""
-    found = {}
+    """Differences at the most heavily loaded contact of each race; for both races or none.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    contacts : Sequence[BearingContact]
+        contacts of its equilibrium
+
+    Returns
+    -------
+    FiniteBodies
+        both differences, or the reason why there are none
+    """
+    differences = {}
     for race in Race:
         heaviest = max((c for c in contacts if c.race is race), key=lambda contact: contact.load)
         reason = _obstacle(bearing, heaviest)
         if reason:
             return FiniteBodies(reason=reason)
-        found[race] = _difference(bearing, heaviest)
-    return FiniteBodies(inner=found[Race.INNER], outer=found[Race.OUTER])
+        differences[race] = _difference(bearing, heaviest)
+    return FiniteBodies(inner=differences[Race.INNER], outer=differences[Race.OUTER])
 
 
 def with_finite_bodies(
     contacts: Sequence[BearingContact], differences: FiniteBodies
 ) -> tuple[BearingContact, ...]:
-    """Contacts whose films have the reduced radii of finite bodies; the dry contacts stay."""
+    """Contacts whose films have the reduced radii of finite bodies; the dry contacts stay.
 
-    def one(contact: BearingContact) -> BearingContact:
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        contacts on half-spaces
+    differences : FiniteBodies
+        differences of both races
+
+    Returns
+    -------
+    tuple[BearingContact, ...]
+        contacts with changed film conditions, in the same order
+    """
+
+    def adjusted(contact: BearingContact) -> BearingContact:
         difference = differences.at(contact.race)
         if difference is None or contact.conditions is None:
             return contact
         return replace(contact, conditions=difference.conditions(contact.conditions))
 
-    return tuple(map(one, contacts))
+    return tuple(map(adjusted, contacts))
 
 
 def ring_profile(bearing: Bearing, race: Race) -> RingProfile:
-    """Section of a ring; ValueError where bore, outside diameter, width or shoulder are not known,
-    or do not fit.
+    """Section of a ring.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry with bore, outside diameter, width and shoulders
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    RingProfile
+        profile of the ring [m]
+
+    Raises
+    ------
+    ValueError
+        if bore, outside diameter, width or shoulder is missing or does not fit
     """
     shoulder = shoulder_diameter(bearing, race)
     if shoulder is None:
@@ -158,7 +233,7 @@ def ring_profile(bearing: Bearing, race: Race) -> RingProfile:
 
 
 def _obstacle(bearing: Bearing, contact: BearingContact) -> str:
-    """Why the difference cannot be had at the heaviest contact of a race; empty where it can."""
+    """Reason against a difference at the heaviest contact of a race; empty without one."""
     race = contact.race
     if contact.hertz is None:
         return f"no ball is loaded at the {race.value} race"
@@ -177,8 +252,7 @@ def _difference(bearing: Bearing, contact: BearingContact) -> RaceDifference:
     race, hertz = contact.race, contact.hertz
     profile = ring_profile(bearing, race)
     assert hertz is not None  # as `_obstacle` says
-    inner = race is Race.INNER
-    ring = bearing.inner_ring_material if inner else bearing.outer_ring_material
+    ring = ring_material(bearing, race)
     ball = bearing.ball_material
     patch = ContactPatch(
         load=hertz.load, semi_axis_x=hertz.semi_axis_x, semi_axis_y=hertz.semi_axis_y

@@ -19,8 +19,19 @@ def hertz_contacts(
 ) -> list[HertzContact]:
     """Ellipses, pressures and approaches of contacts under loads, Hertz (1882).
 
-    `load` (N,): normal loads, above zero [N]; `radius_x`, `radius_y` (N,): reduced radii of
-    curvature in x and y [m]; `reduced_modulus` (N,): E' [Pa].
+    Parameters
+    ----------
+    load : Array
+        normal loads, above zero, shape (N,) [N]
+    radius_x, radius_y : Array
+        reduced radii of curvature in x and y, shape (N,) [m]
+    reduced_modulus : Array
+        E', shape (N,) [Pa]
+
+    Returns
+    -------
+    list[HertzContact]
+        one dry contact for each load
     """
     k = ellipse_ratios(radius_x / radius_y)
     f = np.cbrt(2.0 / np.pi * elliprd(0.0, k**2, 1.0))
@@ -45,10 +56,19 @@ def hertz_contacts(
 
 
 def ellipse_ratios(radius_ratio: Array) -> Array:
-    """Ratios of the semi-axes k = b/a [-] of contacts with Rx/Ry [-], as
-    `ehl.closed_form.hertz.ellipse_ratio` finds one.
+    """Ratios of the semi-axes k = b/a, as `ehl.closed_form.hertz.ellipse_ratio` computes one.
 
     Newton's method in ln k, kept inside the bracket between (Rx/Ry)^-1 and (Rx/Ry)^-1/4.
+
+    Parameters
+    ----------
+    radius_ratio : Array
+        Rx/Ry, shape (N,) [-]
+
+    Returns
+    -------
+    Array
+        b/a, shape (N,) [-]
     """
     target = np.log(radius_ratio)
     low, high = np.minimum(-target, -0.25 * target), np.maximum(-target, -0.25 * target)

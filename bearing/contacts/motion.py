@@ -47,18 +47,59 @@ class MotionMap:
     ball: NDArray[np.int64]  # (contacts,) number of each contact's ball, from 0 [-]
 
     def bodies(self, orbit: Array, rotation: Array) -> tuple[Array, Array]:
-        """Motions of the balls and of the races, each (contacts, 4) [m/s], [rad/s], from the
-        speeds of the balls as in `ball_speeds` [rad/s].
+        """Motions k of the balls and of the races at the contacts.
+
+        Parameters
+        ----------
+        orbit : Array
+            orbit speeds of the balls, shape (balls,) [rad/s]
+        rotation : Array
+            rotations of the balls as in `ball_speeds`, shape (balls, 3) [rad/s]
+
+        Returns
+        -------
+        ball
+            motion of the balls, shape (contacts, 4) [m/s], [rad/s]
+        race
+            motion of the races, shape (contacts, 4) [m/s], [rad/s]
         """
         return self.bodies_at(orbit[self.ball], rotation[self.ball])
 
     def bodies_at(self, orbit: Array, rotation: Array) -> tuple[Array, Array]:
-        """As `bodies`, from the speeds of the ball of each contact [rad/s]."""
+        """Motions as in `bodies`, from the speeds of the ball of each contact.
+
+        Parameters
+        ----------
+        orbit : Array
+            orbit speed of each contact's ball, shape (contacts,) [rad/s]
+        rotation : Array
+            its rotation, shape (contacts, 3) [rad/s]
+
+        Returns
+        -------
+        ball
+            motion of the balls, shape (contacts, 4) [m/s], [rad/s]
+        race
+            motion of the races, shape (contacts, 4) [m/s], [rad/s]
+        """
         ball = np.einsum("ckj,cj->ck", self.by_rotation, rotation)
         return ball, -self.by_ring * (self.ring_speed - orbit)[:, None]
 
     def motion(self, orbit: Array, rotation: Array) -> Array:
-        """(S_x, S_y, spin, rolling) of ball against race, (contacts, 4); speeds as in `bodies`."""
+        """(S_x, S_y, spin, rolling) of ball against race.
+
+        Parameters
+        ----------
+        orbit : Array
+            orbit speeds of the balls, shape (balls,) [rad/s]
+        rotation : Array
+            rotations of the balls, shape (balls, 3) [rad/s]
+
+        Returns
+        -------
+        Array
+            relative motion, shape (contacts, 4) [m/s], [rad/s]
+        """
         ball, race = self.bodies(orbit, rotation)
         return np.asarray(ball - race)
 
@@ -138,8 +179,27 @@ def motion_map_of_axes(
     axle: Array,
     ball: NDArray[np.int64],
 ) -> MotionMap:
-    """The map of contacts by race, contact angle [rad], ball, and axes x, y, n and the bearing's
-    axle in a frame whose third direction is e_t [-].
+    """The map of contacts by race, contact angle, ball, and axes.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    inner : NDArray[np.bool_]
+        true at the inner race, shape (contacts,) [-]
+    angle : Array
+        contact angles, shape (contacts,) [rad]
+    axes : Array
+        rows x, y, n in a frame whose third direction is e_t, shape (contacts, 3, 3) [-]
+    axle : Array
+        axis of the bearing in the same frame, shape (contacts, 3) [-]
+    ball : NDArray[np.int64]
+        number of each contact's ball, from 0, shape (contacts,) [-]
+
+    Returns
+    -------
+    MotionMap
+        the map, [m] and [-]
     """
     operation = solution.operation
     speeds = (operation.inner_speed, operation.outer_speed)
@@ -172,8 +232,17 @@ def _map_of_axes(
 
 
 def contact_frames(contacts: Sequence[BearingContact]) -> Array:
-    """Rows x, y, n of contacts [-], by their components along e_x, e_r, e_t of their balls, shape
-    (contacts, 3, 3).
+    """Rows x, y, n of contacts by their components along e_x, e_r, e_t of their balls.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        contacts of an equilibrium
+
+    Returns
+    -------
+    Array
+        axes, shape (contacts, 3, 3) [-]
     """
     azimuth = np.array([contact.azimuth for contact in contacts])
     axes = np.array([(contact.axis_x, contact.axis_y, contact.normal) for contact in contacts])
@@ -185,8 +254,19 @@ def contact_frames(contacts: Sequence[BearingContact]) -> Array:
 
 
 def ball_speeds(solution: QuasistaticSolution) -> tuple[Array, Array]:
-    """Orbit speeds (balls,) and rotations (balls, 3) of an equilibrium as in `BallMotion`
-    [rad/s].
+    """Orbit speeds and rotations of the balls of an equilibrium, as in `BallMotion`.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    orbit
+        shape (balls,) [rad/s]
+    rotation
+        along e_x, e_r, e_t, shape (balls, 3) [rad/s]
     """
     spin = solution.spin_speed
     attitude = solution.attitude
@@ -197,9 +277,21 @@ def ball_speeds(solution: QuasistaticSolution) -> tuple[Array, Array]:
 def bearing_kinematics(
     solution: QuasistaticSolution, contact: BearingContact, motion: BallMotion | None = None
 ) -> ContactKinematics:
-    """How ball and race move over each other at a contact [m/s], [rad/s], along its axes.
+    """Motion of ball and race over each other at a contact, along its axes.
 
-    `motion` is that of the ball; None: that of the equilibrium.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contact : BearingContact
+        one of its contacts
+    motion : BallMotion | None, optional
+        motion of the ball [rad/s]; None: that of the equilibrium
+
+    Returns
+    -------
+    ContactKinematics
+        entrainment and sliding [m/s], spin and rolling [rad/s]
     """
     orbit, rotation = ball_speeds(solution)
     if motion is not None:

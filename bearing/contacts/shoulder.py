@@ -57,16 +57,27 @@ class Truncation:
 
     @property
     def truncated(self) -> bool:
-        """Whether a shoulder cuts the ellipse."""
+        """True if a shoulder cuts the ellipse."""
         return self.distance_ratio < 1.0
 
 
 def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
-    """Angle in the groove from its bottom to the edge of the shoulder [rad]; None without a
-    shoulder diameter.
+    """Angle in the groove from its bottom to the edge of the shoulder.
 
     cos = (R_i - d_s/2)/r_i at the inner ring, (d_s/2 - R_o)/r_o at the outer one, R the radius of
     the centres of curvature.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    float | None
+        angle [rad]; None without a shoulder diameter
     """
     shoulder = shoulder_diameter(bearing, race)
     if shoulder is None:
@@ -81,9 +92,23 @@ def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
 def truncation(
     bearing: Bearing, race: Race, contact_angle: float, hertz: HertzContact
 ) -> Truncation | None:
-    """How far the ellipse is from the shoulders, and what of it they cut.
+    """Distance of the ellipse from the shoulders, and the part that they cut off.
 
-    None without a shoulder diameter; the contact angle in [rad].
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    race : Race
+        raceway of the ring
+    contact_angle : float
+        contact angle [rad]
+    hertz : HertzContact
+        uncut dry contact
+
+    Returns
+    -------
+    Truncation | None
+        distances [-], [m], cut fractions [-] and pressures [Pa]; None without a shoulder diameter
     """
     shoulder = shoulder_diameter(bearing, race)
     angle = shoulder_angle(bearing, race)
@@ -92,39 +117,50 @@ def truncation(
     radius = groove_radius(bearing, race)
     edge = radius * sin(angle - abs(contact_angle))
     other = radius * sin(min(angle + abs(contact_angle), 0.5 * pi))
-    near, far = edge / hertz.semi_axis_y, other / hertz.semi_axis_y
-    approach = cut_approach(near, far)
+    near_edge, far_edge = edge / hertz.semi_axis_y, other / hertz.semi_axis_y
+    approach = cut_approach(near_edge, far_edge)
     return Truncation(
         estimated=shoulder[1],
-        distance_ratio=near,
+        distance_ratio=near_edge,
         margin=edge - hertz.semi_axis_y,
-        length_share=sum(0.5 * (1.0 - _on_ellipse(s)) for s in (near, far)),
-        load_share=sum(_load_beyond(_on_ellipse(s)) for s in (near, far)),
-        edge_pressure=hertz.pressure * sqrt(1.0 - _on_ellipse(near) ** 2),
+        length_share=sum(0.5 * (1.0 - _on_ellipse(s)) for s in (near_edge, far_edge)),
+        load_share=sum(_load_beyond(_on_ellipse(s)) for s in (near_edge, far_edge)),
+        edge_pressure=hertz.pressure * sqrt(1.0 - _on_ellipse(near_edge) ** 2),
         cut_pressure=None if approach is None else hertz.pressure * sqrt(approach),
         cut_edge_pressure=(
-            None if approach is None else hertz.pressure * sqrt(max(approach - near * near, 0.0))
+            None
+            if approach is None
+            else hertz.pressure * sqrt(max(approach - near_edge * near_edge, 0.0))
         ),
     )
 
 
-def cut_approach(near: float, far: float) -> float | None:
-    """Approach of a cut ellipse over Hertz' one under the same load [-], by slices.
+def cut_approach(near_edge: float, far_edge: float) -> float | None:
+    """Approach of a cut ellipse over Hertz' one under the same load, by slices.
 
-    `near`, `far`: from the middle to the edges on either side over the semi-axis [-], far >= near;
-    from 1 on they do not cut. None where the middle lies beyond the nearer one.
+    Parameters
+    ----------
+    near_edge : float
+        from the middle to the nearer edge over the semi-axis; from 1 on it does not cut [-]
+    far_edge : float
+        likewise to the other edge, at least `near_edge` [-]
+
+    Returns
+    -------
+    float | None
+        ratio of the approaches [-]; None if the middle lies beyond the nearer edge
     """
-    if near <= 0.0:
+    if near_edge <= 0.0:
         return None
-    if near >= 1.0:
+    if near_edge >= 1.0:
         return 1.0
 
     def excess(approach: float) -> float:
-        ends = (min(sqrt(approach), edge) for edge in (near, far))
+        ends = (min(sqrt(approach), edge) for edge in (near_edge, far_edge))
         return sum(approach * end - end**3 / 3.0 for end in ends) - HERTZ_LOAD
 
     # at 1/s either side carries at least 1 - s^3/3 of the 4/3
-    return float(brentq(excess, 1.0, 1.0 / near))
+    return float(brentq(excess, 1.0, 1.0 / near_edge))
 
 
 def _on_ellipse(s: float) -> float:

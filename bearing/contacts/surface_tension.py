@@ -19,8 +19,7 @@ from ehl.oil.rheology import Rheology
 from ehl.solid.surface_stress import SurfaceStress, surface_stress, surface_stresses
 from ehl.traction.shear import shear_fields
 
-from ..geometry import Array, Bearing, Race
-from ..material import Material
+from ..geometry import Array, Bearing, Race, ring_material
 from .contact import BearingContact
 from .traction import ContactTraction
 
@@ -42,13 +41,21 @@ class SurfaceTension:
     y: float  # and across it [m]
 
 
-def ring_material(bearing: Bearing, race: Race) -> Material:
-    """Material of a ring."""
-    return bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
-
-
 def edge_tension(bearing: Bearing, contact: BearingContact) -> float | None:
-    """Largest tension at the rim of the dry contact, of ring or ball [Pa]; None if unloaded."""
+    """Largest tension at the rim of the dry contact, of ring or ball.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        materials of ball and rings
+    contact : BearingContact
+        a contact of the equilibrium
+
+    Returns
+    -------
+    float | None
+        tension [Pa]; None if the contact is unloaded
+    """
     hertz = contact.hertz
     if hertz is None:
         return None
@@ -67,24 +74,57 @@ def surface_tensions(
 ) -> tuple[SurfaceTension | None, ...]:
     """Largest tension of every contact that has a film and a brittle body, else None.
 
-    `hoop`: tension of the grooves [Pa]; `temperature`: of the oil [K]. Equal contacts share one.
+    Equal contacts share one result.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    solutions : Sequence[ContactSolution | None]
+        film of each contact, None without one
+    tractions : Sequence[ContactTraction | None]
+        traction of each contact, None without one
+    rheology : Rheology
+        shear law of the oil
+    hoop : dict[Race, float]
+        hoop tension of the grooves by race [Pa]
+    temperature : float
+        temperature of the oil [K]
+
+    Returns
+    -------
+    tuple[SurfaceTension | None, ...]
+        tension of each contact [Pa]
     """
-    known: dict[tuple[int, Race], SurfaceTension] = {}
-    found: list[SurfaceTension | None] = []
+    solved: dict[tuple[int, Race], SurfaceTension] = {}
+    tensions: list[SurfaceTension | None] = []
     for film, traction in zip(solutions, tractions, strict=True):
         if film is None or traction is None or not is_brittle(bearing, traction.contact.race):
-            found.append(None)
+            tensions.append(None)
             continue
         key = (id(film), traction.contact.race)
-        if key not in known:
+        if key not in solved:
             pull = hoop.get(traction.contact.race, 0.0)
-            known[key] = solved_tension(bearing, film, traction, rheology, pull, temperature)
-        found.append(known[key])
-    return tuple(found)
+            solved[key] = solved_tension(bearing, film, traction, rheology, pull, temperature)
+        tensions.append(solved[key])
+    return tuple(tensions)
 
 
 def is_brittle(bearing: Bearing, race: Race) -> bool:
-    """Whether ring or ball has a bending strength."""
+    """Check whether ring or ball has a bending strength.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        materials of ball and rings
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    bool
+        true if one of both bodies is brittle
+    """
     bodies = (ring_material(bearing, race), bearing.ball_material)
     return any(body.bending_strength is not None for body in bodies)
 
@@ -97,14 +137,33 @@ def solved_tension(
     hoop: float,
     temperature: float,
 ) -> SurfaceTension:
-    """Largest tension under the pressure and the shear of a film; hoop tension of the groove along
-    the rolling direction [Pa], temperature of the oil [K].
+    """Largest tension under the pressure and the shear of a film.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    film : ContactSolution
+        solved film of the contact
+    traction : ContactTraction
+        traction of the same contact
+    rheology : Rheology
+        shear law of the oil
+    hoop : float
+        hoop tension of the groove along the rolling direction [Pa]
+    temperature : float
+        temperature of the oil [K]
+
+    Returns
+    -------
+    SurfaceTension
+        tension of ring and ball with its error by the mesh [Pa]
     """
     materials = (ring_material(bearing, traction.contact.race), bearing.ball_material)
     ratios = [body.poisson_ratio for body in materials]
-    own = film.thinned(POINTS)
-    meshes = (own, own.thinned(own.X.size // 2 + 1))
-    found = []
+    thinned = film.thinned(POINTS)
+    meshes = (thinned, thinned.thinned(thinned.X.size // 2 + 1))
+    largest = []
     for mesh in meshes:
         fields = shear_fields(mesh, traction.kinematics, rheology, temperature=temperature)
         shears = ((fields.body_2_x, fields.body_2_y), (fields.body_1_x, fields.body_1_y))
@@ -112,8 +171,8 @@ def solved_tension(
             _largest(mesh, stress, pull)
             for stress, pull in zip(_stresses(mesh, shears, ratios), (hoop, 0.0), strict=True)
         )
-        found.append((ring, ball))
-    (ring, ball), coarse = found
+        largest.append((ring, ball))
+    (ring, ball), coarse = largest
     errors = [abs(fine[0] - other[0]) for fine, other in zip((ring, ball), coarse, strict=True)]
     return SurfaceTension(
         ring=ring[0], ball=ball[0], uncertainty=BEYOND * max(errors), x=ring[1], y=ring[2]

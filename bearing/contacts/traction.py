@@ -41,9 +41,25 @@ def contact_traction(
 ) -> ContactTraction:
     """Forces and moments of one contact, integrated over its film on at most `TRACTION_POINTS`.
 
-    `film` is that of the contact's conditions [m], [Pa]; `motion` that of the ball [rad/s], None:
-    that of the equilibrium; `resistance`: moment that resists rolling [N m], None: that of its oil
-    up to the meniscus.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contact : BearingContact
+        one of its contacts
+    film : ContactSolution
+        film of the contact's conditions [m], [Pa]
+    rheology : Rheology
+        shear law of the oil
+    motion : BallMotion | None, optional
+        motion of the ball [rad/s]; None: that of the equilibrium
+    resistance : float | None, optional
+        moment that resists rolling [N m]; None: that of the film's oil up to the meniscus
+
+    Returns
+    -------
+    ContactTraction
+        traction of the contact, body 1 the ball
     """
     kinematics = bearing_kinematics(solution, contact, motion)
     result = integrate_traction(

@@ -1,7 +1,6 @@
 """Time simulation of a ball bearing: rings, balls and cage under contact, friction, drag and
 impact.
 
-_handle_kernels - named tuples for compiled functions, handed on as one pointer
 _kernels       - the equations of motion of ring, cage and balls, compiled
 _state_kernels - places in the state vector, and vectors of three components
 arrays         - numbers and arrays that the compiled equations of motion share

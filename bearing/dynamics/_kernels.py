@@ -10,7 +10,6 @@ import numpy as np
 
 from ehl.compiled import compiled, inlined
 
-from ._handle_kernels import handle
 from ._state_kernels import (
     accumulators,
     ball_position,
@@ -142,7 +141,7 @@ def place_bodies(balls, y, inner_speed, outer_speed):
 
 
 @inlined
-def ball_rates(p, y, j, dy):
+def ball_rates(p, ball, y, j, dy):
     """Newton's and Euler's equations of a ball with drag and weight."""
     c = p.constants
     free = p.free
@@ -153,10 +152,10 @@ def ball_rates(p, y, j, dy):
     pull = c.drag * speed
     p.power[WORK.churning] += c.copies * pull * speed * speed
     for i in range(3):
-        force = p.forces[j, FORCE + i] - pull * y[v + i]
+        force = ball.forces[FORCE + i] - pull * y[v + i]
         dy[x + i] = y[v + i]
         dy[v + i] = free[BODIES + i] * (force / c.ball_mass + c.gravity[i])
-        dy[w + i] = free[FREE_TURN + i] * p.forces[j, MOMENT + i] / c.ball_inertia
+        dy[w + i] = free[FREE_TURN + i] * ball.forces[MOMENT + i] / c.ball_inertia
 
 
 @compiled
@@ -270,40 +269,43 @@ def add_copies(c, loads, power):
         power[k] *= c.copies
 
 
-@compiled
-def motion_rates(t, y, p, dy):
-    """Rates of the state vector; contact states and powers are left in the arrays of `p`, a
-    `handle` of `EquationData`.
-    """
+@inlined
+def motion_rates(t, y, data, dy):
+    """Rates of the state vector; contact states and powers are left in `KernelData`."""
+    p = data.bearing
+    balls = data.balls
+    memory = data.memory
     c = p.constants
     given = p.given
-    acceleration = schedule_at(p.times, p.schedule, t, given)
+    acceleration = schedule_at(data.times, data.schedule, t, given)
     place_ring(c.balls, p.held, given, y)
     inner, outer, cage = place_bodies(c.balls, y, given[INNER_SPEED], given[OUTER_SPEED])
     p.power[:] = 0.0
     p.loads[:] = 0.0
-    p.forces[:] = 0.0
+    for j in range(c.balls):
+        balls[j].forces[:] = 0.0
     # 1. races and balls
     for race in range(2):  # written out, the number of a race would be compiled for by itself
-        race_forces(p, race, inner if race == INNER else outer, y)
+        law = data.friction_inner if race == INNER else data.friction_outer
+        race_forces(p, balls, law, memory, race, inner if race == INNER else outer, y)
     # 2. pockets, or balls that meet
     if c.cage_mass > 0.0:
-        pocket_forces(p, cage, y)
+        pocket_forces(p, balls, memory, cage, y)
     elif c.copies == 1:
-        ball_collisions(p, y)
+        ball_collisions(p, balls, memory, y)
     # 3. friction that is stiff, balls that are not solved, and lands
-    if friction_is_stiff(p):
-        implicit_friction(p, y, inner, outer)
+    if friction_is_stiff(p, balls):
+        implicit_friction(p, balls, y, inner, outer)
     if c.copies > 1:
         add_copies(c, p.loads, p.power)
     p.power[WORK.drive_outer] -= outer.turn[0] * p.loads[OUTER, MOMENT]
     if c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS:
         ring = inner if c.guide == GUIDED_BY_INNER_RING else outer
         for side in range(2):
-            cage_land(p, side, ring, cage)
+            cage_land(p, memory, side, ring, cage)
     # 4. equations of motion
     for j in range(c.balls):
-        ball_rates(p, y, j, dy)
+        ball_rates(p, balls[j], y, j, dy)
     ring_equations(p, t, y, acceleration, inner, dy)
     cage_equations(p, y, cage, dy)
     dy[ring_angle(c.balls)] = given[INNER_SPEED]
@@ -326,14 +328,14 @@ def take(values, places, out):
         out[m] = values[places[m]]
 
 
-@inlined
-def solved_rates(t, y, p, dy):
-    """`motion_rates` of the coordinates that are solved; the others rest where `p.whole` has
-    them, or go where the schedule holds them.
+@compiled
+def solved_derivative(t, y, data, dy):
+    """`motion_rates` of the coordinates that are solved; the others rest where `whole` has them,
+    or go where the schedule holds them. `data`: `KernelData`.
     """
-    put(y, p.solved, p.whole)
-    motion_rates(t, p.whole, p, p.rates)
-    take(p.rates, p.solved, dy)
+    put(y, data.solved, data.whole)
+    motion_rates(t, data.whole, data, data.rates)
+    take(data.rates, data.solved, dy)
 
 
 @compiled
@@ -341,7 +343,8 @@ def energies(y, data, out):
     """Kinetic, elastic and potential energy [J] of a state whose `derivative` was just taken; the
     kinetic energy of a ring that is held is none of the bearing's.
     """
-    p = handle(data)
+    p = data.bearing
+    balls = data.balls
     c = p.constants
     free = p.free
     gravity = c.gravity
@@ -355,8 +358,9 @@ def energies(y, data, out):
             kinetic += 0.5 * (c.ball_mass * v * v + c.ball_inertia * w * w)
             weight -= free[BODIES + i] * c.ball_mass * gravity[i] * y[ball_position(j) + i]
         for race in range(2):
-            elastic += elastic_energy(p.normal[race], p.race_out[race, j, CONTACT.approach])
-        elastic += elastic_energy(p.normal[POCKET], p.pocket_out[j, CONTACT.approach])
+            approach = balls[j].race_out[race, CONTACT.approach]
+            elastic += elastic_energy(p.normal[race], approach)
+        elastic += elastic_energy(p.normal[POCKET], balls[j].pocket_out[CONTACT.approach])
     kinetic *= c.copies
     elastic *= c.copies
     weight *= c.copies
@@ -379,9 +383,3 @@ def energies(y, data, out):
         sides = p.land_out[:, CONTACT.approach]
         elastic += elastic_energy(law, sides[0]) + elastic_energy(law, sides[1])
     out[KINETIC], out[ELASTIC], out[POTENTIAL] = kinetic, elastic, weight
-
-
-@compiled
-def solved_derivative(t, y, data, dy):
-    """`solved_rates` of `EquationData`."""
-    solved_rates(t, y, handle(data), dy)

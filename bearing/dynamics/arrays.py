@@ -1,11 +1,13 @@
 """Numbers and arrays that the compiled equations of motion share, and the names of their rows and
 columns; SI, vectors along x (axial), y (load line) and z, inertial.
 
-`EquationData` is assembled once a simulation; the kernels write its scratch arrays and the memory
-of the impacts. Those that Python calls make a `handle` of it for the others.
+`EquationData` is assembled once a simulation. All of fixed size stands in two structured arrays,
+one record for the bearing and one for each ball, which compiled functions hand on by reference:
+`KernelData`. Kernels write scratch arrays and the memory of the impacts there, and the fields of
+`EquationData` are views of them.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,7 +52,7 @@ class ContactColumns(NamedTuple):
     """Columns of `race_out`, the first three also of `pocket_out` and `land_out`."""
 
     load: int  # [N]
-    # of the elastic bodies, over the film where the contact is lubricated [m]; negative: gap
+    # approach of the elastic bodies, over the film if the contact is lubricated [m]; negative: gap
     approach: int
     approach_speed: int  # [m/s]
     contact_angle: int  # [rad]
@@ -60,7 +62,7 @@ class ContactColumns(NamedTuple):
     spin: int  # [rad/s]
     friction_x: int  # on the ball [N]
     friction_y: int  # [N]
-    # of a traction table, central [m]; 0: without a table, in the record of an open contact too
+    # central film of a traction table [m]; 0: without a table, or in the record of an open one
     film: int
 
 
@@ -133,16 +135,32 @@ class RaceMotion(NamedTuple):
     approach: float  # of the bodies as if rigid [m]
 
 
-class FrictionData(NamedTuple):
-    """Friction of one race: arrays for a coefficient and for a table, one of them in use."""
+class CoefficientData(NamedTuple):
+    """A coefficient of friction over the contact ellipse, as `ehl.traction` takes it."""
 
     disc: Array  # quadrature over the ellipse, shape (3, n) [-]
     law: Array
     shape: Array
+
+
+class TableData(NamedTuple):
+    """A traction table, as `ehl.traction` takes it."""
+
     axes: Array
     constants: Array
     scalars: Array
     values: NDArray[np.int16]
+
+
+class FrictionData(NamedTuple):
+    """Friction of one race: a coefficient, a table, or neither.
+
+    Kernels are compiled for the types of their arguments: without a table nothing is compiled
+    that looks one up.
+    """
+
+    coefficient: CoefficientData | None
+    table: TableData | None
 
 
 class Constants(NamedTuple):
@@ -192,6 +210,67 @@ class Constants(NamedTuple):
     floor: float  # least speed that counts as that of an impact [m/s]
 
 
+def _constant_type(kind: Any) -> Any:
+    """Type of a field of a structured array for a field of `Constants`."""
+    return {int: np.int64, float: np.float64}.get(kind, (np.float64, (3,)))
+
+
+CONSTANTS = np.dtype(
+    [(name, _constant_type(kind)) for name, kind in Constants.__annotations__.items()], align=True
+)
+# record of the bearing, and of each ball: fields of `EquationData`
+BEARING = np.dtype(
+    [
+        ("constants", CONSTANTS),
+        ("normal", np.float64, (4, 3)),
+        ("friction_kind", np.int64),
+        ("mechanical", np.int64),
+        ("free", np.float64, (17,)),
+        ("held", np.float64, (5,)),
+        ("given", np.float64, (GIVEN_COLUMNS,)),
+        ("friction", np.float64, (FRICTION_COLUMNS,)),
+        ("land_out", np.float64, (2, POCKET_COLUMNS)),
+        ("foretold", np.float64, (4,)),
+        ("pace", np.float64, (1,)),
+        ("system", np.float64, (6, 7)),
+        ("power", np.float64, (ACCUMULATORS,)),
+        ("loads", np.float64, (3, LOAD_COLUMNS)),
+    ],
+    align=True,
+)
+BALL = np.dtype(
+    [
+        ("pocket_angle", np.float64),
+        ("pocket_place", np.float64, (2,)),
+        ("pocket_play", np.float64),
+        ("forces", np.float64, (LOAD_COLUMNS,)),
+        ("race_out", np.float64, (2, RACE_COLUMNS)),
+        ("pocket_out", np.float64, (POCKET_COLUMNS,)),
+        ("films", np.float64, (2, 2)),
+        ("linear", np.float64, (2, LINEAR.size)),
+        ("pocket_films", np.float64, (38,)),
+        ("turns", np.float64, (3,)),
+    ],
+    align=True,
+)
+OF_RACES = ("race_out", "films", "linear")  # fields of a ball with a row for each race
+
+
+class KernelData(NamedTuple):
+    """One bearing as the compiled equations take it; see `EquationData` for the fields."""
+
+    bearing: Any  # record of BEARING
+    balls: Any  # records of BALL, shape (Z,)
+    friction_inner: FrictionData
+    friction_outer: FrictionData
+    times: Array
+    schedule: Array
+    memory: Array
+    solved: NDArray[np.int64]
+    whole: Array
+    rates: Array
+
+
 class EquationData(NamedTuple):
     """One bearing with its cage in numbers [SI]."""
 
@@ -232,3 +311,28 @@ class EquationData(NamedTuple):
     whole: Array  # scratch: state vector, the coordinates that are not solved at rest [SI]
     rates: Array  # scratch: its rates
     turns: Array  # scratch: angular velocities of the balls before a step, shape (Z, 3) [rad/s]
+    kernel: KernelData  # all of it, as the kernels take it
+
+
+def equation_data(**fields: Any) -> EquationData:
+    """`EquationData` of given fields: those of fixed size are copied into the two structured
+    arrays, the others are the arrays given.
+    """
+    bearing = np.zeros(1, BEARING)
+    balls = np.zeros(len(fields["pocket_angle"]), BALL)
+    views: dict[str, Any] = {}
+    for name in BEARING.names or ():
+        bearing[name] = fields[name]
+        if isinstance(fields[name], np.ndarray):
+            views[name] = bearing[name][0]
+    for name in BALL.names or ():
+        views[name] = balls[name].swapaxes(0, 1) if name in OF_RACES else balls[name]
+        views[name][...] = fields[name]
+    arrays = {name: fields[name] for name in KernelData._fields[2:]}
+    kernel = KernelData(bearing=bearing[0], balls=balls, **arrays)
+    return EquationData(**fields | views | {"kernel": kernel})
+
+
+def changed_data(data: EquationData, **fields: Any) -> EquationData:
+    """`EquationData` with other values of some fields, in structured arrays of its own."""
+    return equation_data(**data._asdict() | fields)

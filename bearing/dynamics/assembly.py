@@ -31,6 +31,8 @@ from .arrays import (
     Constants,
     EquationData,
     FrictionData,
+    changed_data,
+    equation_data,
 )
 from .bodies import free_coordinates
 from .choices import Guidance, LoadType, NormalLaw
@@ -43,8 +45,8 @@ from .reduction import solved_places
 
 HERTZ_EXPONENT = 1.5
 RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
-# of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed its
-# energies to 0.1 of the work without it, to 3e-4 with it [-]
+# fraction of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed
+# its energies to 0.1 of the work without it, to 3e-4 with it [-]
 ROLLING_SHARE = 3.0
 # friction that follows the entrainment reverses, in a bearing that comes to rest, over at least
 # this part of its fastest entrainment, up to the speed of Coulomb's ramp: at rest it would jump
@@ -58,11 +60,28 @@ NO_CAGE = CageBody(
 def assemble(
     bearing: Bearing, operation: Operation, model: DynamicsModel, point: StartingPoint
 ) -> EquationData:
-    """The problem in numbers; stiffnesses are taken at the contact angles of the start."""
+    """The problem in numbers; stiffnesses are taken at the contact angles of the start.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        cage, contact laws, schedule and options
+    point : StartingPoint
+        equations, contact angles and equilibrium of the start
+
+    Returns
+    -------
+    EquationData
+        arrays of the compiled equations, SI
+    """
     cage = model.cage
     n = bearing.balls
     free = free_array(point.kind, operation, model)
-    places = solved_places(free, n)
+    indices = solved_places(free, n)
     azimuth = bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)
     numbers = constants(bearing, model)
     laws = normal_laws(bearing, model, point.angles)
@@ -70,7 +89,7 @@ def assemble(
     races = _race_frictions(bearing, model, schedule)
     if cage is not None and cage.guidance is Guidance.BALLS:  # else nothing would centre it
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
-    return EquationData(
+    return equation_data(
         constants=numbers,
         normal=laws,
         friction_kind=friction_kind(model, races, laws),
@@ -93,8 +112,8 @@ def assemble(
         **_clock_arrays(n),
         power=np.zeros(ACCUMULATORS),
         loads=np.zeros((3, LOAD_COLUMNS)),
-        solved=places,
-        mechanical=_mechanical(places, n),
+        solved=indices,
+        mechanical=_mechanical(indices, n),
         whole=np.zeros(Layout(n).size),
         rates=np.zeros(Layout(n).size),
         turns=np.zeros((n, 3)),
@@ -107,26 +126,63 @@ def _race_frictions(bearing: Bearing, model: DynamicsModel, schedule: Array) -> 
 
 
 def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
-    """`EquationData.schedule`: a row for each time of the model [SI]."""
-    places = model.places(operation)
-    rates = np.zeros_like(places)
+    """`EquationData.schedule`: a row for each time of the model.
+
+    Parameters
+    ----------
+    operation : Operation
+        speeds and loads without a schedule
+    model : DynamicsModel
+        model with its schedule
+
+    Returns
+    -------
+    Array
+        rows, shape (n, GIVEN_COLUMNS) [SI]
+    """
+    displacements = model.places(operation)
+    rates = np.zeros_like(displacements)
     if model.schedule is not None and model.schedule.rates is not None:
         rates = np.array(model.schedule.rates)
     viscosities = np.array(model.viscosities)[:, None]
-    return np.hstack([model.rows(operation), places, rates, viscosities])
+    return np.hstack([model.rows(operation), displacements, rates, viscosities])
 
 
 def entrainment_speeds(schedule: Array, pitch_radius: float) -> Array:
-    """Speeds at which rolling balls draw oil in at the times of a schedule, signed, from the pitch
-    radius [m]: half of what the rings have there against each other [m/s].
+    """Entrainment speeds of rolling balls at the times of a schedule, signed.
+
+    Half of the speed of the rings against each other on the pitch circle.
+
+    Parameters
+    ----------
+    schedule : Array
+        `EquationData.schedule` [SI]
+    pitch_radius : float
+        radius of the pitch circle [m]
+
+    Returns
+    -------
+    Array
+        speeds, shape (n,) [m/s]
     """
     speeds: Array = 0.5 * pitch_radius * (schedule[:, INNER_SPEED] - schedule[:, OUTER_SPEED])
     return speeds
 
 
 def rest_band(schedule: Array, pitch_radius: float) -> float:
-    """Least sliding speed over which friction reverses [m/s], of a bearing whose rings at some
-    time turn as one or not at all; zero for others. Pitch radius in [m].
+    """Least sliding speed over which friction reverses, if the rings stop against each other.
+
+    Parameters
+    ----------
+    schedule : Array
+        `EquationData.schedule` [SI]
+    pitch_radius : float
+        radius of the pitch circle [m]
+
+    Returns
+    -------
+    float
+        speed; zero if the rings never stop against each other [m/s]
     """
     speeds = entrainment_speeds(schedule, pitch_radius)
     fastest = float(np.abs(speeds).max())
@@ -149,7 +205,22 @@ def _clock_arrays(balls: int) -> dict[str, Array]:
 
 
 def free_array(kind: LoadType, operation: Operation, model: DynamicsModel) -> Array:
-    """`EquationData.free` of a load type: 1 or 0 for the coordinates of ring, cage and a ball."""
+    """`EquationData.free` of a load type: 1 or 0 for the coordinates of ring, cage and a ball.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    operation : Operation
+        prescribed loads and displacements
+    model : DynamicsModel
+        model with or without a cage
+
+    Returns
+    -------
+    Array
+        free coordinates, shape (17,) [-]
+    """
     ring, cage, ball = free_coordinates(kind, operation)
     if model.cage is None:
         cage = (0,) * CAGE
@@ -159,22 +230,58 @@ def free_array(kind: LoadType, operation: Operation, model: DynamicsModel) -> Ar
 def with_equations(
     data: EquationData, kind: LoadType, operation: Operation, model: DynamicsModel
 ) -> EquationData:
-    """The problem with the coordinates that another load type lets move."""
+    """The problem with the coordinates that another load type lets move.
+
+    Parameters
+    ----------
+    data : EquationData
+        problem in numbers
+    kind : LoadType
+        equations of motion
+    operation : Operation
+        prescribed loads and displacements
+    model : DynamicsModel
+        model of the simulation
+
+    Returns
+    -------
+    EquationData
+        changed problem, which shares its arrays with `data`
+    """
     free = free_array(kind, operation, model)
-    places = solved_places(free, data.constants.balls)
-    mechanical = _mechanical(places, data.constants.balls)
-    return data._replace(free=free, solved=places, mechanical=mechanical)
+    indices = solved_places(free, data.constants.balls)
+    mechanical = _mechanical(indices, data.constants.balls)
+    return changed_data(data, free=free, solved=indices, mechanical=mechanical)
 
 
-def _mechanical(places: NDArray[np.int64], balls: int) -> int:
+def _mechanical(indices: NDArray[np.int64], balls: int) -> int:
     """How many of the solved places are none of the accumulators [-]."""
     layout = Layout(balls)
-    return int(places.size - (layout.size - layout.mechanical))
+    return int(indices.size - (layout.size - layout.mechanical))
 
 
 def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) -> int:
-    """Of the friction, as the kernel knows it; ValueError where a lubricated contact has no table,
-    or its load does not rise with the approach (`check_film`).
+    """Code of the friction for the kernels.
+
+    Parameters
+    ----------
+    model : DynamicsModel
+        model with its friction
+    races : list[FrictionData]
+        friction of inner and outer race
+    laws : Array
+        normal laws, shape (4, 3)
+
+    Returns
+    -------
+    int
+        FRICTIONLESS, COEFFICIENT, TABLE or FILM
+
+    Raises
+    ------
+    ValueError
+        if a lubricated contact has no table, or its load does not rise with the approach
+        (`check_film`)
     """
     if model.normal.law is not NormalLaw.LUBRICATED:
         return model.friction.kind
@@ -183,12 +290,26 @@ def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) 
             "normal: a lubricated contact needs traction tables, which hold its film and damping"
         )
     for race, data, law in zip(Race, races, laws, strict=False):
-        check_film(data, law, race.value)
+        if data.table is not None:
+            check_film(data.table, law, race.value)
     return FILM
 
 
 def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
-    """Numbers of ball, ring, cage, lands, drag and weight [SI]."""
+    """Numbers of ball, ring, cage, lands, drag and weight.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    model : DynamicsModel
+        ring, cage and options
+
+    Returns
+    -------
+    Constants
+        numbers [SI]
+    """
     cage = model.cage or NO_CAGE
     ring = model.ring
     radius = 0.5 * bearing.ball_diameter
@@ -223,14 +344,14 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
 
 
 def _rotating_numbers(model: DynamicsModel) -> dict[str, Any]:
-    """Those of the load that goes round [SI]."""
+    """Numbers of the rotating load [SI]."""
     load = model.rotating
     numbers = (0.0, 0.0, 0.0) if load is None else (load.force, load.speed, load.phase)
     return dict(zip(("rotating_force", "rotating_speed", "rotating_phase"), numbers, strict=True))
 
 
 def _cage_numbers(cage: CageBody, balls: int) -> dict[str, Any]:
-    """Those of the cage, its pockets and lands [SI]."""
+    """Numbers of the cage, its pockets and lands [SI]."""
     return {
         "cage_transverse": cage.transverse_inertia,
         "cage_polar": cage.polar_inertia,
@@ -251,13 +372,28 @@ def _cage_numbers(cage: CageBody, balls: int) -> dict[str, Any]:
 
 
 def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, float]) -> Array:
-    """Stiffness [N/m^n], exponent, damping [-] of races, pocket, land, shape (4, 3)."""
+    """Stiffness, exponent and damping of races, pocket and land.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    model : DynamicsModel
+        contact laws and cage
+    angles : tuple[float, float]
+        mean contact angles, inner and outer [rad]
+
+    Returns
+    -------
+    Array
+        laws, shape (4, 3) [N/m^n], [-], [-]
+    """
     normal = model.normal
     cage = model.cage or NO_CAGE
     chi = damping_factor(normal.law, normal.restitution)
     rows = []
-    given = (normal.inner_stiffness, normal.outer_stiffness)
-    for race, angle, stiffness in zip(Race, angles, given, strict=True):
+    prescribed = (normal.inner_stiffness, normal.outer_stiffness)
+    for race, angle, stiffness in zip(Race, angles, prescribed, strict=True):
         radii = reduced_radii(bearing, race, angle)
         hertz = contact_stiffness(*radii, contact_modulus(bearing, race))
         rows.append((stiffness or hertz, HERTZ_EXPONENT, chi))
@@ -274,15 +410,26 @@ def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, flo
 
 
 def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:
-    """Size of a coordinate's and a speed's error that counts as one, shape (mechanical,) [m, rad,
-    m/s, rad/s].
+    """Size of a coordinate's and a speed's error that counts as one.
 
-    Lengths: a part of the approach of a ball on a race under a load; speeds: the same part of that
-    of the vibration with this amplitude, but no more than a part of the ramp of the friction or,
-    where friction follows the entrainment, of the fastest one;
-    angles of bodies: over the pitch radius, of balls: over their radius.
+    Lengths: a fraction of the approach of a ball on a race under a load; speeds: the same fraction
+    of that of the vibration with this amplitude, but no more than a fraction of the ramp of the
+    friction or, if friction follows the entrainment, of the fastest one; angles of bodies: over
+    the pitch radius, of balls: over their radius.
 
-    `load` [N]; `model`: with tolerance, the part of approach and speed, and ramp of the friction.
+    Parameters
+    ----------
+    data : EquationData
+        problem in numbers
+    load : float
+        reference load [N]
+    model : DynamicsModel
+        tolerance and friction
+
+    Returns
+    -------
+    Array
+        sizes, shape (mechanical,) [m], [rad], [m/s], [rad/s]
     """
     tolerance = model.options.tolerance
     stiffness = float(data.normal[: OUTER + 1, STIFFNESS].min())
@@ -292,10 +439,10 @@ def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:
     n = 3 * data.constants.balls
     ring = [1.0] * RING_TILT + [1.0 / pitch] * (RING - RING_TILT)
     cage = [1.0] * CAGE_ROTATION + [1.0 / pitch] * (CAGE - CAGE_ROTATION)
-    place = np.array([*ring, *cage, *[1.0] * n])
+    positions = np.array([*ring, *cage, *[1.0] * n])
     turn = np.full(n, 1.0 / data.constants.ball_radius)
     speed = min(tolerance * speed, RAMP_SHARE * model.friction.ramp)
     fastest = float(np.abs(entrainment_speeds(data.schedule, pitch)).max())
     if model.friction.follows_entrainment and fastest > 0.0:
         speed = min(speed, ROLLING_SHARE * tolerance * fastest)
-    return np.concatenate([tolerance * length * place, speed * place, speed * turn])
+    return np.concatenate([tolerance * length * positions, speed * positions, speed * turn])

@@ -15,7 +15,7 @@ from .choices import Guidance, LoadType
 from .inputs import CageBody, DynamicsModel, RingBody
 from .layout import RING_TILT
 
-# of an estimated cage, over the ball's diameter [-]; pockets: 0.2 mm at balls of 7 mm, Ma et al.
+# estimated cage over the ball's diameter [-]; pockets: 0.2 mm at balls of 7 mm, Ma et al.
 # (2023). Thickness and web make a light cage: half or twice of each takes the shipped 7008 under
 # combined load from 1.7 g to 0.9 to 3.5 g, changes its speed by 1e-5 and the largest force in a
 # pocket by up to a half. Half or twice the clearance changes the slip by a tenth and a quarter.
@@ -36,9 +36,26 @@ def ring_body(
 ) -> RingBody:
     """The inner ring as a hollow cylinder from its bore to the bottom of its groove.
 
-    `bearing`: with bore and width, else ValueError; `mass`: of ring and what turns with it [kg];
-    None: of the cylinder; `damping`: of the support [N s/m]; `unbalance` [kg m], and its phase
-    from +y [rad].
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry with bore and width
+    mass : float | None, optional
+        mass of ring and shaft [kg]; None: that of the cylinder
+    damping : float, default 0.0
+        damping of the support [N s/m]
+    unbalance : tuple[float, float], default (0.0, 0.0)
+        unbalance [kg m], and its phase from +y [rad]
+
+    Returns
+    -------
+    RingBody
+        mass and inertias of the ring
+
+    Raises
+    ------
+    ValueError
+        if bore or width is missing
     """
     if bearing.bore is None or bearing.width is None:
         raise ValueError("bore and width are needed for the inertia of the inner ring")
@@ -63,30 +80,71 @@ def ring_body(
 def hollow_cylinder(
     mass: float, inside: float, outside: float, width: float
 ) -> tuple[float, float]:
-    """Polar and transverse moment of inertia [kg m^2] of a mass [kg] between two radii [m]."""
+    """Moments of inertia of a hollow cylinder.
+
+    Parameters
+    ----------
+    mass : float
+        mass [kg]
+    inside, outside : float
+        radii [m]
+    width : float
+        length along the axis [m]
+
+    Returns
+    -------
+    polar
+        about the axis [kg m^2]
+    transverse
+        across it [kg m^2]
+    """
     square = inside**2 + outside**2
     return 0.5 * mass * square, mass * (3.0 * square + width**2) / 12.0
 
 
 def require_web(bearing: Bearing, clearance: float) -> None:
-    """ValueError unless pockets of a diametral clearance [m] leave a web between them on the pitch
-    circle.
+    """Check that pockets leave a web between them on the pitch circle.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    clearance : float
+        diametral clearance of a pocket [m]
+
+    Raises
+    ------
+    ValueError
+        if pockets overlap
     """
     apart = bearing.pitch_diameter * sin(pi / bearing.balls)
     if bearing.ball_diameter + clearance >= apart:
-        most = from_si("clearance_mm", apart - bearing.ball_diameter)
-        if most <= 0.0:
+        largest = from_si("clearance_mm", apart - bearing.ball_diameter)
+        if largest <= 0.0:
             raise ValueError(f"{bearing.balls} balls leave no room for a cage between them")
-        found = from_si("clearance_mm", clearance)
+        prescribed = from_si("clearance_mm", clearance)
         raise ValueError(
-            f"pocket_clearance: pockets overlap at {found:.4g} mm; {bearing.balls} balls leave "
-            f"less than {most:.4g} mm"
+            f"pocket_clearance: pockets overlap at {prescribed:.4g} mm; {bearing.balls} balls "
+            f"leave less than {largest:.4g} mm"
         )
 
 
 def pocket_stiffness(ball: float, clearance: float, modulus: float) -> float:
-    """K of a ball against its pocket, a cylinder [N/m^1.5], from diameter, diametral clearance [m]
-    and E' [Pa].
+    """K of a ball against its pocket, a cylinder.
+
+    Parameters
+    ----------
+    ball : float
+        ball diameter [m]
+    clearance : float
+        diametral clearance of the pocket [m]
+    modulus : float
+        reduced modulus E' [Pa]
+
+    Returns
+    -------
+    float
+        K [N/m^1.5]
     """
     pocket = 0.5 * (ball + clearance)
     across = 0.5 * ball * pocket / (pocket - 0.5 * ball)  # reduced radius around the pocket
@@ -94,19 +152,36 @@ def pocket_stiffness(ball: float, clearance: float, modulus: float) -> float:
 
 
 def cage_body(
-    bearing: Bearing, material: Material, **given: float | tuple[float, ...] | Guidance | None
+    bearing: Bearing, material: Material, **prescribed: float | tuple[float, ...] | Guidance | None
 ) -> CageBody:
     """The cage: a hollow cylinder around the pitch circle, less its pockets.
 
-    `given`: any of `mass`, `polar_inertia`, `transverse_inertia` [kg, kg m^2], `thickness`,
-    `width`, `pocket_clearance` (diametral) [m], `pocket_friction` [-], `film_least` [m],
-    `guidance`, `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],
-    `land_friction` [-], `unbalance` [kg m], `drag` [N m s^2], `pocket_clearances`, one a ball [m].
-    What is left out is estimated, and named so. ValueError where pockets overlap.
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    material : Material
+        material of the cage
+    **given : float | tuple[float, ...] | Guidance | None
+        any of `mass`, `polar_inertia`, `transverse_inertia` [kg, kg m^2], `thickness`, `width`,
+        `pocket_clearance` (diametral) [m], `pocket_friction` [-], `film_least` [m], `guidance`,
+        `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],
+        `land_friction` [-], `unbalance` [kg m], `drag` [N m s^2], `pocket_clearances`, one a ball
+        [m]; others are estimated and listed in `assumed`
+
+    Returns
+    -------
+    CageBody
+        cage in numbers
+
+    Raises
+    ------
+    ValueError
+        if pockets overlap
     """
-    guidance = given.get("guidance")
-    plays = next((value for value in given.values() if isinstance(value, tuple)), ())
-    values = {name: value for name, value in given.items() if isinstance(value, int | float)}
+    guidance = prescribed.get("guidance")
+    plays = next((value for value in prescribed.values() if isinstance(value, tuple)), ())
+    values = {name: value for name, value in prescribed.items() if isinstance(value, int | float)}
     values |= {"pocket_clearance": max(plays)} if plays else {}
     number = values.get
     ball = bearing.ball_diameter
@@ -146,18 +221,32 @@ def cage_body(
     )
 
 
-# what a load type needs to rest at zero besides gravity: columns of `given_values`, coordinates of
+# values that a load type needs at zero besides gravity: columns of `given_values`, coordinates of
 # the ring
 ACROSS = slice(GIVEN_FORCE + 1, None)
 ALONG = (GIVEN_FORCE, GIVEN_MOMENT, GIVEN_MOMENT + 1)
 # the same of `given_places`
-PLACES_ACROSS = slice(1, None)
-PLACES_ALONG = (0, 3, 4)
+DISPLACEMENTS_ACROSS = slice(1, None)
+DISPLACEMENTS_ALONG = (0, 3, 4)
 
 
 def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
-    """Fewest equations that the loads allow at the start: those of the symmetry that lasts longer,
-    radial or axial; without one, combined if there are loads along x and y alone, else general.
+    """Fewest equations that the loads allow at the start.
+
+    Those of the symmetry that lasts longer, radial or axial; without one, combined if there are
+    loads along x and y alone, else general.
+
+    Parameters
+    ----------
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        schedule, weight and unbalance
+
+    Returns
+    -------
+    LoadType
+        equations of motion
     """
     lasts = {
         kind: symmetric_until(kind, operation, model) for kind in (LoadType.RADIAL, LoadType.AXIAL)
@@ -180,20 +269,37 @@ def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
 
 
 def symmetric_until(kind: LoadType, operation: Operation, model: DynamicsModel) -> float:
-    """Time up to which loads, weight, unbalance and displacements leave bodies the symmetry of a
-    load type [s]; zero where they never do, infinite where they do throughout.
+    """Time up to which loads, weight, unbalance and displacements leave bodies a symmetry.
+
+    Parameters
+    ----------
+    kind : LoadType
+        load type with the symmetry
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        schedule, weight and unbalance
+
+    Returns
+    -------
+    float
+        time; zero if they never do, infinite if they always do [s]
     """
     gravity = np.array(model.options.gravity)
-    places = np.array(model.places(operation))
+    displacements = np.array(model.places(operation))
     rows = np.array(model.rows(operation))
     if kind is LoadType.AXIAL:
         even = model.ring.unbalance == 0.0 and (model.cage is None or model.cage.even)
         even = even and model.rotating is None
         broken = np.any(gravity[1:]) or not even
-        loaded = np.any(rows[:, ACROSS], axis=1) | np.any(places[:, PLACES_ACROSS], axis=1)
+        loaded = np.any(rows[:, ACROSS], axis=1) | np.any(
+            displacements[:, DISPLACEMENTS_ACROSS], axis=1
+        )
     elif kind in (LoadType.RADIAL, LoadType.PLANAR):
         broken = bool(gravity[0])
-        loaded = np.any(rows[:, ALONG], axis=1) | np.any(places[:, PLACES_ALONG], axis=1)
+        loaded = np.any(rows[:, ALONG], axis=1) | np.any(
+            displacements[:, DISPLACEMENTS_ALONG], axis=1
+        )
     else:
         return inf
     if broken:
@@ -216,8 +322,21 @@ FREE_COORDINATES: dict[LoadType, tuple[tuple[int, ...], ...]] = {
 
 
 def free_coordinates(kind: LoadType, operation: Operation) -> tuple[tuple[int, ...], ...]:
-    """1 or 0 for each coordinate of ring, cage and a ball [-]; the ring is fixed where the case
-    prescribes a displacement.
+    """Free coordinates of ring, cage and a ball.
+
+    The ring is fixed along a coordinate with a prescribed displacement.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    operation : Operation
+        prescribed loads and displacements
+
+    Returns
+    -------
+    tuple[tuple[int, ...], ...]
+        1 or 0 for each coordinate of ring, cage and ball [-]
     """
     ring, cage, ball = FREE_COORDINATES[kind]
     loads = operation.loads
@@ -226,13 +345,27 @@ def free_coordinates(kind: LoadType, operation: Operation) -> tuple[tuple[int, .
 
 
 def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[str, int]:
-    """Equations of motion that are solved, of second order: of ring, cage, balls, and in all [-].
+    """Number of equations of motion that are solved, of second order.
 
     Ma et al. (2023), Table 1, integrate all balls under an axial load, too; under a load across
-    the axis and under both they hold the ring and the cage on the load line, where friction pushes
-    them aside.
+    the axis and under both they constrain the ring and the cage to the load line, where friction
+    pushes them aside.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    balls : int
+        number of balls [-]
+    operation : Operation
+        prescribed loads and displacements
+
+    Returns
+    -------
+    dict[str, int]
+        numbers of ring, cage, balls, and in all [-]
     """
-    ring, cage, ball = (sum(part) for part in free_coordinates(kind, operation))
+    ring, cage, ball = (sum(component) for component in free_coordinates(kind, operation))
     solved = 1 if kind is LoadType.AXIAL else balls
     return {
         "ring": ring,

@@ -20,7 +20,7 @@ class NormalLaw(Enum):
 
 
 class Guidance(Enum):
-    """What guides the cage."""
+    """Guidance of the cage."""
 
     BALLS = "balls"
     INNER_RING = "inner ring"

@@ -6,13 +6,24 @@ from math import inf
 import numpy as np
 
 from ehl.traction._kernels import LEAST_SPEED
-from ehl.traction.laws import EllipseLaw, FrictionLaw
+from ehl.traction.law import TractionLaw
+from ehl.traction.laws import EllipseLaw
 from ehl.traction.quadrature import EllipseRule, ellipse_nodes
 from ehl.traction.table.table import LOAD_POWER, TractionTable
 
 from ..friction.sources import RaceTraction
 from ..geometry import Bearing, Race
-from .arrays import COEFFICIENT, EXPONENT, FRICTIONLESS, STIFFNESS, TABLE, Array, FrictionData
+from .arrays import (
+    COEFFICIENT,
+    EXPONENT,
+    FRICTIONLESS,
+    STIFFNESS,
+    TABLE,
+    Array,
+    CoefficientData,
+    FrictionData,
+    TableData,
+)
 from .contact._film_kernels import film_and_slope, weights
 
 CENTRE = np.array([[0.0], [0.0], [1.0]])  # one point with all of the load [-]
@@ -27,8 +38,8 @@ class RaceFriction:
     """Friction of both races: laws of a coefficient, or tables, or none; ValueError for others."""
 
     # None: frictionless
-    inner: FrictionLaw | None = None
-    outer: FrictionLaw | None = None
+    inner: TractionLaw | None = None
+    outer: TractionLaw | None = None
     # a coefficient counts at the contact's centre alone: no spin moment, no slip by curvature
     at_centre: bool = False
 
@@ -41,7 +52,7 @@ class RaceFriction:
 
     @property
     def kind(self) -> int:
-        """Of the friction, as the kernel takes it."""
+        """Code of the friction for the kernels."""
         if self.inner is None:
             return FRICTIONLESS
         return TABLE if isinstance(self.inner, TractionTable) else COEFFICIENT
@@ -54,43 +65,80 @@ class RaceFriction:
 
     @property
     def follows_entrainment(self) -> bool:
-        """Whether what counts is the sliding over the entrainment."""
+        """True if friction depends on the sliding over the entrainment."""
         return self.inner is not None and self.ramp == inf
 
     def data(self, race: Race, rest: float = 0.0) -> FrictionData:
-        """Arrays of one race for the kernel [SI]; where friction follows the entrainment it
-        reverses over a sliding speed `rest` at least [m/s].
+        """Arrays of one race for the kernel.
+
+        Parameters
+        ----------
+        race : Race
+            raceway
+        rest : float, default 0.0
+            least sliding speed over which friction that follows the entrainment reverses [m/s]
+
+        Returns
+        -------
+        FrictionData
+            arrays [SI]
         """
         law = self.inner if race is Race.INNER else self.outer
         disc = CENTRE if self.at_centre else ellipse_nodes(EllipseRule.TIME_STEPS)
-        coefficient = (np.zeros(1), np.zeros(5))
         if isinstance(law, TractionTable):
             axes, constants, scalars, values = law.kernel_arguments()
             constants = constants.copy()
             constants[LEAST_SPEED] = rest / TABLE_SLIDE
-            return FrictionData(disc, *coefficient, axes, constants, scalars, values)
+            return FrictionData(None, TableData(axes, constants, scalars, values))
         if isinstance(law, EllipseLaw):
-            coefficient = (law.coefficient.at_rest(rest).kernel_law, law.shape.constants)
-        no_values = np.zeros((1,) * 6, dtype=np.int16)
-        no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)))
-        return FrictionData(disc, *coefficient, *no_table, no_values)
+            numbers = (law.coefficient.at_rest(rest).kernel_law, law.shape.constants)
+            return FrictionData(CoefficientData(disc, *numbers), None)
+        return FrictionData(None, None)
 
 
 def race_friction(
     source: RaceTraction, bearing: Bearing, angles: tuple[float, float], *, at_centre: bool = False
 ) -> RaceFriction:
-    """A law of torque and traction equilibrium on both races; contact angles, inner and outer
-    [rad]; `at_centre`: see `RaceFriction`.
+    """A law of torque and traction equilibrium on both races.
+
+    Parameters
+    ----------
+    source : RaceTraction
+        law of friction of the bearing model
+    bearing : Bearing
+        geometry and materials
+    angles : tuple[float, float]
+        contact angles, inner and outer [rad]
+    at_centre : bool, default False
+        see `RaceFriction`
+
+    Returns
+    -------
+    RaceFriction
+        friction of both races
     """
     inner, outer = (source.race_law(bearing, *at) for at in zip(Race, angles, strict=True))
     return RaceFriction(inner=inner, outer=outer, at_centre=at_centre)
 
 
-def check_film(data: FrictionData, law: Array, name: str) -> None:
-    """ValueError unless the load rises with the approach over the whole table of a race: no film
-    may thicken faster than the bodies give way.
+def check_film(data: TableData, law: Array, name: str) -> None:
+    """Check that the load rises with the approach over the whole table of a race.
 
-    `law`, shape (3,): K [N/m^n], n [-], chi [-]; `name`: of the race.
+    No film may thicken faster than the bodies give way.
+
+    Parameters
+    ----------
+    data : FrictionData
+        table of the race
+    law : Array
+        K [N/m^n], n [-], chi [-], shape (3,)
+    name : str
+        name of the race, for the message
+
+    Raises
+    ------
+    ValueError
+        if the load falls at some load and speed
     """
     first, density, nodes = data.axes[:2].T
     last = first + (nodes - 1) / density

@@ -1,4 +1,4 @@
-"""Where a simulation starts: quasi-static equilibrium, or balls on the outer race."""
+"""Start of a simulation: quasi-static equilibrium, or balls on the outer race."""
 
 from dataclasses import dataclass, replace
 from math import cos, sin
@@ -34,13 +34,13 @@ SMALLEST_SPEED_SHARE = 1.0e-3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StartingPoint:
-    """What a simulation starts from."""
+    """Start of a simulation."""
 
     kind: LoadType  # equations of motion
     angles: tuple[float, float]  # mean contact angles, inner and outer, by load [rad]
     equilibrium: QuasistaticSolution | None  # where the simulation starts from it
     messages: tuple[str, ...]
-    # that were solved for it in the static and the quasi-static stage; none for another start [-]
+    # unknowns solved for it in the static and the quasi-static stage; none for another start [-]
     unknowns: tuple[int, int] = (0, 0)
 
 
@@ -48,6 +48,20 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     """Equations, contact angles and equilibrium of the schedule's first row.
 
     Without an equilibrium the free contact angle stands in, and a message says so.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        schedule and options
+
+    Returns
+    -------
+    StartingPoint
+        start of the simulation
     """
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
@@ -75,51 +89,98 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
 
 
 def _pushed_along(operation: Operation, model: DynamicsModel) -> bool:
-    """Whether the first load or displacement of the ring over time has a part along the axis."""
-    for row, place in zip(model.rows(operation), model.places(operation), strict=True):
-        if any(row[GIVEN_FORCE:]) or any(place):
-            return row[GIVEN_FORCE] != 0.0 or place[0] != 0.0
+    """Check the first load or displacement of the ring for a component along the axis."""
+    for row, displacement in zip(model.rows(operation), model.places(operation), strict=True):
+        if any(row[GIVEN_FORCE:]) or any(displacement):
+            return row[GIVEN_FORCE] != 0.0 or displacement[0] != 0.0
     return False
 
 
 def mean_angle(angles: Array, loads: Array, nominal: float) -> float:
-    """Mean contact angle by load; nominal where nothing is loaded [rad]."""
+    """Mean contact angle by load.
+
+    Parameters
+    ----------
+    angles : Array
+        contact angles [rad]
+    loads : Array
+        loads of the contacts [N]
+    nominal : float
+        angle without a load [rad]
+
+    Returns
+    -------
+    float
+        mean angle [rad]
+    """
     total = np.sum(loads)
     return float(np.sum(angles * loads) / total) if total > 0.0 else nominal
 
 
 def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) -> Operation:
-    """The operation at time zero; coordinates that the equations fix are prescribed [SI]."""
+    """The operation at time zero; coordinates that the equations fix are prescribed.
+
+    Parameters
+    ----------
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        schedule and rotating load
+    kind : LoadType
+        equations of motion
+
+    Returns
+    -------
+    Operation
+        operation [SI]
+    """
     rows = model.rows(operation)
     inner, outer = (
         a or SMALLEST_SPEED_SHARE * b
         for a, b in zip(rows[0][:GIVEN_FORCE], rows[-1][:GIVEN_FORCE], strict=True)
     )
     ring = free_coordinates(kind, operation)[0]
-    given = [*rows[0][GIVEN_FORCE:]]
+    prescribed = [*rows[0][GIVEN_FORCE:]]
     if model.rotating is not None:
-        given[1] += model.rotating.force * cos(model.rotating.phase)
-        given[2] += model.rotating.force * sin(model.rotating.phase)
+        prescribed[1] += model.rotating.force * cos(model.rotating.phase)
+        prescribed[2] += model.rotating.force * sin(model.rotating.phase)
     loads: list[Any] = []
-    places: list[Any] = []
-    for load, place, free in zip(given, model.places(operation)[0], ring, strict=True):
+    displacements: list[Any] = []
+    for load, displacement, free in zip(prescribed, model.places(operation)[0], ring, strict=True):
         loads.append(load if free else None)
-        places.append(None if free else place)
+        displacements.append(None if free else displacement)
     return replace(
         operation,
         inner_speed=inner,
         outer_speed=outer,
         force=tuple(loads[:3]),
         moment=tuple(loads[3:]),
-        displacement=tuple(places[:3]),
-        tilt=tuple(places[3:]),
+        displacement=tuple(displacements[:3]),
+        tilt=tuple(displacements[3:]),
     )
 
 
 def initial_state(
     bearing: Bearing, data: EquationData, point: StartingPoint, start: Start
 ) -> Array:
-    """State vector at time zero, see `layout` [m, rad, m/s, rad/s]."""
+    """State vector at time zero, see `layout`.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    data : EquationData
+        problem in numbers
+    point : StartingPoint
+        equations, contact angles and equilibrium of the start
+    start : Start
+        equilibrium, rolling or rest
+
+    Returns
+    -------
+    Array
+        state vector, shape (size,) [m], [rad], [m/s], [rad/s]
+    """
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
     cosines, sines = data.pocket_place.T
@@ -140,10 +201,10 @@ def initial_state(
     speed = orbit * radial
     ball_free = data.free[BODIES:FREE_TURN]
     turn_free = data.free[FREE_TURN:]
-    place = np.stack([axial, radial * cosines, radial * sines], axis=1)
+    position = np.stack([axial, radial * cosines, radial * sines], axis=1)
     velocity = np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * ball_free
     turn = np.stack([spin[0], spin[1] * cosines, spin[1] * sines], axis=1) * turn_free
-    y[layout.ball] = place.ravel()
+    y[layout.ball] = position.ravel()
     y[layout.ball_speed] = velocity.ravel()
     y[layout.ball_turn] = turn.ravel()
     # 3. the cage goes round with the balls

@@ -15,16 +15,34 @@ from .friction import RaceFriction
 
 
 def given_values(operation: Operation) -> tuple[float, ...]:
-    """Speeds of the rings [rad/s], force [N] and moment [N m] of an operation; zero on a
-    coordinate with a prescribed displacement.
+    """Speeds of the rings, force and moment of an operation.
+
+    Parameters
+    ----------
+    operation : Operation
+        speeds, loads and displacements
+
+    Returns
+    -------
+    tuple[float, ...]
+        seven values, zero on a coordinate with a prescribed displacement [rad/s], [N], [N m]
     """
     loads = (0.0 if load is None else load for load in operation.loads)
     return (operation.inner_speed, operation.outer_speed, *loads)
 
 
 def given_places(operation: Operation) -> tuple[float, ...]:
-    """Prescribed displacements of the inner ring, x, y, z [m], tilts about y and z [rad]; zero on
-    a coordinate with a load.
+    """Prescribed displacements of the inner ring.
+
+    Parameters
+    ----------
+    operation : Operation
+        speeds, loads and displacements
+
+    Returns
+    -------
+    tuple[float, ...]
+        x, y, z [m], tilts about y and z [rad]; zero on a coordinate with a load
     """
     return tuple(0.0 if place is None else place for place in operation.displacements)
 
@@ -69,7 +87,7 @@ class CageBody:
     unbalance: float = 0.0  # mass times eccentricity, towards the first pocket [kg m]
     drag: float = 0.0  # torque over the square of its speed [N m s^2]
     guidance: Guidance = Guidance.BALLS
-    # of each of the two guiding lands: radius, radial clearance, width, distance from the middle
+    # each of the two guiding lands: radius, radial clearance, width, distance from the middle
     land_radius: float = 0.0  # [m]
     land_clearance: float = 0.0  # [m]
     land_width: float = 0.0  # [m]
@@ -87,7 +105,23 @@ class CageBody:
             require_positive(self, "land_radius", "land_clearance", "land_width", "land_stiffness")
 
     def clearances(self, balls: int) -> tuple[float, ...]:
-        """Diametral clearance of each pocket [m]; ValueError unless there is one a ball."""
+        """Diametral clearance of each pocket.
+
+        Parameters
+        ----------
+        balls : int
+            number of balls [-]
+
+        Returns
+        -------
+        tuple[float, ...]
+            clearances, one a ball [m]
+
+        Raises
+        ------
+        ValueError
+            if their number is not that of the balls
+        """
         if self.pocket_clearances and len(self.pocket_clearances) != balls:
             count = len(self.pocket_clearances)
             raise ValueError(f"pocket_clearances: needs one a ball, {balls}, got {count}")
@@ -95,7 +129,7 @@ class CageBody:
 
     @property
     def even(self) -> bool:
-        """Whether all pockets are alike and the cage is balanced."""
+        """True if all pockets are equal and the cage is balanced."""
         return len(set(self.pocket_clearances)) < 2 and self.unbalance == 0.0
 
 
@@ -138,10 +172,10 @@ class Schedule:
     time: tuple[float, ...]  # rising [s]
     # at each: speed of inner and of outer ring, force along x, y, z, moment about y, z
     values: tuple[tuple[float, ...], ...]  # [rad/s], [N], [N m]
-    # of the inner ring where it is held, x, y, z [m], tilts [rad]; None: as in the operation
+    # prescribed x, y, z [m] and tilts [rad] of the inner ring; None: as in the operation
     places: tuple[tuple[float, ...], ...] | None = None
     rates: tuple[tuple[float, ...], ...] | None = None  # of them [m/s], [rad/s]
-    # of the oil in pockets and lands, over `DynamicsModel.film_viscosity`; None: one throughout
+    # oil in pockets and lands, over `DynamicsModel.film_viscosity`; None: one throughout
     viscosity: tuple[float, ...] | None = None  # [-]
 
     def __post_init__(self) -> None:
@@ -161,11 +195,21 @@ class Schedule:
     def from_tables(
         cls, operation: Operation, tables: Mapping[int, Sequence[Sequence[float]] | None]
     ) -> "Schedule | None":
-        """Tables over time on one set of times, None without any; the rest as in operation.
+        """Tables over time on one set of times; the rest as in the operation.
 
-        `tables`: by the first of the columns of `EquationData.schedule` that they fill, rows of
-        time [s] and their values in SI; places without overshoot, at rest in the first and the
-        last row (`smooth`).
+        Parameters
+        ----------
+        operation : Operation
+            speeds, loads and displacements outside the tables
+        tables : Mapping[int, Sequence[Sequence[float]] | None]
+            by the first of the columns of `EquationData.schedule` that they fill, rows of time [s]
+            and their values in SI; displacements without overshoot, at rest in the first and the
+            last row (`smooth`)
+
+        Returns
+        -------
+        Schedule | None
+            schedule; None without any table
         """
         given = {first: np.array(rows) for first, rows in tables.items() if rows is not None}
         if not given:
@@ -190,8 +234,25 @@ class Schedule:
 
 
 def smooth(time: Array, place: Array, at: Array) -> tuple[Array, Array]:
-    """Place and rate at some times [s] by the piecewise cubic through rows of time [s] and place
-    that does not overshoot (Fritsch and Butland 1984), at rest in the first and the last one.
+    """Position and rate by a piecewise cubic that does not overshoot, at rest at both ends.
+
+    Fritsch and Butland (1984).
+
+    Parameters
+    ----------
+    time : Array
+        times of the rows, rising, shape (n,) [s]
+    place : Array
+        positions there, shape (n,) [m] or [rad]
+    at : Array
+        times of the result, shape (m,) [s]
+
+    Returns
+    -------
+    place
+        positions, shape (m,) [m] or [rad]
+    rate
+        their rates, shape (m,) [m/s] or [rad/s]
     """
     # a row like the first before it, and like the last behind: there the curve is level
     t = np.concatenate([[time[0] - 1.0], time, [time[-1] + 1.0]])
@@ -213,7 +274,7 @@ class DynamicsOptions:
     equations: LoadType | None = None  # None: by the load (`load_type`)
     # None: a share of the vibration of a loaded ball (`simulation.STEP_ANGLE`)
     longest_step: float | None = None  # [s]
-    # of a step's error in units of contact approach and of speed in its vibration, see
+    # tolerance of a step's error in units of contact approach and of speed in its vibration, see
     # docs/theory/dynamics.md
     tolerance: float = 1.0e-4  # [-]
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # along x, y, z [m/s^2]
@@ -247,24 +308,46 @@ class DynamicsModel:
 
     @property
     def times(self) -> tuple[float, ...]:
-        """Of the rows of the schedule [s]."""
+        """Times of the rows of the schedule [s]."""
         return (0.0,) if self.schedule is None else self.schedule.time
 
     def rows(self, operation: Operation) -> list[tuple[float, ...]]:
-        """`given_values` at each time of the schedule, or those of the operation."""
+        """`given_values` at each time of the schedule, or those of the operation.
+
+        Parameters
+        ----------
+        operation : Operation
+            speeds and loads without a schedule
+
+        Returns
+        -------
+        list[tuple[float, ...]]
+            a row for each time [rad/s], [N], [N m]
+        """
         if self.schedule is not None:
             return list(self.schedule.values)
         return [given_values(operation)]
 
     def places(self, operation: Operation) -> list[tuple[float, ...]]:
-        """`given_places` at each time of the schedule, or those of the operation."""
+        """`given_places` at each time of the schedule, or those of the operation.
+
+        Parameters
+        ----------
+        operation : Operation
+            displacements without a schedule
+
+        Returns
+        -------
+        list[tuple[float, ...]]
+            a row for each time [m], [rad]
+        """
         if self.schedule is not None and self.schedule.places is not None:
             return list(self.schedule.places)
         return [given_places(operation)] * len(self.times)
 
     @property
     def viscosities(self) -> tuple[float, ...]:
-        """Of the oil over `film_viscosity` at each time of the schedule [-]."""
+        """Viscosity of the oil over `film_viscosity` at each time of the schedule [-]."""
         if self.schedule is not None and self.schedule.viscosity is not None:
             return self.schedule.viscosity
         return (1.0,) * len(self.times)

@@ -9,7 +9,20 @@ from .choices import NormalLaw, RaceStiffness
 
 
 def damping_factor(law: NormalLaw, restitution: float) -> float:
-    """chi [-] of K d^n (1 + chi v/v_0) from the restitution e [-], see `NormalLaw`."""
+    """chi of K d^n (1 + chi v/v_0) from the restitution, see `NormalLaw`.
+
+    Parameters
+    ----------
+    law : NormalLaw
+        normal law
+    restitution : float
+        e [-]
+
+    Returns
+    -------
+    float
+        chi [-]
+    """
     e = restitution
     factors = {
         NormalLaw.LANKARANI_NIKRAVESH: 0.75 * (1.0 - e * e),
@@ -20,12 +33,27 @@ def damping_factor(law: NormalLaw, restitution: float) -> float:
 
 
 def planar_stiffness(ball_radius: float, race_radius: float, modulus: float, race: Race) -> float:
-    """K of a sphere of radius r on a sphere or in a spherical hollow of radius R [m], with E' of
-    the pair [Pa], in [N/m^1.5]; Lankarani and Nikravesh (1990).
+    """K of a sphere on a sphere or in a spherical hollow, Lankarani and Nikravesh (1990).
 
     K = 4/(3 pi (h_1 + h_2)) sqrt(r R/(R + r)), h = (1 - nu^2)/(pi E), and R - r at the outer race,
     whose surface is hollow; Shan et al. (2023) Eq. (12) prints the plus sign for both. With E' (2
     E*): K = (2/3) E' sqrt(...).
+
+    Parameters
+    ----------
+    ball_radius : float
+        r [m]
+    race_radius : float
+        R [m]
+    modulus : float
+        E' of the pair [Pa]
+    race : Race
+        INNER takes the sphere, OUTER the hollow
+
+    Returns
+    -------
+    float
+        K [N/m^1.5]
     """
     sign = 1.0 if race is Race.INNER else -1.0
     radius = ball_radius * race_radius / (race_radius + sign * ball_radius)
@@ -33,7 +61,20 @@ def planar_stiffness(ball_radius: float, race_radius: float, modulus: float, rac
 
 
 def race_stiffnesses(bearing: Bearing, kind: RaceStiffness) -> dict[str, float]:
-    """K of inner and outer race [N/m^1.5] for a `NormalContact`; none where it is Hertz'."""
+    """K of inner and outer race for a `NormalContact`.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    kind : RaceStiffness
+        formula of the stiffness
+
+    Returns
+    -------
+    dict[str, float]
+        keyword arguments [N/m^1.5]; none for that of Hertz
+    """
     if kind is RaceStiffness.HERTZ:
         return {}
     ball = 0.5 * bearing.ball_diameter
@@ -48,22 +89,61 @@ def race_stiffnesses(bearing: Bearing, kind: RaceStiffness) -> dict[str, float]:
 
 
 def vibration_frequency(stiffness: float, load: float, mass: float) -> float:
-    """Angular frequency of a ball between two races of K [N/m^1.5] under Q [N], sqrt(2 k/m) with
-    k = 1.5 K^(2/3) Q^(1/3) [rad/s].
+    """Angular frequency of a ball between two races, sqrt(2 k/m) with k = 1.5 K^(2/3) Q^(1/3).
+
+    Parameters
+    ----------
+    stiffness : float
+        K [N/m^1.5]
+    load : float
+        Q [N]
+    mass : float
+        m of the ball [kg]
+
+    Returns
+    -------
+    float
+        angular frequency [rad/s]
     """
     return sqrt(3.0 * stiffness ** (2.0 / 3.0) * load ** (1.0 / 3.0) / mass)
 
 
 def drag_of_mixture(density: float, ball_diameter: float, coefficient: float) -> float:
-    """Drag of a ball over the square of its speed, C_D rho (pi/4) D^2/2 [N s^2/m^2], in a mixture
-    of oil and air at rest of that density [kg/m^3].
+    """Drag of a ball over the square of its speed, C_D rho (pi/4) D^2/2, in oil and air at rest.
+
+    Parameters
+    ----------
+    density : float
+        rho of the mixture [kg/m^3]
+    ball_diameter : float
+        D [m]
+    coefficient : float
+        C_D [-]
+
+    Returns
+    -------
+    float
+        drag over speed squared [N s^2/m^2]
     """
     return 0.5 * coefficient * density * 0.25 * pi * ball_diameter**2
 
 
 def drag_of_force(bearing: Bearing, operation: Operation, force: float) -> float:
-    """Drag over speed squared [N s^2/m^2] from a drag [N] at the kinematic orbit speed; none where
-    that is zero.
+    """Drag over speed squared from a drag at the kinematic orbit speed.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    operation : Operation
+        speeds of the rings
+    force : float
+        drag of a ball at that speed [N]
+
+    Returns
+    -------
+    float
+        drag over speed squared; zero if the speed is [N s^2/m^2]
     """
     angle = bearing.free_contact_angle if operation.force[0] else 0.0
     speed = kinematic_cage_speed(bearing, operation.inner_speed, operation.outer_speed, angle)
@@ -72,8 +152,21 @@ def drag_of_force(bearing: Bearing, operation: Operation, force: float) -> float
 
 
 def cage_drag_of_torque(bearing: Bearing, operation: Operation, torque: float) -> float:
-    """Torque over speed squared [N m s^2] from a torque [N m] at the cage's kinematic speed; none
-    where that is zero.
+    """Torque over speed squared from a torque at the cage's kinematic speed.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    operation : Operation
+        speeds of the rings
+    torque : float
+        drag torque of the cage at that speed [N m]
+
+    Returns
+    -------
+    float
+        torque over speed squared; zero if the speed is [N m s^2]
     """
     angle = bearing.free_contact_angle if operation.force[0] else 0.0
     speed = kinematic_cage_speed(bearing, operation.inner_speed, operation.outer_speed, angle)

@@ -1,4 +1,4 @@
-"""What the integrators work on: state, step control, samples; and what a restart needs."""
+"""State, step control and samples of the integrators, and the state that a restart needs."""
 
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
@@ -35,7 +35,7 @@ class StepControl(NamedTuple):
 
 
 class ContactHistory(NamedTuple):
-    """What the contacts remember, see `SimulationState`."""
+    """History of the contacts, see `SimulationState`."""
 
     onset: Array
     states: NDArray[np.int8]
@@ -45,7 +45,7 @@ class ContactHistory(NamedTuple):
 
 @dataclass(slots=True, kw_only=True)
 class SimulationState:
-    """Where a simulation stands; all that a restart needs."""
+    """Present state of a simulation; all that a restart needs."""
 
     kind: LoadType  # whose equations move it on
     time: float  # [s]
@@ -60,18 +60,37 @@ class SimulationState:
     stiff: bool = False  # whether LSODA took over at some time
 
     def restore(self, snapshot: "SimulationState") -> None:
-        """Take over the values of another state, in the arrays that the equations use."""
-        for part in fields(self):
-            own = getattr(self, part.name)
-            value = getattr(snapshot, part.name)
-            if isinstance(own, np.ndarray):
-                own[...] = value
+        """Take over the values of another state, in the arrays that the equations use.
+
+        Parameters
+        ----------
+        snapshot : SimulationState
+            state with the values
+        """
+        for field in fields(self):
+            present = getattr(self, field.name)
+            value = getattr(snapshot, field.name)
+            if isinstance(present, np.ndarray):
+                present[...] = value
             else:
-                setattr(self, part.name, value)
+                setattr(self, field.name, value)
 
 
 def empty_record(times: Array, balls: int) -> Record:
-    """Room for a row at each time [s]."""
+    """Record with a row of zeros at each time.
+
+    Parameters
+    ----------
+    times : Array
+        times of the rows [s]
+    balls : int
+        number of balls [-]
+
+    Returns
+    -------
+    Record
+        record to fill
+    """
     m = times.size
     return Record(
         time=times.copy(),
@@ -86,13 +105,37 @@ def empty_record(times: Array, balls: int) -> Record:
 
 
 def first_rows(record: Record, rows: int) -> Record:
-    """The part of a record that was reached."""
-    parts: list[Any] = [part[:rows] for part in record]
-    return Record(*parts)
+    """The first rows of a record.
+
+    Parameters
+    ----------
+    record : Record
+        record
+    rows : int
+        number of rows that were reached [-]
+
+    Returns
+    -------
+    Record
+        record with views of these rows
+    """
+    arrays: list[Any] = [array[:rows] for array in record]
+    return Record(*arrays)
 
 
 def join(first: Record, second: Record) -> Record:
-    """Two records one after the other."""
+    """Two records one after the other.
+
+    Parameters
+    ----------
+    first, second : Record
+        records of the same bearing
+
+    Returns
+    -------
+    Record
+        one record
+    """
     pairs: Any = zip(first, second, strict=True)
-    parts = [np.concatenate((a, b)) for a, b in pairs]
-    return Record(*parts)
+    arrays = [np.concatenate((a, b)) for a, b in pairs]
+    return Record(*arrays)

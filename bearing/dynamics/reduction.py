@@ -1,4 +1,4 @@
-"""What is solved of the motion, and how the rest follows from it by symmetry.
+"""Unknowns of the motion, and the rest that follows from them by symmetry.
 
 Under an axial load all balls move alike, each in its place around the axis: the motion of one is
 solved. Under a load across the axis the middle plane is a mirror: no body moves along the axis or
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ehl.traction.quadrature import STRAIGHT_NODES, unit_gauss
 
 from ._kernels import solved_derivative
-from .arrays import LOAD_COLUMNS, Array, EquationData, FrictionData
+from .arrays import LOAD_COLUMNS, Array, EquationData, FrictionData, changed_data
 from .choices import LoadType
 from .layout import BODIES, FREE_TURN, Layout
 from .record import ContactHistory, Record, SimulationState
@@ -27,9 +27,19 @@ LANDS = 2  # places of the lands, the last of the memory of impacts
 
 
 def solved_places(free: Array, balls: int) -> NDArray[np.int64]:
-    """Places in the state vector of what is solved: free coordinates, their speeds, the rest.
+    """Indices in the state vector of the unknowns: free coordinates, their speeds, the rest.
 
-    `free`: 1 or 0 for the coordinates of ring, cage and a ball, as `EquationData.free` [-].
+    Parameters
+    ----------
+    free : Array
+        1 or 0 for the coordinates of ring, cage and a ball, as `EquationData.free` [-]
+    balls : int
+        number of balls [-]
+
+    Returns
+    -------
+    NDArray[np.int64]
+        indices, rising [-]
     """
     layout = Layout(balls)
     bodies, position, turn = np.split(free > 0.0, (BODIES, FREE_TURN))
@@ -40,13 +50,23 @@ def solved_places(free: Array, balls: int) -> NDArray[np.int64]:
 
 
 def derivative(t: float, y: Array, data: EquationData, dy: Array) -> None:
-    """Rates `dy` of all coordinates at time t [s], also of those that are not solved; moves a ring
-    that is held to its place in y [SI].
+    """Rates of all coordinates, also of those that are not solved.
 
     By the kernel that gives those that are solved: one of its own would take as long to compile.
+
+    Parameters
+    ----------
+    t : float
+        time [s]
+    y : Array
+        state vector; a constrained ring is moved to its position in it [SI]
+    data : EquationData
+        problem in numbers
+    dy : Array
+        rates, written [SI]
     """
     data.whole[:] = y
-    solved_derivative(t, y[data.solved], data, np.empty(data.solved.size))
+    solved_derivative(t, y[data.solved], data.kernel, np.empty(data.solved.size))
     y[:] = data.whole
     dy[:] = data.rates
 
@@ -64,28 +84,62 @@ class SolvedMotion:
         return self.data.constants.balls
 
     def scale(self, scale: Array) -> Array:
-        """Errors that count as one of what is solved, from those of all, shape (mechanical,)."""
-        one = scale[_first_places(self.balls, self.solved)[: Layout(self.solved).mechanical]]
+        """Errors of the unknowns that count as one.
+
+        Parameters
+        ----------
+        scale : Array
+            errors of all coordinates and speeds [SI]
+
+        Returns
+        -------
+        Array
+            errors, shape (mechanical,) [SI]
+        """
+        one = scale[_first_indices(self.balls, self.solved)[: Layout(self.solved).mechanical]]
         return one[self.data.solved[: self.data.mechanical]]
 
     def begin(self, state: SimulationState) -> tuple[Array, ContactHistory]:
-        """What is solved of a state, and what its contacts remember."""
-        whole = state.y[_first_places(self.balls, self.solved)]
-        self.data.whole[:] = whole
+        """Unknowns of a state, and the history of their contacts.
+
+        Parameters
+        ----------
+        state : SimulationState
+            state of all balls
+
+        Returns
+        -------
+        y
+            unknowns [SI]
+        history
+            onset, state and times of the contacts
+        """
+        selected = state.y[_first_indices(self.balls, self.solved)]
+        self.data.whole[:] = selected
         history = ContactHistory(state.onset, state.contact_state, state.shares, state.attitude)
         if self.solved < self.balls:
-            kept = _first_contacts(self.balls)
-            self.data.memory[:] = state.memory[kept]
+            contacts = _first_contacts(self.balls)
+            self.data.memory[:] = state.memory[contacts]
             history = ContactHistory(
-                onset=state.onset[kept],
+                onset=state.onset[contacts],
                 states=state.contact_state[:, :1].copy(),
                 shares=state.shares[:, :1].copy(),
                 attitude=state.attitude[:1].copy(),
             )
-        return whole[self.data.solved], history
+        return selected[self.data.solved], history
 
     def finish(self, state: SimulationState, y: Array, history: ContactHistory) -> None:
-        """Bring a state up to date; inverse of `begin`."""
+        """Bring a state up to date; inverse of `begin`.
+
+        Parameters
+        ----------
+        state : SimulationState
+            state of all balls, changed
+        y : Array
+            unknowns [SI]
+        history : ContactHistory
+            history of their contacts
+        """
         self.data.whole[self.data.solved] = y
         state.y[:] = all_states(self.data.whole[None], self.balls, self.solved)[0]
         if self.solved < self.balls:
@@ -97,7 +151,18 @@ class SolvedMotion:
             state.attitude[:] = turned_attitudes(history.attitude[None], self.balls)[0]
 
     def whole_record(self, record: Record) -> Record:
-        """Record of all balls."""
+        """Record of all balls.
+
+        Parameters
+        ----------
+        record : Record
+            record of the balls that are solved
+
+        Returns
+        -------
+        Record
+            record by symmetry
+        """
         if self.solved == self.balls:
             return record
         return record._replace(
@@ -110,10 +175,24 @@ class SolvedMotion:
 
 
 def solved_motion(kind: LoadType, data: EquationData) -> SolvedMotion:
-    """Equations of what a load type leaves to be solved, from those of all balls."""
+    """Equations of the unknowns that a load type leaves, from those of all balls.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    data : EquationData
+        problem in numbers, of all balls
+
+    Returns
+    -------
+    SolvedMotion
+        equations of the balls that are solved
+    """
     balls = data.constants.balls
     if kind in MIRRORED:
-        mirrored = data._replace(
+        mirrored = changed_data(
+            data,
             constants=data.constants._replace(mirrored=1),
             friction_inner=_straight(data.friction_inner),
             friction_outer=_straight(data.friction_outer),
@@ -126,16 +205,19 @@ def solved_motion(kind: LoadType, data: EquationData) -> SolvedMotion:
 
 def _straight(friction: FrictionData) -> FrictionData:
     """Nodes along half the ellipse; the centre stays where it counts alone."""
-    at_centre = friction.disc.shape[1] == 1
-    return friction if at_centre else friction._replace(disc=unit_gauss(STRAIGHT_NODES))
+    law = friction.coefficient
+    if law is None or law.disc.shape[1] == 1:
+        return friction
+    return friction._replace(coefficient=law._replace(disc=unit_gauss(STRAIGHT_NODES)))
 
 
 def _one_ball(data: EquationData) -> EquationData:
     """Equations of the first ball, which stands for all."""
     balls = data.constants.balls
     layout = Layout(1)
-    places = solved_places(data.free, 1)
-    return data._replace(
+    indices = solved_places(data.free, 1)
+    return changed_data(
+        data,
         constants=data.constants._replace(balls=1, copies=balls),
         pocket_angle=data.pocket_angle[:1].copy(),
         pocket_place=data.pocket_place[:1].copy(),
@@ -147,26 +229,26 @@ def _one_ball(data: EquationData) -> EquationData:
         films=data.films[:, :1].copy(),
         linear=data.linear[:, :1].copy(),
         pocket_films=data.pocket_films[:1].copy(),
-        solved=places,
-        mechanical=places.size - (layout.size - layout.mechanical),
+        solved=indices,
+        mechanical=indices.size - (layout.size - layout.mechanical),
         whole=np.zeros(layout.size),
         rates=np.zeros(layout.size),
         turns=np.zeros((1, 3)),
     )
 
 
-def _first_places(balls: int, solved: int) -> NDArray[np.int64]:
+def _first_indices(balls: int, solved: int) -> NDArray[np.int64]:
     """Places in the state vector of all balls of that of the first ones."""
     layout = Layout(balls)
-    places = np.arange(layout.size)
-    kept: list[Any] = []
+    indices = np.arange(layout.size)
+    selected: list[Any] = []
     for bodies, of_balls in (
         (slice(0, BODIES), layout.ball),
         (slice(layout.positions, layout.positions + BODIES), layout.ball_speed),
         (slice(0, 0), layout.ball_turn),
     ):
-        kept += [places[bodies], places[of_balls][: 3 * solved]]
-    return np.concatenate([*kept, places[layout.mechanical :]])
+        selected += [indices[bodies], indices[of_balls][: 3 * solved]]
+    return np.concatenate([*selected, indices[layout.mechanical :]])
 
 
 def _first_contacts(balls: int) -> NDArray[np.int64]:
@@ -197,34 +279,88 @@ def _turns(balls: int) -> Array:
 
 
 def turned(vectors: Array, balls: int) -> Array:
-    """Vectors of one ball, shape (m, 3), for all balls: turned about the axis, (m, Z, 3)."""
+    """Vectors of one ball for all balls: turned about the axis.
+
+    Parameters
+    ----------
+    vectors : Array
+        vectors of the first ball, shape (m, 3) [any unit]
+    balls : int
+        number of balls [-]
+
+    Returns
+    -------
+    Array
+        vectors, shape (m, Z, 3) [any unit]
+    """
     return (vectors @ _turns(balls)).reshape(len(vectors), balls, 3)
 
 
 def turned_attitudes(attitude: Array, balls: int) -> Array:
-    """Quaternions of one ball, shape (m, 1, 4), for all balls, (m, Z, 4) [-]."""
+    """Quaternions of one ball for all balls.
+
+    Parameters
+    ----------
+    attitude : Array
+        quaternions of the first ball, shape (m, 1, 4) [-]
+    balls : int
+        number of balls [-]
+
+    Returns
+    -------
+    Array
+        quaternions, shape (m, Z, 4) [-]
+    """
     vectors = turned(attitude[:, 0, 1:], balls)
     scalars = np.repeat(attitude[:, :, :1], balls, axis=1)
     return np.concatenate([scalars, vectors], axis=-1)
 
 
 def all_states(states: Array, balls: int, solved: int) -> Array:
-    """State vectors of all balls from those of the solved ones, shape (m, size) [SI]."""
+    """State vectors of all balls from those of the solved ones.
+
+    Parameters
+    ----------
+    states : Array
+        state vectors, shape (m, size) [SI]
+    balls : int
+        number of balls [-]
+    solved : int
+        number of solved balls [-]
+
+    Returns
+    -------
+    Array
+        state vectors, shape (m, size of all) [SI]
+    """
     if solved == balls:
         return states
     one = Layout(1)
     all_of_them = Layout(balls)
     out = np.zeros((len(states), all_of_them.size))
-    out[:, _first_places(balls, solved)] = states[:, : one.size]
-    for part in ("ball", "ball_speed", "ball_turn"):
-        vectors = turned(states[:, getattr(one, part)], balls)
-        out[:, getattr(all_of_them, part)] = vectors.reshape(len(states), -1)
+    out[:, _first_indices(balls, solved)] = states[:, : one.size]
+    for name in ("ball", "ball_speed", "ball_turn"):
+        vectors = turned(states[:, getattr(one, name)], balls)
+        out[:, getattr(all_of_them, name)] = vectors.reshape(len(states), -1)
     return out
 
 
 def symmetric_part(motion: SolvedMotion, rates: Array) -> Array:
-    """Rates of all balls as they would be if those that are solved stood for the others [SI]."""
-    first = rates[_first_places(motion.balls, motion.solved)]
-    kept = np.zeros_like(first)
-    kept[motion.data.solved] = first[motion.data.solved]
-    return all_states(kept[None], motion.balls, motion.solved)[0]
+    """Rates of all balls if those that are solved stood for the others.
+
+    Parameters
+    ----------
+    motion : SolvedMotion
+        equations in use
+    rates : Array
+        rates of all coordinates, shape (size,) [SI]
+
+    Returns
+    -------
+    Array
+        symmetric rates, shape (size,) [SI]
+    """
+    first = rates[_first_indices(motion.balls, motion.solved)]
+    solved = np.zeros_like(first)
+    solved[motion.data.solved] = first[motion.data.solved]
+    return all_states(solved[None], motion.balls, motion.solved)[0]

@@ -15,8 +15,16 @@ ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counte
 
 
 def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
-    """Write the state of a simulation with its case, which is compared when it is read; the file
-    appears under its name when it is complete.
+    """Write the state of a simulation; the file appears under its name when it is complete.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        simulation to continue later
+    path : Path
+        name of the file
+    case : str, default ''
+        text of the case, which is compared when the file is read
     """
     state = simulation.state
     head = {
@@ -35,8 +43,21 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
 
 
 def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
-    """Put a new simulation of the same case where a file left it; ValueError if the file is
-    damaged, of another version of the program, or of another case.
+    """Set a new simulation of the same case to the state of a file.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        new simulation, changed
+    path : Path
+        name of the file
+    case : str, default ''
+        text of the case
+
+    Raises
+    ------
+    ValueError
+        if the file is damaged, of another version of the program, or of another case
     """
     try:
         with path.open("rb") as stream, np.load(stream, allow_pickle=False) as data:

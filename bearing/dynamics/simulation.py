@@ -39,11 +39,11 @@ REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
 FIRST_STEP = 1.0e-9  # [s]
 SHORTEST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
-# of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
+# fraction of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
 STIFF_STEP = 0.02
 # longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
 STEP_ANGLE = 0.8
-# where no contact is damped, what steps gain or lose of the energy stays: a light ring among
+# without damping in any contact, energy that steps gain or lose remains: a light ring among
 # impacts kept it to 1.5e-3 in 2000 steps of 0.8, to 1.1e-4 in steps of 0.4
 UNDAMPED_ANGLE = 0.4
 LAND_ADVICE = "; the film of the cage's land stiffens as its gap closes: a wider one, thinner oil"
@@ -75,7 +75,7 @@ class Simulation:
 
     @property
     def layout(self) -> Layout:
-        """Where what stands in the state vector."""
+        """Slices of the state vector."""
         return Layout(self.bearing.balls)
 
     @property
@@ -89,18 +89,19 @@ class Simulation:
 
     @property
     def motion(self) -> SolvedMotion:
-        """What is solved with the equations in use."""
+        """Unknowns of the equations in use."""
         return self._equations_in_use()[1]
 
     def _equations_in_use(self) -> tuple[EquationData, SolvedMotion, EquationData]:
-        """Those of all balls, of what is solved, and the general ones by the laws themselves: what
-        is linearised is that of the motion in use.
+        """Equations of all balls, of the unknowns, and the general ones by the laws themselves:
+        what is linearised is that of the motion in use.
         """
         if self._in_use is None or self._in_use[0] is not self.data:
             general = with_equations(self.data, LoadType.GENERAL, self.operation, self.model)
-            laws = {name: np.zeros_like(getattr(general, name)) for name in LINEARISED}
+            for name in LINEARISED:
+                getattr(general, name)[:] = 0.0
             motion = solved_motion(self.state.kind, self.data)
-            self._in_use = self.data, motion, general._replace(**laws)
+            self._in_use = self.data, motion, general
         return self._in_use
 
     @property
@@ -154,11 +155,11 @@ class Simulation:
         method = self._control(scale), scale
         while times.size:
             began = perf_counter()
-            before = deepcopy(self.state)
+            saved = deepcopy(self.state)
             try:
                 record = self._advance(times[:PIECE], method)
             except KeyboardInterrupt:
-                self._restore(before)
+                self._restore(saved)
                 raise
             self.wall += perf_counter() - began
             times = times[record.time.size :]
@@ -168,18 +169,26 @@ class Simulation:
                 return
 
     def set_equations(self, kind: LoadType) -> None:
-        """Go on with the equations of another load type from the state as it is."""
+        """Go on with the equations of another load type from the present state.
+
+        Parameters
+        ----------
+        kind : LoadType
+            equations of motion
+        """
         if kind is not self.state.kind:
             self.data = with_equations(self.data, kind, self.operation, self.model)
             self.state.kind = kind
 
-    def _restore(self, before: SimulationState) -> None:
-        self.set_equations(before.kind)
-        self.state.restore(before)
+    def _restore(self, saved: SimulationState) -> None:
+        self.set_equations(saved.kind)
+        self.state.restore(saved)
 
     def _symmetric(self, control: StepControl, scale: Array) -> bool:
-        """Whether the general equations keep the motion as symmetric as the ones in use: no
-        acceleration against the symmetry changes a speed in a step by an error that counts as one.
+        """Check that the general equations keep the motion as symmetric as the ones in use.
+
+        No acceleration against the symmetry changes a speed in a step by an error that counts as
+        one.
         """
         layout = self.layout
         _, motion, general = self._equations_in_use()
@@ -199,26 +208,26 @@ class Simulation:
         until = symmetric_until(self.state.kind, self.operation, self.model)
         if not self._symmetric(*method):
             until = self.state.time
-        held = times[times <= until]
-        if not held.size:
+        symmetric_times = times[times <= until]
+        if not symmetric_times.size:
             self._break_symmetry()
-        return self._steps(held if held.size else times, method)
+        return self._steps(symmetric_times if symmetric_times.size else times, method)
 
     def _break_symmetry(self) -> None:
         """Go on with the general equations, and say so."""
-        lost = f"dynamics: the motion lost the symmetry of the {self.state.kind.value} equations"
+        text = f"dynamics: the motion lost the symmetry of the {self.state.kind.value} equations"
         self.set_equations(LoadType.GENERAL)
-        self._note(f"{lost} at t = {self.state.time:.6g} s; the general ones went on from there")
+        self._note(f"{text} at t = {self.state.time:.6g} s; the general ones went on from there")
 
     def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
         """Explicit steps; where they are given up, at most `STRETCH` samples by LSODA."""
         began, stiff = self.state.time, self.state.stiff
-        before = deepcopy(self.state) if stiff else None
+        saved = deepcopy(self.state) if stiff else None
         # 1. explicit steps, after LSODA too: a stiff start may be over
         status, record = advance_explicit(self.state, self.motion, times, *method)
         # 2. where they fail after LSODA, undo them: LSODA does their samples too
-        if before is not None and status not in (DONE, STIFF):
-            self.state.restore(before)
+        if saved is not None and status not in (DONE, STIFF):
+            self.state.restore(saved)
             status = STIFF
             record = empty_record(times[:0], self.bearing.balls)
         # 3. LSODA from there on
@@ -239,8 +248,12 @@ class Simulation:
     def _fail(self, status: int) -> None:
         c = self.data.constants
         film = c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS and c.film_viscosity > 0.0
-        told = {"t": self.state.time, "step": self.state.step, "land": LAND_ADVICE if film else ""}
-        self.messages.append(f"dynamics: not converged: {FAILURES[status].format(**told)}")
+        values = {
+            "t": self.state.time,
+            "step": self.state.step,
+            "land": LAND_ADVICE if film else "",
+        }
+        self.messages.append(f"dynamics: not converged: {FAILURES[status].format(**values)}")
 
     def _note(self, text: str) -> None:
         """Add a message unless one that begins alike is there."""
@@ -249,7 +262,40 @@ class Simulation:
 
 
 def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> Simulation:
-    """A simulation at its start, under speeds [rad/s] and loads [N], [N m] of the inner ring."""
+    """A simulation at its start, under speeds and loads of the inner ring.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds [rad/s] and loads [N], [N m]
+    model : DynamicsModel
+        cage, contact laws, schedule and options
+
+    Returns
+    -------
+    Simulation
+        simulation, to be moved on by `pieces`
+
+    Examples
+    --------
+    >>> from bearing import Operation, load_bearing
+    >>> from bearing.dynamics.bodies import ring_body
+    >>> from bearing.dynamics.friction import RaceFriction
+    >>> from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
+    >>> from bearing.dynamics.simulation import simulation
+    >>> bearing = load_bearing("6208")
+    >>> model = DynamicsModel(
+    ...     options=DynamicsOptions(end_time=1e-4, sample_interval=1e-5),
+    ...     ring=ring_body(bearing),
+    ...     friction=RaceFriction(),
+    ... )
+    >>> operation = Operation(inner_speed=300.0, force=(1000.0, 0.0, 0.0))
+    >>> run = simulation(bearing, operation, model)
+    >>> sum(record.time.size for record in run.pieces()), run.converged
+    (10, True)
+    """
     point = starting_point(bearing, operation, model)
     data = assemble(bearing, operation, model, point)
     y = initial_state(bearing, data, point, model.options.start)
@@ -262,7 +308,24 @@ def from_state(
     model: DynamicsModel,
     start: tuple[StartingPoint, EquationData, Array],
 ) -> Simulation:
-    """A simulation from a state vector [SI]."""
+    """A simulation from a state vector.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        cage, contact laws, schedule and options
+    start : tuple[StartingPoint, EquationData, Array]
+        equations of the start, problem in numbers and state vector [SI]
+
+    Returns
+    -------
+    Simulation
+        simulation at time zero
+    """
     point, data, y = start
     n = bearing.balls
     state = SimulationState(
@@ -279,7 +342,7 @@ def from_state(
     )
     energy = np.zeros(3)
     derivative(0.0, y, data, np.zeros_like(y))
-    energies(y, data, energy)
+    energies(y, data.kernel, energy)
     return Simulation(
         bearing=bearing,
         operation=operation,

@@ -20,8 +20,8 @@ SMALLEST_ORBIT = 1.0e-12  # of a centre, below which it has no whirl [m]
 WHIRL_SHARE = 0.5
 ONE_WAY = 0.8
 FEWEST_PLACES = 3  # of a centre, below which its turning is not told
-# of the energy at the start, stored in contacts at standstill, below which work is that of nothing
-# moving, and no measure of an error [-]
+# fraction of the energy at the start, stored in contacts at standstill, below which work is that
+# of nothing moving, and no measure of an error [-]
 STILL = 1.0e-3
 AVERAGED_SHARE = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
 MECHANISMS = WORK._fields
@@ -64,7 +64,15 @@ class RunningStatistics:
         self.pocket_largest = np.zeros(self.balls)
 
     def add(self, record: Record, start_energy: float) -> None:
-        """Take a record in; start energy in [J]."""
+        """Add a record to the sums.
+
+        Parameters
+        ----------
+        record : Record
+            rows of the history
+        start_energy : float
+            energy at the start [J]
+        """
         layout = Layout(self.balls)
         self.time.append(record.time)
         self.cage_rotation.append(record.state[:, layout.cage][:, CAGE_ROTATION].copy())
@@ -138,7 +146,7 @@ class SimulationStatistics:
 
     @property
     def cage_whirls(self) -> bool | None:
-        """Whether the cage's centre goes round in a good part of its play; None without a cage or
+        """True if the cage's centre goes round in a large part of its play; None without a cage or
         of too few samples.
         """
         if self.cage_play is None or self.averaged < FEWEST_PLACES:
@@ -154,25 +162,60 @@ class SimulationStatistics:
 
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:
-    """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z)."""
-    place = states[:, layout.ball].reshape(len(states), -1, 3)
+    """Angular speeds of the balls' centres about the axis.
+
+    Parameters
+    ----------
+    states : Array
+        state vectors, shape (m, size) [SI]
+    layout : Layout
+        slices of the state vector
+
+    Returns
+    -------
+    Array
+        speeds, shape (m, Z) [rad/s]
+    """
+    position = states[:, layout.ball].reshape(len(states), -1, 3)
     speed = states[:, layout.ball_speed].reshape(len(states), -1, 3)
-    turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
-    result: Array = turn / (place[..., 1] ** 2 + place[..., 2] ** 2)
+    turn = position[..., 1] * speed[..., 2] - position[..., 2] * speed[..., 1]
+    result: Array = turn / (position[..., 1] ** 2 + position[..., 2] ** 2)
     return result
 
 
 def spin_speeds(turns: Array, orbits: Array) -> Array:
-    """Angular speeds of balls about their own axes in the frame that goes round with them [rad/s],
-    shape (m, Z), from their angular velocities, shape (m, Z, 3), and orbital speeds [rad/s].
+    """Angular speeds of balls about their own axes in the frame that goes round with them.
+
+    Parameters
+    ----------
+    turns : Array
+        angular velocities of the balls, shape (m, Z, 3) [rad/s]
+    orbits : Array
+        orbit speeds, shape (m, Z) [rad/s]
+
+    Returns
+    -------
+    Array
+        speeds, shape (m, Z) [rad/s]
     """
     result: Array = np.hypot(np.hypot(turns[..., 0] - orbits, turns[..., 1]), turns[..., 2])
     return result
 
 
 def angle_by_load(loads: Array, angles: Array) -> Array:
-    """Mean contact angle [rad], weighed by the loads, shape (m,), from loads [N] and angles of all
-    contacts, shape (m, 2, Z); zero where nothing is loaded.
+    """Mean contact angle, weighed by the loads.
+
+    Parameters
+    ----------
+    loads : Array
+        loads of all contacts, shape (m, 2, Z) [N]
+    angles : Array
+        contact angles, shape (m, 2, Z) [rad]
+
+    Returns
+    -------
+    Array
+        mean angle, zero without a load, shape (m,) [rad]
     """
     turned = (loads * np.abs(angles)).sum(axis=(1, 2))
     result: Array = turned / np.maximum(loads.sum(axis=(1, 2)), 1e-300)
@@ -182,7 +225,20 @@ def angle_by_load(loads: Array, angles: Array) -> Array:
 def simulation_statistics(
     simulation: Simulation, running: RunningStatistics
 ) -> SimulationStatistics | None:
-    """Sum a simulation up; None where not one sample was reached."""
+    """Statistics of a whole simulation.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        simulation at its end
+    running : RunningStatistics
+        sums over its records
+
+    Returns
+    -------
+    SimulationStatistics | None
+        statistics; None if not one sample was reached
+    """
     if not running.rows:
         return None
     time = np.concatenate(running.time)
@@ -197,7 +253,7 @@ def simulation_statistics(
     has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]
     put_in = float(np.sum(work[:INPUTS]))
-    lost = float(np.sum(work[LOSSES]))
+    dissipated = float(np.sum(work[LOSSES]))
     return SimulationStatistics(
         simulated=state.time,
         wall=simulation.wall,
@@ -213,8 +269,8 @@ def simulation_statistics(
         **_cage_orbit(simulation, centres[:, 2:]),
         averaged=int(late.sum()),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
-        stored=put_in - lost - float(work[-1]),
-        energy_error=_energy_error(running.residual, put_in, lost, simulation.start_energy),
+        stored=put_in - dissipated - float(work[-1]),
+        energy_error=_energy_error(running.residual, put_in, dissipated, simulation.start_energy),
         shares=state.shares / max(state.time, 1e-300),
         mean_load=running.load_sum / running.rows,
         largest_load=running.load_largest,
@@ -225,17 +281,17 @@ def simulation_statistics(
     )
 
 
-def _energy_error(residual: float, put_in: float, lost: float, start: float) -> float:
+def _energy_error(residual: float, put_in: float, dissipated: float, start: float) -> float:
     """A residual over the work or a share of the energy at the start, all in [J]."""
-    return residual / max(abs(put_in), abs(lost), STILL * abs(start), 1e-300)
+    return residual / max(abs(put_in), abs(dissipated), STILL * abs(start), 1e-300)
 
 
-def _cage_orbit(simulation: Simulation, place: Array) -> dict[str, float | None]:
+def _cage_orbit(simulation: Simulation, position: Array) -> dict[str, float | None]:
     """Radius [m], play [m] and share of one-way turning [-] of the cage's centre."""
     c = simulation.data.constants
     if c.cage_mass <= 0.0:
         return {"cage_orbit": None, "cage_play": None, "one_way": None}
-    off = place - place.mean(axis=0)
+    off = position - position.mean(axis=0)
     play = c.pocket_play if c.guide == GUIDED_BY_BALLS else c.land_clearance
     radius = float(np.sqrt((off**2).sum(axis=1).mean()))
     if radius < SMALLEST_ORBIT:
@@ -247,8 +303,21 @@ def _cage_orbit(simulation: Simulation, place: Array) -> dict[str, float | None]
 
 
 def speed_without_slip(simulation: Simulation, times: Array, angle: float) -> float:
-    """Speed of the cage without sliding at a contact angle [rad] and the rings' mean speeds at
-    times [s], in [rad/s].
+    """Speed of the cage without sliding, at the rings' mean speeds.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        simulation with its schedule
+    times : Array
+        times over which the speeds are averaged [s]
+    angle : float
+        contact angle [rad]
+
+    Returns
+    -------
+    float
+        speed [rad/s]
     """
     data = simulation.data
     inner, outer = (
@@ -259,12 +328,21 @@ def speed_without_slip(simulation: Simulation, times: Array, angle: float) -> fl
 
 
 def batch_interval(values: Array) -> float | None:
-    """Half width of the 95 % confidence interval of the mean of evenly sampled values, by the
-    means of batches [unit of the values]; None below `SMALLEST_SAMPLE` values.
+    """Half width of the 95 % confidence interval of the mean of evenly sampled values.
 
-    The history is cut into `BATCHES` equal pieces, whose means are taken for independent: they are
-    where a piece is longer than the slowest motion, so what goes round with the cage needs ten
-    turns of it. A trend widens the interval.
+    By the means of batches: the history is cut into `BATCHES` equal pieces, whose means are taken
+    for independent: they are if a piece is longer than the slowest motion, so ten turns of the
+    cage are needed for a motion that goes round with it. A trend widens the interval.
+
+    Parameters
+    ----------
+    values : Array
+        samples, shape (m,) [any unit]
+
+    Returns
+    -------
+    float | None
+        half width, in the unit of the values; None below `SMALLEST_SAMPLE` values [any unit]
     """
     if values.size < SMALLEST_SAMPLE:
         return None
@@ -273,13 +351,22 @@ def batch_interval(values: Array) -> float | None:
     return STUDENT * float(means.std(ddof=1)) / BATCHES**0.5
 
 
-def whirl_speed(time: Array, place: Array) -> float | None:
-    """Mean angular speed of a centre's path about its own mean, positive as the axis turns
-    [rad/s]; None where the centre stays within a picometre, or of fewer than three samples.
+def whirl_speed(time: Array, position: Array) -> float | None:
+    """Mean angular speed of a centre's path about its own mean, positive as the axis turns.
 
-    `time`, shape (m,) [s]; `place`, shape (m, 2): y and z of the centre [m].
+    Parameters
+    ----------
+    time : Array
+        times, shape (m,) [s]
+    position : Array
+        y and z of the centre, shape (m, 2) [m]
+
+    Returns
+    -------
+    float | None
+        speed [rad/s]; None if the centre stays within a picometre, or for fewer than three samples
     """
-    off = place - place.mean(axis=0)
+    off = position - position.mean(axis=0)
     if time.size < FEWEST_PLACES or np.abs(off).max() < SMALLEST_ORBIT:
         return None
     angle = np.unwrap(np.arctan2(off[:, 1], off[:, 0]))

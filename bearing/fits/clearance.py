@@ -97,7 +97,27 @@ class _Cylinder:
 
 
 def thermal_growth(material: Material, diameter: float, rise: float) -> float:
-    """Growth of a diameter [m] by a temperature rise [K], alpha D dT [m]."""
+    """Growth of a diameter by a temperature rise, alpha D dT.
+
+    Parameters
+    ----------
+    material : Material
+        material with its thermal expansion
+    diameter : float
+        D [m]
+    rise : float
+        temperature rise dT [K]
+
+    Returns
+    -------
+    float
+        growth [m]
+
+    Raises
+    ------
+    ValueError
+        if the thermal expansion is missing
+    """
     if rise == 0.0:
         return 0.0
     if material.thermal_expansion is None:
@@ -109,11 +129,26 @@ def thermal_growth(material: Material, diameter: float, rise: float) -> float:
 
 
 def centrifugal_growth(material: Material, diameter: float, other: float, speed: float) -> float:
-    """Growth of one diameter [m] of a free cylinder at a speed [rad/s], the other diameter 0 where
-    it is solid: rho omega^2 D [(1 - nu) D^2 + (3 + nu) D_other^2]/(16 E) [m].
+    """Growth of one diameter of a free rotating cylinder, Lame, plane stress.
 
-    Lame, plane stress: the hoop stress at the free surface r is rho omega^2 [(1 - nu) r^2 + (3 +
-    nu) r_other^2]/4.
+    rho omega^2 D [(1 - nu) D^2 + (3 + nu) D_other^2]/(16 E): the hoop stress at the free surface r
+    is rho omega^2 [(1 - nu) r^2 + (3 + nu) r_other^2]/4.
+
+    Parameters
+    ----------
+    material : Material
+        material of the cylinder
+    diameter : float
+        diameter D that grows [m]
+    other : float
+        the other diameter, 0 if the cylinder is solid [m]
+    speed : float
+        omega [rad/s]
+
+    Returns
+    -------
+    float
+        growth [m]
     """
     nu = material.poisson_ratio
     squares = (1.0 - nu) * diameter**2 + (3.0 + nu) * other**2
@@ -122,11 +157,24 @@ def centrifugal_growth(material: Material, diameter: float, other: float, speed:
 
 
 def fit_pressure(interference: float, diameter: float, hub: _Cylinder, shaft: _Cylinder) -> float:
-    """Pressure of a cylindrical fit [Pa], Lame, by its interference [m] on its diameter [m]; 0
-    where it is loose.
+    """Pressure of a cylindrical fit, Lame; 0 if it is loose.
 
     delta = p d { [(h^2 + d^2)/(h^2 - d^2) + nu_h]/E_h + [(d^2 + s^2)/(d^2 - s^2) - nu_s]/E_s },
     h the outer diameter of the hub, s the bore of the shaft.
+
+    Parameters
+    ----------
+    interference : float
+        delta [m]
+    diameter : float
+        d of the fit [m]
+    hub, shaft : _Cylinder
+        outer and inner part
+
+    Returns
+    -------
+    float
+        pressure p [Pa]
     """
     if interference <= 0.0:
         return 0.0
@@ -139,10 +187,24 @@ def fit_pressure(interference: float, diameter: float, hub: _Cylinder, shaft: _C
 
 
 def far_growth(pressure: float, ring: _Cylinder, *, inside: bool) -> float:
-    """Growth of a ring's far diameter under a pressure [Pa] on its seat [m], Lame.
+    """Growth of a ring's far diameter under a pressure on its seat, Lame.
 
     2 p d_in^2 d_out/(E (d_out^2 - d_in^2)) of the outer diameter with the pressure inside, minus 2
     p d_out^2 d_in/(...) of the inner one with the pressure outside.
+
+    Parameters
+    ----------
+    pressure : float
+        p on the seat [Pa]
+    ring : _Cylinder
+        ring as a cylinder
+    inside : bool
+        whether the seat is the bore of the ring
+
+    Returns
+    -------
+    float
+        growth [m]
     """
     seat, far = (ring.inner, ring.outer) if inside else (ring.outer, ring.inner)
     modulus = ring.material.youngs_modulus
@@ -158,11 +220,26 @@ def clearance_budget(
 ) -> ClearanceBudget:
     """Clearance in operation from that of the bearing as delivered.
 
-    `bearing`: with its initial `diametral_clearance`, bore and outside diameter [m] where fits
-    need them; `operation`: speeds of the rings [rad/s]; shaft and housing turn with them; `fit`:
-    None: the rings are free; `rise`: None: nothing heats up.
+    Parameters
+    ----------
+    bearing : Bearing
+        with its initial `diametral_clearance`, and bore and outside diameter if there are fits
+    operation : Operation
+        speeds of the rings, with which shaft and housing turn
+    fit : Fit | None, optional
+        seats of the rings; None: the rings are free
+    rise : TemperatureRise | None, optional
+        temperature rises of the parts; None: nothing heats up
 
-    A ValueError names a dimension or a thermal expansion that is missing or impossible.
+    Returns
+    -------
+    ClearanceBudget
+        clearances and the changes by fits, heat and speed [m]
+
+    Raises
+    ------
+    ValueError
+        naming a dimension or a thermal expansion that is missing or impossible
     """
     speeds = (operation.inner_speed, operation.outer_speed)
     if fit is not None:
@@ -181,7 +258,20 @@ def clearance_budget(
 
 
 def groove_diameters(bearing: Bearing) -> tuple[float, float]:
-    """Diameters at the bottom of the inner and the outer groove, d_m -+ (D + P_d/2) [m]."""
+    """Diameters at the bottom of the inner and the outer groove, d_m -+ (D + P_d/2).
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+
+    Returns
+    -------
+    inner
+        at the inner groove [m]
+    outer
+        at the outer groove [m]
+    """
     reach = bearing.ball_diameter + 0.5 * bearing.diametral_clearance
     return bearing.pitch_diameter - reach, bearing.pitch_diameter + reach
 
@@ -205,24 +295,32 @@ def _changes(
     }
     if fit is not None and bore:
         shaft = _Cylinder(fit.shaft_material, fit.shaft_bore, bore, speeds[0], rise.shaft)
-        left, pressure = _seat(fit.inner_interference, hub=inner, shaft=shaft)
+        remaining, pressure = _seat(fit.inner_interference, hub=inner, shaft=shaft)
         growth = far_growth(pressure, inner, inside=True)
-        changes |= {"inner_interference": left, "inner_pressure": pressure, "inner_fit": -growth}
+        changes |= {
+            "inner_interference": remaining,
+            "inner_pressure": pressure,
+            "inner_fit": -growth,
+        }
     if fit is not None and outside and fit.housing_outside_diameter:
         far = fit.housing_outside_diameter
         housing = _Cylinder(fit.housing_material, outside, far, speeds[1], rise.housing)
-        left, pressure = _seat(fit.outer_interference, hub=housing, shaft=outer)
+        remaining, pressure = _seat(fit.outer_interference, hub=housing, shaft=outer)
         growth = far_growth(pressure, outer, inside=False)
-        changes |= {"outer_interference": left, "outer_pressure": pressure, "outer_fit": growth}
-    parts = ("thermal", "centrifugal", "inner_fit", "outer_fit")
-    return changes | {"change": sum(changes.get(part, 0.0) for part in parts)}
+        changes |= {
+            "outer_interference": remaining,
+            "outer_pressure": pressure,
+            "outer_fit": growth,
+        }
+    names = ("thermal", "centrifugal", "inner_fit", "outer_fit")
+    return changes | {"change": sum(changes.get(name, 0.0) for name in names)}
 
 
 def _seat(interference: float, hub: _Cylinder, shaft: _Cylinder) -> tuple[float, float]:
     """Interference left of one at rest [m], and pressure in the seat [Pa]."""
     seat = hub.inner
-    left = interference + shaft.free_growth(seat) - hub.free_growth(seat)
-    return left, fit_pressure(left, seat, hub=hub, shaft=shaft)
+    remaining = interference + shaft.free_growth(seat) - hub.free_growth(seat)
+    return remaining, fit_pressure(remaining, seat, hub=hub, shaft=shaft)
 
 
 def _check(bearing: Bearing, fit: Fit) -> None:
@@ -278,9 +376,23 @@ def cage_clearance(
     land, on the outer ring its outside grows towards it. Growth of the rings by fits and speed,
     some micrometres, is left out.
 
-    `material`: of the cage, with its thermal expansion [1/K]; `rise`: of rings and balls [K];
-    `cage_rise`: of the cage [K]; `land`: the guiding ring and the diameter of its land [m]; None
-    where balls guide the cage.
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    material : Material
+        material of the cage, with its thermal expansion
+    rise : TemperatureRise
+        temperature rises of rings and balls
+    cage_rise : float
+        temperature rise of the cage [K]
+    land : tuple[Race, float] | None
+        guiding ring and the diameter of its land [m]; None if balls guide the cage
+
+    Returns
+    -------
+    CageClearance
+        changes of the clearances of pocket and land [m]
     """
     ball = bearing.ball_diameter
     pocket = thermal_growth(material, ball, cage_rise)

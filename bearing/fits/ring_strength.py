@@ -27,7 +27,7 @@ from math import expm1, gamma, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import Array, Bearing, Race
+from ..geometry import Array, Bearing, Race, ring_material
 from ..material import Material
 from ..operation import Operation
 from .clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget, groove_diameters
@@ -51,7 +51,7 @@ class RingStrength:
     fit_tension: float  # hoop stress at the bore by the pressure of the seat [Pa]
     rotation_tension: float  # and by rotation [Pa]
     groove_tension: float  # hoop stress at the bottom of the groove by both [Pa]
-    # of all the wall, below which (sigma/largest)^m is integrated
+    # whole wall, over which (sigma/largest)^m is integrated
     effective_volume: float | None = None  # [m^3]; None without width or strength
     failure_probability: float | None = None  # [-]
     # with the strongest and least scattered material of the range, and with the weakest
@@ -132,8 +132,21 @@ class _Wall:
 def ring_strengths(
     bearing: Bearing, operation: Operation, budget: ClearanceBudget | None
 ) -> tuple[RingStrength, ...]:
-    """Hoop stress of the rings whose seats are known, from the pressures of the seats in
-    operation; without a budget by rotation alone.
+    """Hoop stress of the rings with known seats, from the pressures of the seats in operation.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds of the rings
+    budget : ClearanceBudget | None
+        clearances with the pressures of the seats; None: rotation alone
+
+    Returns
+    -------
+    tuple[RingStrength, ...]
+        strength of each ring whose seat has a diameter
     """
     return tuple(
         _strength(race, wall)
@@ -149,11 +162,28 @@ def strength_map(
     rise: TemperatureRise | None,
     reference: float,
 ) -> StrengthMap | None:
-    """Hoop tension and failure probability of the inner ring over temperature and speed; None
-    without a bore, or where the thermal expansion of a part is not known.
+    """Hoop tension and failure probability of the inner ring over temperature and speed.
 
-    All parts warm up in proportion to `rise`, together without it. `reference`: temperature of
-    measurement [K].
+    All parts warm up in proportion to `rise`, together without it.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds of the rings
+    fit : Fit | None
+        seats of the rings
+    rise : TemperatureRise | None
+        temperature rises in operation
+    reference : float
+        temperature of measurement [K]
+
+    Returns
+    -------
+    StrengthMap | None
+        map over temperature and speed; None without a bore, or if the thermal expansion of a part
+        is missing
     """
     if bearing.bore is None or not _all_expand(bearing, fit):
         return None
@@ -163,8 +193,8 @@ def strength_map(
     fastest = MAP_REACH * abs(operation.inner_speed)
     speeds = np.linspace(0.0, fastest, MAP_SPEEDS) if fastest else np.zeros(1)
     rings = np.empty((rises.size, speeds.size), dtype=object)
-    for i, own in enumerate(rises):
-        warm = _scaled(rise, float(own) / rise.inner_ring)
+    for i, inner_rise in enumerate(rises):
+        warm = _scaled(rise, float(inner_rise) / rise.inner_ring)
         for j, speed in enumerate(speeds):
             turning = _at_speed(operation, float(speed))
             budget = clearance_budget(bearing, turning, fit, warm)
@@ -188,20 +218,33 @@ def _over_map(rings: NDArray[np.object_], name: str) -> Array | None:
 
 
 def _all_expand(bearing: Bearing, fit: Fit | None) -> bool:
-    """Whether the thermal expansion of every part is known."""
-    parts = [bearing.inner_ring_material, bearing.outer_ring_material, bearing.ball_material]
+    """Check that every part has a thermal expansion."""
+    materials = [bearing.inner_ring_material, bearing.outer_ring_material, bearing.ball_material]
     if fit is not None:
-        parts += [fit.shaft_material, fit.housing_material]
-    return all(part.thermal_expansion is not None for part in parts)
+        materials += [fit.shaft_material, fit.housing_material]
+    return all(material.thermal_expansion is not None for material in materials)
 
 
 def failure_probability(
     largest: float, effective_volume: float, strength: float, modulus: float
 ) -> float:
-    """Weibull's probability of failure [-].
+    """Weibull's probability of failure.
 
-    `largest`: stress [Pa]; `effective_volume`: integral of (sigma/largest)^m dV [m^3]; `strength`:
-    mean of bending bars [Pa]; `modulus`: m [-].
+    Parameters
+    ----------
+    largest : float
+        largest stress [Pa]
+    effective_volume : float
+        integral of (sigma/largest)^m dV [m^3]
+    strength : float
+        mean strength of bending bars [Pa]
+    modulus : float
+        Weibull's m [-]
+
+    Returns
+    -------
+    float
+        probability [-]
     """
     if largest <= 0.0:
         return 0.0
@@ -210,7 +253,18 @@ def failure_probability(
 
 
 def bar_volume(modulus: float) -> float:
-    """Effective volume of the bending bar [m^3] by Weibull's modulus [-]."""
+    """Effective volume of the bending bar.
+
+    Parameters
+    ----------
+    modulus : float
+        Weibull's m [-]
+
+    Returns
+    -------
+    float
+        volume [m^3]
+    """
     return BAR_VOLUME * (modulus + 2.0) / (4.0 * (modulus + 1.0) ** 2)
 
 
@@ -229,7 +283,7 @@ def _wall(
         inner=0.5 * diameters[0],
         outer=0.5 * diameters[1],
         width=bearing.width,
-        material=bearing.inner_ring_material if inside else bearing.outer_ring_material,
+        material=ring_material(bearing, race),
         pressure=0.0 if budget is None else getattr(budget, f"{name}_pressure"),
         inside=inside,
         speed=operation.inner_speed if inside else operation.outer_speed,
@@ -239,7 +293,7 @@ def _wall(
 def _strength(race: Race, wall: _Wall) -> RingStrength:
     """Hoop stress and probability of failure of a ring."""
     bore = wall.inner
-    found = RingStrength(
+    stresses = RingStrength(
         race=race,
         material=wall.material,
         seat_pressure=wall.pressure,
@@ -251,12 +305,12 @@ def _strength(race: Race, wall: _Wall) -> RingStrength:
     strength = material.bending_strength
     modulus = material.weibull_modulus
     if wall.width is None or strength is None or modulus is None:
-        return found
+        return stresses
     weak, strong = material.bending_strength_range or (strength, strength)
-    least, most = material.weibull_modulus_range or (modulus, modulus)
-    ends = [_failure(wall, s, m) for s in (weak, strong) for m in (least, most)]
+    smallest, largest = material.weibull_modulus_range or (modulus, modulus)
+    ends = [_failure(wall, s, m) for s in (weak, strong) for m in (smallest, largest)]
     return replace(
-        found,
+        stresses,
         effective_volume=effective_volume(wall, modulus),
         failure_probability=_failure(wall, strength, modulus),
         failure_low=min(ends),
@@ -271,8 +325,19 @@ def _failure(wall: _Wall, strength: float, modulus: float) -> float:
 
 
 def effective_volume(wall: _Wall, modulus: float) -> float:
-    """Integral of (sigma/sigma_bore)^m over the wall [m^3], tension alone; m [-]; zero where the
-    bore is pressed.
+    """Integral of (sigma/sigma_bore)^m over the wall, tension alone; zero if the bore is pressed.
+
+    Parameters
+    ----------
+    wall : _Wall
+        ring as a cylinder with its loads
+    modulus : float
+        Weibull's m [-]
+
+    Returns
+    -------
+    float
+        volume [m^3]
     """
     largest = float(wall.hoop(wall.inner))
     if largest <= 0.0 or wall.width is None:
@@ -280,8 +345,8 @@ def effective_volume(wall: _Wall, modulus: float) -> float:
     nodes, weights = _gauss()
     half = 0.5 * (wall.outer - wall.inner)
     radius = wall.inner + half * (1.0 + nodes)
-    share = np.maximum(np.asarray(wall.hoop(radius)) / largest, 0.0) ** modulus
-    return float(2.0 * pi * wall.width * half * (weights * share * radius).sum())
+    ratio = np.maximum(np.asarray(wall.hoop(radius)) / largest, 0.0) ** modulus
+    return float(2.0 * pi * wall.width * half * (weights * ratio * radius).sum())
 
 
 @cache

@@ -8,7 +8,7 @@ tests/reference.
 
 import numpy as np
 
-from ehl.compiled import allocating, compiled, summing
+from ehl.compiled import compiled, summing
 from ehl.oil._elementary_kernels import copy
 from ehl.oil._rheology_kernels import (
     FAR_BELOW,
@@ -30,7 +30,7 @@ NO_SLOPE = 1.0e-300
 FAR_LINE = 1.0e30  # where lines beyond reach stand, over the semi-axis [-]
 
 
-@allocating
+@compiled
 def table_gradients(table, places, motion, step, gradient, slope):
     """Minus forces and moments (n, 4) of one table, and their slope (n, 4, 4) by sliding and spin.
 
@@ -56,7 +56,7 @@ def table_gradients(table, places, motion, step, gradient, slope):
                 slope[k, i, j] = -(out[i] + gradient[k, i]) / size
 
 
-@allocating
+@compiled
 def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
     """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5)
     a contact each.
@@ -79,7 +79,7 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
                 slope[k, i, j] = -(out[i] + gradient[k, i]) / size
 
 
-@allocating
+@compiled
 def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope):
     """Friction (n, 4) of sheared films, A tau s/|s| K summed over the nodes of each, and its slope
     (n, 4, 4) by the motions (n, 4); s = (K_x, K_y) motion is the sliding of `coulomb_sums`.
@@ -256,7 +256,7 @@ def thin_sums(nodes, out):
         out[10] += pull * height * height
 
 
-@allocating
+@compiled
 def line_sums(ellipses, motion, power, gradient, slope):
     """As `coulomb_sums` of narrow ellipses, by the lines of pure rolling u = y/a, the roots of
     omega a^2/(2R) u^2 + Omega a u = S_x.

@@ -5,7 +5,7 @@ Arrays of all balls and the places `at` of those that are looked at; twins are i
 
 import numpy as np
 
-from ehl.compiled import allocating, compiled
+from ehl.compiled import compiled
 from ehl.oil._elementary_kernels import copy, copy_rows
 
 TINY = 1.0e-300  # as `law.TINY`
@@ -29,7 +29,7 @@ def motions(given, at, z, k):
                 k[n, c, i] = total
 
 
-@allocating
+@compiled
 def left_on_balls(given, at, z, friction, left):
     """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the unknowns z (n, 4).
 
@@ -116,7 +116,7 @@ def solve_four(matrix, right):
         right[i] /= matrix[i, i]
 
 
-@allocating
+@compiled
 def damped_steps(state, friction, slip, limits, at, trial):
     """Number of the balls that are not done yet, their places and unknowns after the next step,
     the damping scaled by the mean curvature.

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import alike
+from ehl.arrays import unique_rows
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map
@@ -31,7 +31,7 @@ from .cage import (
     taken_pocket_power,
     with_land,
 )
-from .law import TINY, ContactLaw
+from .law import TINY, ContactFriction
 from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_power
 from .resistance import NO_RESISTANCE, Resistance, ResistedPower
 
@@ -105,7 +105,7 @@ def curvature_slip(
 def balance_driven_balls(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
     """Motion of all balls in balance, as `balance_balls`, with balls that would skid driven by the
@@ -122,7 +122,7 @@ def balance_driven_balls(
         equilibrium of the bearing
     contacts : Sequence[BearingContact]
         all of its contacts, inner then outer, ball by ball
-    law : ContactLaw
+    law : ContactFriction
         friction of the contacts
     resistance : Resistance, default NO_RESISTANCE
         drag of the oil around the balls and of the cage's guidance
@@ -189,7 +189,7 @@ def sliding_ratio(balance: BalancedFriction, contacts: Sequence[BearingContact])
 def balance_balls(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     *,
     gyroscopic: bool = True,
     driven: NDArray[np.bool_] | None = None,
@@ -204,7 +204,7 @@ def balance_balls(
         equilibrium of the bearing, SI
     contacts : Sequence[BearingContact]
         all of its contacts, inner then outer, ball by ball
-    law : ContactLaw
+    law : ContactFriction
         friction of the contacts
     gyroscopic : bool, default True
         whether the contacts have to hold the gyroscopic couple
@@ -239,7 +239,7 @@ def balance_balls(
 def _problem(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     driven: NDArray[np.bool_],
     kinematics: MotionMap,
 ) -> MotionProblem:
@@ -303,7 +303,7 @@ def _same_balls(problem: MotionProblem, load: Array) -> MotionProblem:
         kinds / (np.abs(kinds).max(axis=0) + TINY),
     )
     rows = np.concatenate([np.reshape(values, (load.size, -1)) for values in arrays], axis=1)
-    first, like = alike(rows)
+    first, like = unique_rows(rows)
     return replace(problem, first=first, like=like)
 
 

@@ -41,7 +41,23 @@ def balance_cage(
     """Balls in balance under the push of the cage that they themselves ask for.
 
     Balls that the inner race does not drive move with the cage, at a speed that follows from the
-    others' balance under the push; the push is found by secants.
+    others' balance under the push; the push is solved by secants.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing under a hypothesis
+    problem : MotionProblem
+        balance of the balls under their traction
+    start : Array
+        initial guess of the unknowns z, shape (balls, 4) [m/s]
+    resistance : Resistance
+        drag of oil, pockets and lands
+
+    Returns
+    -------
+    CageBalance
+        balance with the push that it needs
     """
     # 1. start with the cage at the mean speed of the balls that drive it
     z = _cage_driven_motion(solution, problem.driven, start)
@@ -85,25 +101,52 @@ def _secant_cage_force(applied: Array, required: Array, last: tuple[Array, Array
 
 
 def orbit_velocities(solution: QuasistaticSolution) -> Array:
-    """Of the balls' centres along the orbit [m/s]."""
+    """Velocities of the balls' centres along the orbit.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    Array
+        velocities, shape (balls,) [m/s]
+    """
     return solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter
 
 
 def resisted_power(solution: QuasistaticSolution, resistance: Resistance) -> ResistedPower:
     """Power into the oil around the balls, pockets and the cage's land at the motion of an
-    equilibrium [W]; the cage is pushed by the loaded balls alone.
+    equilibrium.
+
+    The cage is pushed by the loaded balls alone.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    resistance : Resistance
+        drag of oil, pockets and lands
+
+    Returns
+    -------
+    ResistedPower
+        power by its kind [W]
     """
     speed = orbit_velocities(solution)
     load = solution.inner_load
     drag = float((resistance.drag(speed) * speed).sum())
     if not load.any():
         return ResistedPower(drag=drag)
-    still = np.zeros((load.size, 4))
-    pushed = resistance.cage_power(solution, driven_cage_speed(solution, load, still))
+    no_change = np.zeros((load.size, 4))
+    pushed = resistance.cage_power(solution, driven_cage_speed(solution, load, no_change))
     push = pushed / max(abs(float((load * speed).sum())), TINY) * load
     surface = np.hypot(*rubbing_speeds(solution).T)
     pocket = float((resistance.pocket * np.abs(push) * surface).sum())
-    return with_land(ResistedPower(drag=drag, pocket=pocket), solution, resistance, still, load)
+    return with_land(
+        ResistedPower(drag=drag, pocket=pocket), solution, resistance, no_change, load
+    )
 
 
 def with_land(
@@ -113,8 +156,25 @@ def with_land(
     z: Array,
     load: Array,
 ) -> ResistedPower:
-    """With that of the cage's land [W], at unknowns z (balls, 4) [m/s], the cage driven by the
-    balls with a load [N].
+    """The power with that of the cage's land.
+
+    Parameters
+    ----------
+    power : ResistedPower
+        power into oil and pockets [W]
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    resistance : Resistance
+        drag of oil, pockets and lands
+    z : Array
+        unknowns of the balls, shape (balls, 4) [m/s]
+    load : Array
+        loads of the balls that drive the cage, else zero, shape (balls,) [N]
+
+    Returns
+    -------
+    ResistedPower
+        power by its kind [W]
     """
     cage = driven_cage_speed(solution, load, z)
     guiding = resistance.guiding_power(solution, cage)
@@ -122,7 +182,18 @@ def with_land(
 
 
 def rubbing_speeds(solution: QuasistaticSolution) -> Array:
-    """Of the balls' surfaces in their pockets along e_x and e_r, (balls, 2) [m/s]."""
+    """Speeds of the balls' surfaces in their pockets along e_x and e_r.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    Array
+        speeds, shape (balls, 2) [m/s]
+    """
     radius = 0.5 * solution.bearing.ball_diameter
     return np.asarray(radius * ball_speeds(solution)[1][:, :2])
 
@@ -165,8 +236,26 @@ def _driven_power(solution: QuasistaticSolution, problem: MotionProblem, z: Arra
 def taken_pocket_power(
     solution: QuasistaticSolution, problem: MotionProblem, z: Array, resistance: Resistance
 ) -> Array:
-    """Rubbed in the pockets of balls that the cage drives, mu times the push that takes them
-    along times the speed of their surface, (balls,) [W]; nothing where the cage hardly moves.
+    """Friction power in the pockets of balls that the cage drives.
+
+    mu times the push that takes a ball along times the speed of its surface; zero if the cage
+    hardly moves.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    problem : MotionProblem
+        balance of the balls under their traction
+    z : Array
+        unknowns of the balls, shape (balls, 4) [m/s]
+    resistance : Resistance
+        drag of oil, pockets and lands
+
+    Returns
+    -------
+    Array
+        power, shape (balls,) [W]
     """
     others = np.flatnonzero(~problem.driven)
     if resistance.pocket == 0.0 or not others.size:
@@ -179,7 +268,22 @@ def taken_pocket_power(
 
 
 def driven_cage_speed(solution: QuasistaticSolution, load: Array, z: Array) -> float:
-    """Mean orbit speed of the balls that drive the cage, by load [rad/s]."""
+    """Mean orbit speed of the balls that drive the cage, by load.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    load : Array
+        loads of the balls that drive the cage, else zero, shape (balls,) [N]
+    z : Array
+        unknowns of the balls, shape (balls, 4) [m/s]
+
+    Returns
+    -------
+    float
+        speed of the cage [rad/s]
+    """
     return float(
         (load * (solution.orbit_speed + z[:, 0] * 2.0 / solution.bearing.pitch_diameter)).sum()
         / load.sum()
@@ -202,9 +306,9 @@ def _cage_driven_motion(
     shifted = z.copy()
     rotation = ball_speeds(solution)[1]
     for i in np.flatnonzero(~driving):
-        own = float(solution.orbit_speed[i])
+        orbit = float(solution.orbit_speed[i])
         # rolling goes with the orbit
-        faster = (mean - outer) / (own - outer) - 1.0 if own != outer else 0.0
-        shifted[i, 0] = radius * (mean - own)
+        faster = (mean - outer) / (orbit - outer) - 1.0 if orbit != outer else 0.0
+        shifted[i, 0] = radius * (mean - orbit)
         shifted[i, 1:] = 0.5 * bearing.ball_diameter * faster * rotation[i]
     return shifted

@@ -30,7 +30,7 @@ from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
 from .balance import BalancedFriction, balance_balls, curvature_slip
-from .law import ContactLaw, Dissipation
+from .law import ContactFriction, Dissipation
 
 # e of Coulomb's law over the largest sliding that the curvature of the contact makes [-]: half and
 # double of it change the friction power of 25 random bearings by 2.4e-3 at most, as much as the
@@ -118,7 +118,7 @@ def contact_ellipses(
 
 def coulomb_law(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
-) -> ContactLaw:
+) -> ContactFriction:
     """Coulomb's mu [-] over the ellipses of all contacts, one value or one a contact."""
     ellipses = contact_ellipses(solution, contacts, friction)
     return _law(ellipses, ellipse_sums)
@@ -126,7 +126,7 @@ def coulomb_law(
 
 def line_law(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
-) -> ContactLaw:
+) -> ContactFriction:
     """As `coulomb_law` by lines of pure rolling: without sliding across the rolling direction."""
     ellipses = contact_ellipses(solution, contacts, friction)
     return _law(ellipses, _line_sums, longitudinal_only=True)
@@ -137,10 +137,10 @@ def _law(
     dissipation: Callable[[Array, Array], Dissipation],
     *,
     longitudinal_only: bool = False,
-) -> ContactLaw:
+) -> ContactFriction:
     """A dissipation over ellipses as the law of their contacts; no rolling resistance."""
     numbers = ellipses.numbers
-    return ContactLaw(
+    return ContactFriction(
         evaluate=lambda motion, indices: dissipation(motion, numbers[indices]),
         reference_force=ellipses.friction * ellipses.load,
         longitudinal_only=longitudinal_only,

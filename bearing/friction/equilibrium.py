@@ -34,7 +34,7 @@ from .balance import (
     balance_driven_balls,
     sliding_ratio,
 )
-from .law import BallTraction, ContactLaw, TractionLaw
+from .law import BallTraction, ContactFriction, FrictionSource
 from .newton import BALANCE_TOLERANCE
 
 # Half and double of `MAX_ROUNDS` and `MEMORY` change loads and speeds of eight random bearings
@@ -169,7 +169,7 @@ def _iterate(
     start: QuasistaticSolution,
     prescribed: PrescribedBalls,
     traction: BallTraction,
-    laws: Sequence[TractionLaw],
+    laws: Sequence[FrictionSource],
 ) -> _State:
     """Rounds of both balances from a motion; the last state."""
     mixing = _Anderson()
@@ -224,7 +224,7 @@ def _round(
     start: QuasistaticSolution,
     prescribed: PrescribedBalls,
     traction: BallTraction,
-    laws: Sequence[TractionLaw],
+    laws: Sequence[FrictionSource],
     before: _State | None,
 ) -> _State:
     """Ring and balls under prescribed motion and friction, then the balance of friction on the
@@ -266,7 +266,7 @@ def _round(
 def _balance(
     row: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     traction: BallTraction,
     cage_driven: NDArray[np.bool_] | None,
 ) -> BalancedFriction:

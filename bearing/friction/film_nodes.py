@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import alike
+from ehl.arrays import unique_rows
 from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
 from ehl.kinematics import curvature_height
 from ehl.oil.lubricant import Lubricant
@@ -250,7 +250,7 @@ def unsolved_nodes(
 def _alike(places: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """`alike` of rows in any units."""
     scale = np.abs(places).max(axis=0)
-    return alike(places / np.where(scale > 0.0, scale, 1.0))
+    return unique_rows(places / np.where(scale > 0.0, scale, 1.0))
 
 
 def _shape_numbers(films: Sequence[ContactFilm]) -> list[tuple[float, ...]]:

@@ -23,7 +23,7 @@ from .balance import (
 )
 from .coulomb import contact_ellipses, ellipse_sums
 from .film_nodes import FilmNodes, film_nodes
-from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
+from .law import REFERENCE_TRACTION, ContactFriction, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
 
 MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to it
@@ -68,7 +68,7 @@ def film_balance(
 def film_law_balance(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
     initial_guess: BalancedFriction | None = None,
 ) -> BalancedFriction:
@@ -80,7 +80,7 @@ def film_law_balance(
         equilibrium of the bearing
     contacts : Sequence[BearingContact]
         all of its contacts, inner then outer, ball by ball
-    law : ContactLaw
+    law : ContactFriction
         friction of the films
     resistance : Resistance, default NO_RESISTANCE
         what holds the balls back beside the races
@@ -103,7 +103,7 @@ def film_law_balance(
 def _continued_balance(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance,
     initial_guess: BalancedFriction,
 ) -> BalancedFriction | None:
@@ -255,7 +255,7 @@ def film_law(
     rheology: Rheology,
     *,
     scale: Array | None = None,
-) -> ContactLaw:
+) -> ContactFriction:
     """Friction of all contacts by the shear of their films.
 
     Parameters
@@ -274,7 +274,7 @@ def film_law(
 
     Returns
     -------
-    ContactLaw
+    ContactFriction
         law of the contacts
     """
     return law_of_films(contacts, films, sheared_films(solution, contacts, films, rheology), scale)
@@ -285,7 +285,7 @@ def law_of_films(
     films: Films,
     sheared: ShearedFilms,
     scale: Array | None = None,
-) -> ContactLaw:
+) -> ContactFriction:
     """Sheared films as the law of their contacts.
 
     Parameters
@@ -301,7 +301,7 @@ def law_of_films(
 
     Returns
     -------
-    ContactLaw
+    ContactFriction
         law of the contacts
     """
     if scale is not None:
@@ -312,7 +312,7 @@ def law_of_films(
     load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
     kinds = [sheared.nodes.own[:, None], sheared.oil[:, None], sheared.pumping]
     kinds.append(sheared.rubbing)
-    return ContactLaw(
+    return ContactFriction(
         evaluate=sheared.evaluate,
         reference_force=REFERENCE_TRACTION * load,
         is_potential=False,

@@ -1,11 +1,12 @@
-"""The contract of every law of the friction of balls on races.
+"""Sources of the friction of balls on races, and that friction in the contacts of an equilibrium.
 
 Torque models, traction equilibrium and the equations of motion take friction in one form: the
 forces and moments (F_x, F_y, M_n, M_y) on the ball at a contact's centre, as a function of the
-motion k = (S_x, S_y, Omega, omega) of ball against race (`contacts.motion`). A `TractionLaw` is
-prepared about an equilibrium (`refresh`: only films have to be solved) and bound to its contacts
-(`at`), which gives a `ContactLaw`. A coefficient by the local sliding is added in
-`ehl.traction.coefficient_kernels`, for the equations of motion too; any other law is one class
+motion k = (S_x, S_y, Omega, omega) of ball against race (`contacts.motion`). The law of one
+contact is an `ehl.traction.law.TractionLaw`. A `FrictionSource` is prepared about an equilibrium
+(`refresh`: only films have to be solved) and bound to its contacts (`at`), which gives their
+`ContactFriction`. A coefficient by the local sliding is added in
+`ehl.traction.coefficient_kernels`, for the equations of motion too; any other source is one class
 like those in `sources`.
 """
 
@@ -40,8 +41,11 @@ class Dissipation(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ContactLaw:
-    """Friction of the contacts of an equilibrium, numbered inner race then outer, ball by ball."""
+class ContactFriction:
+    """Friction of all contacts of an equilibrium, as the balance of the balls takes it: dissipated
+    power with its derivatives by the motions. Contacts are numbered inner race then outer, ball by
+    ball.
+    """
 
     # takes the motions (N, 4) of contacts [m/s], [rad/s] and their indices (N,), gives a
     # `Dissipation`
@@ -59,33 +63,70 @@ class ContactLaw:
     kinds: Array | None = None
 
 
-class TractionLaw(ABC):
-    """Friction of balls on races as a case names it."""
+class FrictionSource(ABC):
+    """Source of the friction of balls on races, as a case names it."""
 
     @property
     @abstractmethod
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
+        """Origin of the friction, for messages."""
 
     @abstractmethod
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
-        """Friction of the contacts of an equilibrium, at its loads [N] and contact angles."""
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
+        """Bind the friction to the contacts of an equilibrium, at its loads and contact angles.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+        contacts : Sequence[BearingContact]
+            its contacts, inner race then outer, ball by ball
+
+        Returns
+        -------
+        ContactFriction
+            friction of these contacts
+        """
 
     def refresh(self, contacts: Sequence[BearingContact]) -> "Refreshed":
-        """The law ready for equilibria with nearly these contacts, or why it is not."""
+        """Prepare the source for equilibria with nearly these contacts.
+
+        Parameters
+        ----------
+        contacts : Sequence[BearingContact]
+            contacts at whose loads films are solved, where the source needs them
+
+        Returns
+        -------
+        Refreshed
+            prepared source; a message where that failed
+        """
         del contacts
         return Refreshed(self)
 
     def load_change(self, contacts: Sequence[BearingContact]) -> float:
-        """Largest change of a load since `refresh`, over the largest load [-]."""
+        """Measure the largest change of a load since `refresh`, over the largest load.
+
+        Parameters
+        ----------
+        contacts : Sequence[BearingContact]
+            contacts of the present equilibrium
+
+        Returns
+        -------
+        float
+            relative change [-]
+        """
         del contacts
         return 0.0
 
 
 class Refreshed(NamedTuple):
-    """A prepared law; a `message` says why that failed."""
+    """A prepared source; a `message` explains why that failed."""
 
-    law: TractionLaw
+    law: FrictionSource
     message: str = ""
 
 
@@ -93,7 +134,7 @@ class Refreshed(NamedTuple):
 class BallTraction:
     """Friction of balls on races and what holds the balls back."""
 
-    source: TractionLaw
+    source: FrictionSource
     lubricant: Lubricant  # of the contacts
     # drag of the oil around the balls and of the cage's guidance
     resistance: Resistance = NO_RESISTANCE

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ..geometry import Array
 from ._newton_kernels import accept_steps, damped_steps, left_on_balls, motions
-from .law import TINY, ContactLaw
+from .law import TINY, ContactFriction
 
 # Measured on Coulomb friction of 25 random bearings: each halved and doubled leaves all balls
 # balanced and the friction power equal to 2e-11, in 1421 to 1664 evaluations (1444 as they are).
@@ -26,7 +26,7 @@ class MotionProblem:
     speeds [m/s].
     """
 
-    law: ContactLaw
+    law: ContactFriction
     start: Array  # (balls, 2, 4) [m/s], [rad/s]
     slopes: Array  # (balls, 2, 4, 4) of the motions by z [-], [1/m]
     gyroscopic_couple: Array  # (balls, 4) at the start [N]

@@ -1,4 +1,4 @@
-"""The laws of friction of balls on races that a case can name: tables, coefficients, solved
+"""Sources of the friction of balls on races that a case can name: tables, coefficients, solved
 films.
 """
 
@@ -12,7 +12,8 @@ from ehl.conditions import ContactConditions
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 from ehl.traction.coefficient_kernels import Coefficient
-from ehl.traction.laws import EllipseLaw, FrictionLaw
+from ehl.traction.law import TractionLaw
+from ehl.traction.laws import EllipseLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
@@ -24,20 +25,22 @@ from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .coulomb import coulomb_law
 from .films import film_law
-from .law import ContactLaw, Refreshed, TractionLaw
+from .law import ContactFriction, FrictionSource, Refreshed
 from .tables import contact_law
 
 SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolution | None]]
 
 
-class RaceTraction(TractionLaw):
+class RaceTraction(FrictionSource):
     """A law of `ehl.traction` for each contact, which the equations of motion take too."""
 
     @abstractmethod
-    def race_law(self, bearing: Bearing, race: Race, angle: float) -> FrictionLaw:
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> TractionLaw:
         """The law of one race at a contact angle [rad]."""
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
         """The laws at the loads [N] and contact angles of an equilibrium."""
         bearing = solution.bearing
         laws = [self.race_law(bearing, c.race, c.contact_angle) for c in contacts]
@@ -48,29 +51,32 @@ class RaceTraction(TractionLaw):
 class LawTraction(RaceTraction):
     """A friction law for each race: traction tables, or any other of `ehl.traction`."""
 
-    laws: Mapping[Race, FrictionLaw]
+    laws: Mapping[Race, TractionLaw]
     # of the rolling moment of the tables' flooded, isothermal films that inlet heating and
     # replenishment leave [-]
     rolling_factor: float = 1.0
+    origin: str = "a law of each race (traction tables)"  # of the laws, for messages
 
     @property
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
-        return "a law of each race (traction tables)"
+        """Origin of the friction, for messages."""
+        return self.origin
 
-    def race_law(self, bearing: Bearing, race: Race, angle: float) -> FrictionLaw:
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> TractionLaw:
         """The law of a race, the same at all angles [rad]."""
         del bearing, angle
         return self.laws[race]
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
         """The laws at the loads [N] of an equilibrium, with what is left of the rolling moment."""
         del solution
         laws = {race: _with_rolling(law, self.rolling_factor) for race, law in self.laws.items()}
         return contact_law(contacts, [laws[contact.race] for contact in contacts])
 
 
-def _with_rolling(law: FrictionLaw, factor: float) -> FrictionLaw:
+def _with_rolling(law: TractionLaw, factor: float) -> TractionLaw:
     """A law with a share of its hydrodynamic moment [-]; laws that know none as they are."""
     return law.with_rolling(factor) if isinstance(law, TractionTable) else law
 
@@ -83,7 +89,7 @@ class CoefficientTraction(RaceTraction):
 
     @property
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
+        """Origin of the friction, for messages."""
         return self.coefficient.description
 
     def race_law(self, bearing: Bearing, race: Race, angle: float) -> EllipseLaw:
@@ -92,23 +98,25 @@ class CoefficientTraction(RaceTraction):
 
 
 @dataclass(frozen=True, kw_only=True)
-class CoulombTraction(TractionLaw):
+class CoulombTraction(FrictionSource):
     """Coulomb's friction over the ellipse, rounded at small sliding (`contact_ellipses`)."""
 
     friction: float  # mu [-]
 
     @property
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
+        """Origin of the friction, for messages."""
         return f"Coulomb's law, mu = {self.friction:g}"
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
         """Friction at the loads of an equilibrium [N]."""
         return coulomb_law(solution, contacts, self.friction)
 
 
 @dataclass(frozen=True, kw_only=True)
-class FilmTraction(TractionLaw):
+class FilmTraction(FrictionSource):
     """Shear of films solved for the contacts of the bearing, between two solves in proportion to
     the load.
     """
@@ -127,7 +135,7 @@ class FilmTraction(TractionLaw):
 
     @property
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
+        """Origin of the friction, for messages."""
         return (
             "shear of the solved films, in proportion to the load between two rounds of solving "
             "them"
@@ -150,7 +158,9 @@ class FilmTraction(TractionLaw):
         films = solved_films(contacts, solutions)
         return Refreshed(replace(self, films=films, loads=loads), message)
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
         """Friction at the loads of an equilibrium [N], with the traction coefficients of the
         films.
         """

@@ -5,14 +5,15 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.traction.laws import EllipseLaw, FrictionLaw
+from ehl.traction.law import TractionLaw
+from ehl.traction.laws import EllipseLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
 from ..films.film import first_same
 from ..geometry import Array
 from . import _kernels
-from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
+from .law import REFERENCE_TRACTION, ContactFriction, Dissipation
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 
@@ -21,19 +22,19 @@ Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 STEP = 1.0e-5
 
 
-def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]) -> ContactLaw:
+def contact_law(contacts: Sequence[BearingContact], laws: Sequence[TractionLaw]) -> ContactFriction:
     """Friction of all contacts by a law each, where they are lubricated.
 
     Parameters
     ----------
     contacts : Sequence[BearingContact]
         all contacts, inner then outer, ball by ball
-    laws : Sequence[FrictionLaw]
+    laws : Sequence[TractionLaw]
         of the contacts
 
     Returns
     -------
-    ContactLaw
+    ContactFriction
         law of the contacts, SI
     """
     groups = _groups(contacts, laws)
@@ -53,7 +54,7 @@ def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw])
     load = np.array(
         [contact.load if contact.conditions is not None else 0.0 for contact in contacts]
     )
-    return ContactLaw(
+    return ContactFriction(
         evaluate=evaluate,
         reference_force=REFERENCE_TRACTION * load,
         is_potential=False,
@@ -68,7 +69,7 @@ def _place(contact: BearingContact) -> tuple[float, float, float]:
 
 
 def _groups(
-    contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]
+    contacts: Sequence[BearingContact], laws: Sequence[TractionLaw]
 ) -> list[tuple[NDArray[np.bool_], Evaluate]]:
     """Lubricated contacts that are evaluated together: those of one table, those of one kind of
     coefficient.
@@ -87,7 +88,7 @@ def _groups(
     return groups
 
 
-def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
+def _evaluation(laws: Sequence[TractionLaw], first: TractionLaw) -> Evaluate:
     """Minus the forces and their slopes of some contacts, by number, place and motion, for laws
     like the first.
     """
@@ -97,7 +98,7 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
             law if isinstance(law, EllipseLaw) and isinstance(law.coefficient, kind) else first
             for law in laws
         ]
-        disc = first.kernel_arguments[0]
+        disc = first.kernel_arguments()[0]
         constants = np.array([law.coefficient.kernel_law for law in alike])
         shapes = np.array([law.shape.constants for law in alike])
 
@@ -131,13 +132,13 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
     return one_by_one
 
 
-def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, Array]:
+def law_gradient(law: TractionLaw, place: Array, motion: Array) -> tuple[Array, Array]:
     """Minus the forces and moments on the ball by a law, and their slope by sliding and spin; the
     entrainment is that of the rolling speed.
 
     Parameters
     ----------
-    law : FrictionLaw
+    law : TractionLaw
         of the contact
     place : Array
         load [N], entrainment speed [m/s], rolling radius [m], shape (3,)

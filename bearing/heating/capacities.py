@@ -23,16 +23,35 @@ def heat_capacities(
     oil_share: float | None = None,
     rows: int = 1,
 ) -> Array:
-    """C of the nodes, rho c V [J/K]; rings and housing as cylinders, the shaft over its whole
-    length. `oil_share`: of the cavity [-].
+    """Heat capacities C of the nodes, rho c V; rings and housing as cylinders.
+
+    The shaft counts over its whole length.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    around : Surroundings
+        shaft, housing and surroundings
+    oil : Lubricant
+        oil in the cavity
+    oil_share : float | None, optional
+        fraction of the cavity that holds oil; None: `OIL_SHARE` [-]
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    Array
+        C, shape (nodes,) [J/K]
     """
     size = dimensions(bearing, around, rows)
     length = size.width + 2.0 * size.shaft_length
     outer = _capacity(bearing.outer_ring_material)
     outer *= _ring(size.outer_track, size.outside, size.width)
     balls = rows * bearing.balls * pi / 6.0 * bearing.ball_diameter**3
-    known = with_dimensions(bearing, size.bore, size.outside, size.width / rows)
-    cavity = rows * cavity_volume(known) * (OIL_SHARE if oil_share is None else oil_share)
+    sized = with_dimensions(bearing, size.bore, size.outside, size.width / rows)
+    cavity = rows * cavity_volume(sized) * (OIL_SHARE if oil_share is None else oil_share)
     fluid = oil.density * oil.thermal.specific_heat if oil.thermal else 0.0
     values = {
         "shaft": _capacity(around.shaft_material) * _ring(around.shaft_bore, size.bore, length),

@@ -26,7 +26,7 @@ AIR_CAPACITY = 1100.0  # [J/(m^3 K)]
 
 @dataclass(frozen=True, slots=True)
 class Conductance:
-    """Of a path of heat, with the ends of its range [W/K]."""
+    """Conductance of a path of heat, with the ends of its range [W/K]."""
 
     value: float
     low: float
@@ -34,20 +34,64 @@ class Conductance:
 
     @classmethod
     def exactly(cls, value: float) -> "Conductance":
-        """One without a range [W/K]."""
+        """A conductance without a range.
+
+        Parameters
+        ----------
+        value : float
+            conductance [W/K]
+
+        Returns
+        -------
+        Conductance
+            conductance with equal ends
+        """
         return cls(value, value, value)
 
     def times(self, factor: float) -> "Conductance":
-        """A multiple [-]."""
+        """A multiple of the conductance and its range.
+
+        Parameters
+        ----------
+        factor : float
+            factor [-]
+
+        Returns
+        -------
+        Conductance
+            the multiple
+        """
         return Conductance(factor * self.value, factor * self.low, factor * self.high)
 
     def end(self, which: int) -> float:
-        """The low end (-1), the value (0) or the high end (1) [W/K]."""
+        """An end of the range.
+
+        Parameters
+        ----------
+        which : int
+            -1 the low end, 0 the value, 1 the high end [-]
+
+        Returns
+        -------
+        float
+            conductance [W/K]
+        """
         return (self.low, self.value, self.high)[which + 1]
 
 
 def in_series(*parts: Conductance) -> Conductance:
-    """One after the other [W/K]; zero where one is."""
+    """Conductances one after the other; zero if one is.
+
+    Parameters
+    ----------
+    *parts : Conductance
+        conductances
+
+    Returns
+    -------
+    Conductance
+        their series connection [W/K]
+    """
     return Conductance(*(_series([part.end(k) for part in parts]) for k in (0, -1, 1)))
 
 
@@ -56,13 +100,37 @@ def _series(parts: list[float]) -> float:
 
 
 def side_by_side(*parts: Conductance) -> Conductance:
-    """All between the same two places [W/K]."""
+    """Conductances between the same two nodes.
+
+    Parameters
+    ----------
+    *parts : Conductance
+        conductances
+
+    Returns
+    -------
+    Conductance
+        their parallel connection [W/K]
+    """
     return Conductance(*(sum(part.end(k) for part in parts) for k in (0, -1, 1)))
 
 
 def cylinder_conductance(conductivity: float, width: float, inner: float, outer: float) -> float:
-    """Through a cylindrical wall, 2 pi k B/ln(d_2/d_1) [W/K]; k [W/(m K)], width and diameters
-    [m].
+    """Conductance through a cylindrical wall, 2 pi k B/ln(d_2/d_1).
+
+    Parameters
+    ----------
+    conductivity : float
+        k [W/(m K)]
+    width : float
+        B [m]
+    inner, outer : float
+        diameters d_1 and d_2 [m]
+
+    Returns
+    -------
+    float
+        conductance [W/K]
     """
     return 2.0 * pi * conductivity * width / log(outer / inner)
 
@@ -70,20 +138,51 @@ def cylinder_conductance(conductivity: float, width: float, inner: float, outer:
 def fin_conductance(
     coefficient: float, perimeter: float, conductivity: float, area: float, length: float
 ) -> float:
-    """Of a rod whose end gives off no heat, sqrt(h P k A) tanh(m L), m = sqrt(h P/(k A)) [W/K];
-    h [W/(m^2 K)], k [W/(m K)], perimeter, area and length in [m], [m^2].
+    """Conductance of a rod whose end gives off no heat, sqrt(h P k A) tanh(m L), m = sqrt(h P/(k
+    A)).
+
+    Parameters
+    ----------
+    coefficient : float
+        h [W/(m^2 K)]
+    perimeter : float
+        P [m]
+    conductivity : float
+        k [W/(m K)]
+    area : float
+        A [m^2]
+    length : float
+        L [m]
+
+    Returns
+    -------
+    float
+        conductance [W/K]
     """
     root = sqrt(coefficient * perimeter * conductivity * area)
     return root * tanh(root / (conductivity * area) * length)
 
 
 def ring_halves_conductance(conductivity: float, section: float, radius: float) -> float:
-    """Between the mean temperatures of the halves of a ring, one of which is heated evenly and the
-    other cooled evenly, 6 k A/(pi r) [W/K].
+    """Conductance between the mean temperatures of the halves of a ring, 6 k A/(pi r).
 
-    From the middle of a half to the cut, l = pi r/2, flows half of the heat over both cuts: the
-    mean lies Q l/(6 k A) above the cut, twice that between the halves. Section A [m^2], mean
-    radius [m], k [W/(m K)].
+    One half is heated evenly and the other cooled evenly. From the middle of a half to the cut, l
+    = pi r/2, flows half of the heat over both cuts: the mean lies Q l/(6 k A) above the cut, twice
+    that between the halves.
+
+    Parameters
+    ----------
+    conductivity : float
+        k [W/(m K)]
+    section : float
+        A [m^2]
+    radius : float
+        mean radius r [m]
+
+    Returns
+    -------
+    float
+        conductance [W/K]
     """
     return 6.0 * conductivity * section / (pi * radius)
 
@@ -91,22 +190,65 @@ def ring_halves_conductance(conductivity: float, section: float, radius: float) 
 def plate_coefficients(
     speed: float, length: float, conductivity: float, viscosity: float, prandtl: float
 ) -> Conductance:
-    """Per area of a wall to a fluid that passes it, C k Pr^(1/3) sqrt(u/(nu x)) [W/(m^2 K)], C
-    between Harris' and that of theory, their geometric mean as the value (assumed).
+    """Coefficient of a wall to a fluid that passes it, C k Pr^(1/3) sqrt(u/(nu x)).
 
-    speed u [m/s], length x [m], conductivity [W/(m K)], kinematic viscosity [m^2/s], Pr [-].
+    C between Harris' and that of theory, their geometric mean as the value (assumed).
+
+    Parameters
+    ----------
+    speed : float
+        u [m/s]
+    length : float
+        x [m]
+    conductivity : float
+        k of the fluid [W/(m K)]
+    viscosity : float
+        kinematic viscosity nu [m^2/s]
+    prandtl : float
+        Pr [-]
+
+    Returns
+    -------
+    Conductance
+        coefficient per area with its range [W/(m^2 K)]
     """
     unit = conductivity * prandtl ** (1.0 / 3.0) * sqrt(speed / (viscosity * length))
     return Conductance(sqrt(PLATE * PLATE_HARRIS) * unit, PLATE_HARRIS * unit, PLATE * unit)
 
 
 def rotating_coefficient(speed: float, diameter: float) -> float:
-    """Of a shaft that turns in air at a speed [rad/s], by its diameter [m]; [W/(m^2 K)]."""
+    """Heat transfer coefficient of a shaft that turns in air.
+
+    Parameters
+    ----------
+    speed : float
+        speed of the shaft [rad/s]
+    diameter : float
+        diameter of the shaft [m]
+
+    Returns
+    -------
+    float
+        coefficient [W/(m^2 K)]
+    """
     reynolds = abs(speed) * diameter**2 / AIR_VISCOSITY
     nusselt = ROTATING * reynolds ** (2.0 / 3.0) * AIR_PRANDTL ** (1.0 / 3.0)
     return nusselt * AIR_CONDUCTIVITY / diameter
 
 
 def radiation_coefficient(emissivity: float, temperature: float) -> float:
-    """4 eps sigma T^3 of a surface near a temperature [K]; [W/(m^2 K)]."""
+    """Coefficient 4 eps sigma T^3 of a surface near a temperature.
+
+    Parameters
+    ----------
+    emissivity : float
+        eps [-]
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        coefficient [W/(m^2 K)]
+    """
     return 4.0 * emissivity * STEFAN_BOLTZMANN * temperature**3

@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 
-from ehl.arrays import alike
+from ehl.arrays import unique_rows
 from ehl.closed_form.hertz import HertzContact
 from ehl.oil.lubricant import Lubricant, heat_properties
 from ehl.solid.film_conductance import (
@@ -145,7 +145,7 @@ def _of_flat(
         for film in films
     ]
     places = np.array(numbers)
-    first, like = alike(places / np.abs(places).max(axis=0))
+    first, like = unique_rows(places / np.abs(places).max(axis=0))
     chosen = places[first]
     axes = [(along, across) for along, across, *_ in chosen.tolist()]
     speed = [

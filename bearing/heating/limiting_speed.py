@@ -13,6 +13,7 @@ temperature leaves the range of lubricants.
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from enum import Enum
 from math import exp, log
 
 import numpy as np
@@ -21,7 +22,7 @@ from ..geometry import Array
 from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 
 STEP = 8.0  # of the film temperature along the branch [K]
-SMALLEST_STEP = 0.5  # below which the branch is given up [K]
+SMALLEST_STEP = 0.5  # of the continuation, below which it ends [K]
 TEMPERATURE_TOLERANCE = 0.01  # [K]
 CLEARANCE_TOLERANCE = 1.0e-9  # [m]
 ITERATIONS = 8
@@ -30,12 +31,20 @@ LARGEST_RATIO = 2.0  # of speeds in one iteration
 SLOWEST = 0.1  # of the speed it starts from: where the branch begins
 TURN_TOLERANCE = 0.5  # of the film temperature at the turn, about which the speed is flat [K]
 TURN_STEPS = 3  # of the parabola through the fastest balances
-MOST_FACTOR = 30.0  # of the speed it starts from: where the branch is no longer followed
+LARGEST_FACTOR = 30.0  # of the speed it starts from: where the branch is no longer followed
 
-TURNED = "runaway"
-TOO_WARM = "temperature"
-NO_STATE = "no state"
-FAST_ENOUGH = "not reached"
+
+class SpeedLimit(Enum):
+    """End of a branch of balances.
+
+    RUNAWAY: its highest speed; TEMPERATURE: the highest temperature of the films; NO_STATE: no
+    equilibrium or friction beyond; NOT_REACHED: the end of the search.
+    """
+
+    RUNAWAY = "runaway"
+    TEMPERATURE = "temperature"
+    NO_STATE = "no state"
+    NOT_REACHED = "not reached"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,22 +58,22 @@ class SpeedBalance:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SpeedBranch:
-    """Balances by rising film temperature, and what bounds their speed."""
+    """Balances by rising film temperature, and the end of their branch."""
 
     balances: tuple[SpeedBalance, ...]
-    # `runaway`, `temperature`: the highest one; `no state`: see `message`; `not reached`
-    limited_by: str
-    message: str = ""
+    limited_by: SpeedLimit
+    message: str = ""  # of NO_STATE
 
     @property
     def fastest(self) -> SpeedBalance:
-        """Of the highest speed."""
+        """Balance of the highest speed."""
         return max(self.balances, key=lambda balance: balance.speed)
 
     @property
     def limit(self) -> float | None:
-        """Speed of the shaft that bounds the balances [rad/s]; None where none was found."""
-        return self.fastest.speed if self.limited_by in (TURNED, TOO_WARM) else None
+        """Speed of the shaft that bounds the balances [rad/s]; None if no bound was reached."""
+        bounded = self.limited_by in (SpeedLimit.RUNAWAY, SpeedLimit.TEMPERATURE)
+        return self.fastest.speed if bounded else None
 
 
 @dataclass(slots=True)
@@ -84,38 +93,51 @@ class _Newton:
         return at_speed(self.problem, exp(at[0])).disagreement(state)
 
     def solve(self, film_temperature: float, guess: Array) -> tuple[Array, HeatState] | None:
-        """ln n and clearance of the balance near a guess; None where none is found."""
+        """ln n and clearance of the balance from a guess; None if the iterations fail."""
         at = guess.copy()
         state = self.state(film_temperature, at)
         residual = self.residual(state, at)
         if self.matrix is None:
             self.matrix = self._differences(film_temperature, at, residual)
         for _ in range(ITERATIONS):
-            if _settled(residual):
+            if _converged(residual):
                 return at, state
             step = np.asarray(-np.linalg.solve(self.matrix, residual), dtype=np.float64)
             step *= min(1.0, log(LARGEST_RATIO) / max(abs(step[0]), 1e-30))
             at = at + step
             state = self.state(film_temperature, at)
-            after = self.residual(state, at)
-            self.matrix = broyden(self.matrix, step, after - residual, DIFFERENCES)
-            residual = after
-        return (at, state) if _settled(residual) else None
+            changed = self.residual(state, at)
+            self.matrix = broyden(self.matrix, step, changed - residual, DIFFERENCES)
+            residual = changed
+        return (at, state) if _converged(residual) else None
 
-    def _differences(self, film_temperature: float, at: Array, here: Array) -> Array:
+    def _differences(self, film_temperature: float, at: Array, residual: Array) -> Array:
         columns = []
         for k, step in enumerate(DIFFERENCES):
             if k == 1 and self.problem.reference is None:
                 columns.append(np.array([0.0, -1.0]))
                 continue
-            moved = at + step * np.eye(2)[k]
-            beyond = self.residual(self.state(film_temperature, moved), moved)
-            columns.append((beyond - here) / step)
+            shifted = at + step * np.eye(2)[k]
+            beyond = self.residual(self.state(film_temperature, shifted), shifted)
+            columns.append((beyond - residual) / step)
         return np.stack(columns, axis=1)
 
 
 def at_speed(problem: SelfHeatingProblem, factor: float) -> SelfHeatingProblem:
-    """The problem with both rings `factor` times as fast [-]."""
+    """The problem with both rings faster by a factor.
+
+    Parameters
+    ----------
+    problem : SelfHeatingProblem
+        bearing, friction and surroundings
+    factor : float
+        factor on the speeds [-]
+
+    Returns
+    -------
+    SelfHeatingProblem
+        changed problem
+    """
     old = problem.operation
     inner, outer = factor * old.inner_speed, factor * old.outer_speed
     return replace(problem, operation=replace(old, inner_speed=inner, outer_speed=outer))
@@ -126,29 +148,41 @@ def balances_over_speed(
     start: HeatState,
     notify: Callable[[float], None] = lambda temperature: None,
 ) -> SpeedBranch:
-    """The branch through a balance of the problem, from slow balances to what bounds the speed.
+    """The branch through a balance of the problem, from slow balances to the end of the branch.
 
-    `notify` is called with each film temperature reached [K].
+    Parameters
+    ----------
+    problem : SelfHeatingProblem
+        bearing, friction and surroundings
+    start : HeatState
+        a balance of friction and cooling
+    notify : Callable[[float], None], default lambda temperature: None
+        called with each film temperature reached [K]
+
+    Returns
+    -------
+    SpeedBranch
+        balances by rising film temperature
 
     Raises
     ------
     ValueError
-        If the start is no balance.
+        if the start is no balance
     """
     if not abs(start.found_temperature - start.film_temperature) <= TEMPERATURE_TOLERANCE:
         raise ValueError("the branch must start from a balance of friction and cooling")
     newton = _Newton(problem)
-    first = _Place(start.film_temperature, np.array([0.0, start.clearance]), start)
+    first = _BranchPoint(start.film_temperature, np.array([0.0, start.clearance]), start)
     below, _, _ = _follow(newton, first, -1.0, notify)
     above, reason, message = _follow(newton, first, 1.0, notify)
-    places = [*reversed(below), first, *above]
-    if reason == TURNED:
-        places = _with_turn(newton, places)
+    points = [*reversed(below), first, *above]
+    if reason is SpeedLimit.RUNAWAY:
+        points = _with_turning_point(newton, points)
     speed = problem.operation.shaft_speed
     return SpeedBranch(
         balances=tuple(
             SpeedBalance(factor=exp(p.at[0]), speed=exp(p.at[0]) * speed, state=p.state)
-            for p in places
+            for p in points
         ),
         limited_by=reason,
         message=message,
@@ -156,7 +190,7 @@ def balances_over_speed(
 
 
 @dataclass(frozen=True, slots=True)
-class _Place:
+class _BranchPoint:
     """A balance on the branch."""
 
     temperature: float  # of the films [K]
@@ -165,82 +199,87 @@ class _Place:
 
 
 def _follow(
-    newton: _Newton, first: _Place, sign: float, notify: Callable[[float], None]
-) -> tuple[list[_Place], str, str]:
-    """Balances from the first on, upwards or downwards, why they end, and a message."""
+    newton: _Newton, first: _BranchPoint, sign: float, notify: Callable[[float], None]
+) -> tuple[list[_BranchPoint], SpeedLimit, str]:
+    """Balances from the first on, upwards or downwards, the end of the branch, and a message."""
     problem = newton.problem
     coldest = min(problem.around.ambient, problem.around.oil_supply)
-    places = [first]
+    points = [first]
     step = STEP
     message = ""
     while step >= SMALLEST_STEP:
-        last = places[-1]
-        wanted = last.temperature + sign * step
+        last = points[-1]
+        target = last.temperature + sign * step
         if sign < 0.0:
-            wanted = max(wanted, 0.5 * (coldest + last.temperature))
-        wanted = min(wanted, problem.hottest)
+            target = max(target, 0.5 * (coldest + last.temperature))
+        target = min(target, problem.hottest)
         try:
-            found = newton.solve(wanted, _ahead(places, wanted))
+            result = newton.solve(target, _extrapolated(points, target))
         except ValueError as error:
-            found = None
+            result = None
             message = str(error)
-        if found is None:
+        if result is None:
             step *= 0.5
             newton.matrix = None
             continue
-        notify(wanted)
-        places.append(_Place(wanted, *found))
+        notify(target)
+        points.append(_BranchPoint(target, *result))
         step = min(2.0 * step, STEP)
-        factor = found[0][0]
+        factor = result[0][0]
         if sign > 0.0 and factor < last.at[0]:
-            return places[1:], TURNED, ""
-        if sign > 0.0 and wanted >= problem.hottest:
-            return places[1:], TOO_WARM, ""
-        if factor > log(MOST_FACTOR):
-            return places[1:], FAST_ENOUGH, ""
+            return points[1:], SpeedLimit.RUNAWAY, ""
+        if sign > 0.0 and target >= problem.hottest:
+            return points[1:], SpeedLimit.TEMPERATURE, ""
+        if factor > log(LARGEST_FACTOR):
+            return points[1:], SpeedLimit.NOT_REACHED, ""
         if sign < 0.0 and factor < log(SLOWEST):
             break
-    return places[1:], NO_STATE, message
+    return points[1:], SpeedLimit.NO_STATE, message
 
 
-def _ahead(places: list[_Place], temperature: float) -> Array:
+def _extrapolated(points: list[_BranchPoint], temperature: float) -> Array:
     """ln n and clearance at a film temperature by the last balances."""
-    last = places[-1]
-    if len(places) < 2:
+    last = points[-1]
+    if len(points) < 2:
         return last.at
-    before = places[-2]
-    share = (temperature - last.temperature) / (last.temperature - before.temperature)
-    return np.asarray(last.at + share * (last.at - before.at))
+    before = points[-2]
+    fraction = (temperature - last.temperature) / (last.temperature - before.temperature)
+    return np.asarray(last.at + fraction * (last.at - before.at))
 
 
-def _with_turn(newton: _Newton, places: list[_Place]) -> list[_Place]:
+def _with_turning_point(newton: _Newton, points: list[_BranchPoint]) -> list[_BranchPoint]:
     """The balances with those about the turn of the speed, by parabolas."""
     for _ in range(TURN_STEPS):
-        top = max(range(len(places)), key=lambda k: places[k].at[0])
-        if not 0 < top < len(places) - 1:
+        top = max(range(len(points)), key=lambda k: points[k].at[0])
+        if not 0 < top < len(points) - 1:
             break
-        near = places[top - 1 : top + 2]
-        known = [place.temperature for place in near]
-        wanted = _vertex(known, [place.at[0] for place in near])
-        if min(abs(wanted - temperature) for temperature in known) < TURN_TOLERANCE:
+        neighbours = points[top - 1 : top + 2]
+        temperatures = [point.temperature for point in neighbours]
+        target = _vertex(temperatures, [point.at[0] for point in neighbours])
+        if min(abs(target - temperature) for temperature in temperatures) < TURN_TOLERANCE:
             break
-        guess = [np.interp(wanted, known, [place.at[k] for place in near]) for k in range(2)]
-        found = newton.solve(wanted, np.array(guess))
-        if found is None:
+        guess = [
+            np.interp(target, temperatures, [point.at[k] for point in neighbours])
+            for k in range(2)
+        ]
+        result = newton.solve(target, np.array(guess))
+        if result is None:
             break
-        places = sorted([*places, _Place(wanted, *found)], key=lambda place: place.temperature)
-    return places
+        points = sorted(
+            [*points, _BranchPoint(target, *result)], key=lambda point: point.temperature
+        )
+    return points
 
 
 def _vertex(x: list[float], y: list[float]) -> float:
-    """Of the parabola through three places, the middle one the highest."""
+    """Vertex of the parabola through three points, the middle one the highest."""
     before = (y[1] - y[0]) / (x[1] - x[0])
     after = (y[2] - y[1]) / (x[2] - x[1])
     curvature = (after - before) / (x[2] - x[0])
     return 0.5 * (x[0] + x[1] - before / curvature)
 
 
-def _settled(residual: Array) -> bool:
+def _converged(residual: Array) -> bool:
     return bool(
         abs(residual[0]) <= TEMPERATURE_TOLERANCE and abs(residual[1]) <= CLEARANCE_TOLERANCE
     )

@@ -1,6 +1,6 @@
-"""Where the heat of a bearing goes: paths of its parts, seats, shaft, housing, oil and air.
+"""Paths of heat through the parts of a bearing, seats, shaft, housing, oil and air.
 
-Assumed, and named so in the text of each path: coefficients of seats, of surfaces to the oil in
+Assumed, and stated in the text of each path: coefficients of seats, of surfaces to the oil in
 the cavity and to air, dimensions of shaft and housing where a case gives none.
 """
 
@@ -13,7 +13,7 @@ from ehl.oil.lubricant import Lubricant
 from ehl.solid.bodies.conduction import ring_conductances
 from ehl.solid.bodies.ring_profile import RingProfile, Seat
 
-from ..geometry import Bearing, Race
+from ..geometry import Bearing, Race, ring_material
 from ..material import Material
 from ..rings.elastic_ring import elastic_ring
 from ..shoulder_diameter import shoulder_diameter
@@ -53,10 +53,10 @@ TRACK = 0.1
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
-    """Where the heat goes, SI; None leaves a number to the estimate that the path names."""
+    """Shaft, housing, oil and air, SI; None leaves a number to the path's estimate."""
 
     ambient: float  # [K]
-    # of shaft and housing together to the surroundings [W/K]: split by the areas of the seats
+    # shaft and housing together to the surroundings [W/K]: split by the areas of the seats
     conductance: float | None = None
     oil_flow: float = 0.0  # rho c V of the oil that passes through [W/K]
     oil_supply: float = 293.15  # temperature of the oil supplied [K]
@@ -70,13 +70,13 @@ class Surroundings:
     seat: Conductance = SEAT  # [W/(m^2 K)]
     cavity: Conductance | None = None  # of all walls to the oil [W/(m^2 K)]
     filled: bool = True  # oil passes the walls of the cavity, else air
-    # of the inlets' heat that the oil takes, the rest goes into the surfaces [-]
+    # fraction of the inlets' heat that the oil takes, the rest goes into the surfaces [-]
     pumped_to_oil: float = PUMPED_TO_OIL
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Dimensions:
-    """Of a bearing on its shaft and in its housing [m]."""
+    """Dimensions of a bearing on its shaft and in its housing [m]."""
 
     bore: float
     outside: float
@@ -89,7 +89,22 @@ class Dimensions:
 
 
 def dimensions(bearing: Bearing, around: Surroundings, rows: int = 1) -> Dimensions:
-    """Those given, estimates for others [m]."""
+    """Dimensions of a bearing on its shaft and in its housing, estimated if not prescribed.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of a row
+    around : Surroundings
+        shaft and housing
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    Dimensions
+        dimensions [m]
+    """
     bore, outside = diameters(bearing)
     width = bearing.width or WIDTH * 0.5 * (outside - bore)
     return Dimensions(
@@ -107,8 +122,23 @@ def dimensions(bearing: Bearing, around: Surroundings, rows: int = 1) -> Dimensi
 def solid_paths(
     bearing: Bearing, around: Surroundings, speed: float, rows: int = 1
 ) -> tuple[HeatPath, ...]:
-    """Paths that friction and oil leave as they are: rings, seats, shaft, housing, air; speed of
-    the shaft [rad/s].
+    """Paths that friction and oil leave as they are: rings, seats, shaft, housing, air.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    around : Surroundings
+        shaft, housing and surroundings
+    speed : float
+        speed of the shaft [rad/s]
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    tuple[HeatPath, ...]
+        paths with their conductances [W/K]
     """
     size = dimensions(bearing, around, rows)
     return (*_ring_paths(bearing, around, size, rows), *_outside_paths(around, size, speed))
@@ -124,7 +154,7 @@ def _ring_paths(
         first="inner_ring",
         second="shaft",
         conductance=in_series(inner, seat),
-        what="track to bore by finite elements, and the seat (assumed)",
+        description="track to bore by finite elements, and the seat (assumed)",
     )
     outer = Conductance.exactly(rows * ring_conductance(bearing, Race.OUTER, size.width / rows))
     seat = around.seat.times(pi * size.outside * size.width)
@@ -136,7 +166,7 @@ def _ring_paths(
             first=name,
             second="housing",
             conductance=half,
-            what="track to seat by finite elements, seat (assumed), wall of the housing",
+            description="track to seat by finite elements, seat (assumed), wall of the housing",
         )
     k = solid_thermal(bearing.outer_ring_material).conductivity
     section = 0.5 * (size.outside - size.outer_track) * size.width
@@ -146,7 +176,7 @@ def _ring_paths(
         first="outer_ring_loaded",
         second="outer_ring_unloaded",
         conductance=Conductance.exactly(around_ring),
-        what="around the ring, closed form",
+        description="around the ring, closed form",
     )
 
 
@@ -155,12 +185,12 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
     if around.conductance is not None:
         sizes = {"shaft": size.bore, "housing": size.outside}
         for name, diameter in sizes.items():
-            share = diameter / (size.bore + size.outside)
+            fraction = diameter / (size.bore + size.outside)
             yield HeatPath(
                 first=name,
                 second=AMBIENT,
-                conductance=Conductance.exactly(share * around.conductance),
-                what="heat_transfer_W_K as given, split by the areas of the seats",
+                conductance=Conductance.exactly(fraction * around.conductance),
+                description="heat_transfer_W_K as given, split by the areas of the seats",
             )
     else:
         yield _shaft_path(around, size, speed)
@@ -170,14 +200,14 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
             first="oil",
             second=OIL_SUPPLY,
             conductance=Conductance.exactly(around.oil_flow),
-            what="oil that passes through, rho c V",
+            description="oil that passes through, rho c V",
         )
     if around.air_flow > 0.0:
         yield HeatPath(
             first="oil",
             second=AMBIENT,
             conductance=Conductance.exactly(AIR_CAPACITY * around.air_flow),
-            what="air that passes through, rho c V",
+            description="air that passes through, rho c V",
         )
 
 
@@ -186,8 +216,8 @@ def _shaft_path(around: Surroundings, size: Dimensions, speed: float) -> HeatPat
     k = solid_thermal(around.shaft_material).conductivity
     area = 0.25 * pi * (size.bore**2 - around.shaft_bore**2)
     turning = rotating_coefficient(speed, size.bore)
-    still = radiation_coefficient(EMISSIVITY, around.ambient)
-    ends = (turning + still, 0.5 * turning + still, 2.0 * turning + still)
+    radiation = radiation_coefficient(EMISSIVITY, around.ambient)
+    ends = (turning + radiation, 0.5 * turning + radiation, 2.0 * turning + radiation)
     rods = [
         2.0 * fin_conductance(h, pi * size.bore, k, area, size.shaft_length) if h > 0.0 else 0.0
         for h in ends
@@ -196,7 +226,7 @@ def _shaft_path(around: Surroundings, size: Dimensions, speed: float) -> HeatPat
         first="shaft",
         second=AMBIENT,
         conductance=Conductance(*rods),
-        what="a fin on each side, its length and coefficient assumed",
+        description="a fin on each side, its length and coefficient assumed",
     )
 
 
@@ -209,7 +239,7 @@ def _housing_path(around: Surroundings, size: Dimensions) -> HeatPath:
         first="housing",
         second=AMBIENT,
         conductance=side_by_side(FREE_AIR, radiated).times(area),
-        what="free convection and radiation of an assumed housing",
+        description="free convection and radiation of an assumed housing",
     )
 
 
@@ -221,8 +251,27 @@ def state_paths(
     cage_speed: float,
     rows: int = 1,
 ) -> tuple[HeatPath, ...]:
-    """Paths that depend on the state: contacts by their films, walls of the cavity by its oil and
-    the speed of the cage [rad/s].
+    """Paths that depend on the state: contacts by their films, walls of the cavity by its oil.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    around : Surroundings
+        shaft, housing and surroundings
+    oil : Lubricant
+        oil in the cavity
+    friction : FrictionHeat
+        heat and conductances of the contacts
+    cage_speed : float
+        speed of the cage [rad/s]
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    tuple[HeatPath, ...]
+        paths with their conductances [W/K]
     """
     size = dimensions(bearing, around, rows)
     contacts = [
@@ -230,7 +279,7 @@ def state_paths(
             first="balls",
             second=name,
             conductance=friction.race(name),
-            what="contacts, by the film of each",
+            description="contacts, by the film of each",
         )
         for name in ("inner_ring", "outer_ring_loaded", "outer_ring_unloaded")
     ]
@@ -249,7 +298,7 @@ def state_paths(
             first=name,
             second="oil",
             conductance=h.times(area),
-            what=f"wall to the {'oil' if around.filled else 'air'} in the cavity, {words}",
+            description=f"wall to the {'oil' if around.filled else 'air'} in the cavity, {words}",
         )
         for name, area in areas.items()
     ]
@@ -273,11 +322,25 @@ def _cavity(
 
 
 def ring_conductance(bearing: Bearing, race: Race, width: float) -> float:
-    """From the track of one row's ring, the rest of it insulated, to its seat [W/K], by finite
-    elements; width of the row [m].
+    """Conductance from the track of one row's ring to its seat, by finite elements.
+
+    The rest of the ring is insulated.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    race : Race
+        raceway of the ring
+    width : float
+        width of the row [m]
+
+    Returns
+    -------
+    float
+        conductance [W/K]
     """
-    material = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
-    k = solid_thermal(material).conductivity
+    k = solid_thermal(ring_material(bearing, race)).conductivity
     bore, outside = diameters(bearing)
     inner = race is Race.INNER
     ball = bearing.ball_diameter
@@ -286,13 +349,28 @@ def ring_conductance(bearing: Bearing, race: Race, width: float) -> float:
     height = 0.2 * ball  # of shoulders of which no diameter is known, assumed
     if shoulder is None:
         shoulder = (groove + 2.0 * height if inner else groove - 2.0 * height, True)
-    known = with_dimensions(bearing, bore, outside, width)
-    profile = elastic_ring(known, race, Seat.RIGID, shoulder).profile
+    sized = with_dimensions(bearing, bore, outside, width)
+    profile = elastic_ring(sized, race, Seat.RIGID, shoulder).profile
     return _ring_conductance(profile, k, TRACK * ball)
 
 
 def with_dimensions(bearing: Bearing, bore: float, outside: float, width: float) -> Bearing:
-    """With the dimensions that are not given [m]."""
+    """The bearing with boundary dimensions.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of a row
+    bore, outside : float
+        diameters [m]
+    width : float
+        width [m]
+
+    Returns
+    -------
+    Bearing
+        changed bearing
+    """
     return replace(bearing, bore=bore, outside_diameter=outside, width=width)
 
 

@@ -36,7 +36,7 @@ class Stability:
     """How a disturbance of the temperatures dies out, and ends of the temperatures."""
 
     rate: float  # largest eigenvalue [1/s], negative: dies out
-    still_rate: float  # the same with friction that does not change [1/s]
+    constant_friction_rate: float  # the same with friction that does not change [1/s]
     # lowest and highest temperature of each node of three balances: this one, all paths at the
     # low ends of their ranges, and all at the high ends [K]
     coldest: Array
@@ -45,34 +45,49 @@ class Stability:
 
     @property
     def longest_time(self) -> float | None:
-        """Of the slowest mode of a stable balance [s]; None of an unstable one."""
+        """Time constant of the slowest mode of a stable balance [s]; None for an unstable one."""
         return float(self.time_constants[0]) if self.rate < 0.0 else None
 
     @property
     def margin(self) -> float:
-        """Against runaway, zero or below where there is none [-]."""
-        return self.rate / self.still_rate
+        """Margin against runaway, zero or below without one [-]."""
+        return self.rate / self.constant_friction_rate
 
 
 def stability(
-    slopes: Slopes, problem: SelfHeatingProblem, capacities: Array, found: Array
+    slopes: Slopes, problem: SelfHeatingProblem, capacities: Array, temperatures: Array
 ) -> Stability:
-    """Of a balance whose nodes have temperatures `found` [K], by slopes of a state near by and
-    heat capacities of the nodes [J/K].
+    """Stability of a balance of heat.
+
+    Parameters
+    ----------
+    slopes : Slopes
+        state at the balance and its neighbours
+    problem : SelfHeatingProblem
+        bearing, friction and surroundings
+    capacities : Array
+        heat capacities of the nodes, shape (nodes,) [J/K]
+    temperatures : Array
+        temperatures of the nodes in the balance, shape (nodes,) [K]
+
+    Returns
+    -------
+    Stability
+        rates of the modes, and ends of the temperatures
     """
     state = slopes.state
     response = _response(slopes, problem)
     leaving, _ = state.network.matrix()
     rates = np.linalg.eigvals((response - leaving) / capacities[:, None]).real
-    still = np.linalg.eigvals(-leaving / capacities[:, None]).real
-    ends = [found, state.temperatures]
+    constant = np.linalg.eigvals(-leaving / capacities[:, None]).real
+    ends = [temperatures, state.temperatures]
     for end in (1, -1):
         other, from_outside = state.network.matrix(end)
         fixed = state.sources - response @ state.temperatures + from_outside
         ends.append(np.asarray(np.linalg.solve(other - response, fixed), dtype=np.float64))
     return Stability(
         rate=float(rates.max()),
-        still_rate=float(still.max()),
+        constant_friction_rate=float(constant.max()),
         coldest=np.asarray(np.min(ends, axis=0), dtype=np.float64),
         hottest=np.asarray(np.max(ends, axis=0), dtype=np.float64),
         time_constants=np.sort(-1.0 / rates[rates < 0.0])[::-1],
@@ -85,14 +100,14 @@ def _response(slopes: Slopes, problem: SelfHeatingProblem) -> Array:
     """
     state = slopes.state
     at = state.temperatures
-    here = state.surplus(at)
+    surplus = state.surplus(at)
     step = slopes.warmer.film_temperature - state.film_temperature
-    by_film = (slopes.warmer.surplus(at) - here) / step
+    by_film = (slopes.warmer.surplus(at) - surplus) / step
     response = np.outer(by_film, state.weights)
     if slopes.wider is None:
         return response
     step = slopes.wider.clearance - state.clearance
-    by_clearance = (slopes.wider.surplus(at) - here) / step
+    by_clearance = (slopes.wider.surplus(at) - surplus) / step
     clearance = problem.clearance(at)
     slope = [
         (problem.clearance(at + PROBE * unit) - clearance) / PROBE for unit in np.eye(len(NODES))

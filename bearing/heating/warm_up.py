@@ -42,12 +42,11 @@ class WarmUp:
     film_temperature: Array  # (times,) [K]
     clearance: Array  # on the diameter [m]
     power: Array  # of the friction [W]
-    # why it ended before its time; empty: it did not
-    message: str = ""
+    message: str = ""  # reason of an early end; empty at the full duration
 
     @property
     def ended(self) -> bool:
-        """Whether it reached the time asked for."""
+        """True if it reached the full duration."""
         return not self.message
 
 
@@ -63,14 +62,14 @@ class _Moment:
 
 @dataclass(frozen=True, slots=True)
 class _Course:
-    """The bearing and what its parts hold."""
+    """The bearing, the weights of its nodes and their heat capacities."""
 
     problem: SelfHeatingProblem
     weights: Array  # of the nodes in the film temperature [-]
     capacities: Array  # of the nodes [J/K]
 
     def film_temperature(self, temperatures: Array) -> float:
-        """Of temperatures of the nodes [K]."""
+        """Film temperature by temperatures of the nodes [K]."""
         return float(self.weights @ temperatures)
 
     def moment(self, time: float, temperatures: Array, before: _Moment) -> _Moment:
@@ -79,25 +78,25 @@ class _Course:
         clearance = self.problem.clearance(temperatures)
         state = heat_state(self.problem, self.problem.fixed_paths(), film, clearance)
         slope = before.slope
-        moved = film - before.state.film_temperature
-        if abs(moved) > SLOPE_STEP:
+        change = film - before.state.film_temperature
+        if abs(change) > SLOPE_STEP:
             at = before.temperatures
-            slope = (state.surplus(at) - before.state.surplus(at)) / moved
+            slope = (state.surplus(at) - before.state.surplus(at)) / change
         return _Moment(time, temperatures, state, slope)
 
     def matrix(self, moment: _Moment) -> Array:
         """A of a moment [1/s]."""
-        leaving, _given = moment.state.network.matrix()
+        leaving, _prescribed = moment.state.network.matrix()
         heating = np.outer(moment.slope, self.weights)
         return np.asarray((heating - leaving) / self.capacities[:, None])
 
-    def rest(self, moment: _Moment, matrix: Array) -> Array:
-        """N of a moment, of its rates what A does not say [K/s]."""
+    def remainder(self, moment: _Moment, matrix: Array) -> Array:
+        """N of a moment, its rates less A T [K/s]."""
         rates = moment.state.surplus(moment.temperatures) / self.capacities
         return np.asarray(rates - matrix @ moment.temperatures)
 
     def change(self, first: Array, second: Array) -> float:
-        """Of film temperature and clearance, the larger of both in their steps [-]."""
+        """Larger change of film temperature and clearance, over their steps [-]."""
         film = abs(self.film_temperature(second - first)) / FILM_STEP
         clearance = abs(self.problem.clearance(second) - self.problem.clearance(first))
         return max(film, clearance / CLEARANCE_STEP)
@@ -109,14 +108,30 @@ def warm_up(
     start: Array | None = None,
     notify: Callable[[float], None] = lambda time: None,
 ) -> WarmUp:
-    """From temperatures of the nodes (nodes,) [K], that of the surroundings if left out, at the
-    operation of the problem for a `duration` [s]; ends where the films pass the hottest one
-    or no equilibrium is found. `notify` is called with the time [s].
+    """Temperatures over time from a start on, at the operation of the problem.
+
+    Ends early if the films pass the hottest temperature or the bearing has no equilibrium.
+
+    Parameters
+    ----------
+    problem : SelfHeatingProblem
+        bearing, friction and surroundings
+    duration : float
+        time to compute [s]
+    start : Array | None, optional
+        temperatures of the nodes, shape (nodes,) [K]; None: those of the surroundings
+    notify : Callable[[float], None], default lambda time: None
+        called with the time [s]
+
+    Returns
+    -------
+    WarmUp
+        temperatures at the steps of the integration
 
     Raises
     ------
     ValueError
-        If there is no equilibrium or no friction at the start.
+        if there is no equilibrium or no friction at the start
     """
     cold = np.full(len(NODES), problem.around.ambient) if start is None else start
     mean = float(cold.mean())
@@ -138,49 +153,49 @@ def warm_up(
         moments.append(after)
         notify(after.time)
         if course.film_temperature(after.temperatures) >= problem.hottest:
-            message = TOO_WARM
-    return _told(moments, course, message)
+            message = OUT_OF_RANGE
+    return _result(moments, course, message)
 
 
-TOO_WARM = "the films pass the range of lubricants"
+OUT_OF_RANGE = "the films pass the range of lubricants"
 
 
 def _advance(course: _Course, moments: list[_Moment], step: float) -> tuple[_Moment, float]:
     """The next moment, and the step to try from it [s]."""
     now = moments[-1]
     matrix = course.matrix(now)
-    rest = course.rest(now, matrix)
-    slope = np.zeros_like(rest)
+    remainder = course.remainder(now, matrix)
+    slope = np.zeros_like(remainder)
     if len(moments) > 1:
         before = moments[-2]
-        slope = (rest - course.rest(before, matrix)) / (now.time - before.time)
+        slope = (remainder - course.remainder(before, matrix)) / (now.time - before.time)
     while True:
-        temperatures = _linear(matrix, rest, slope, now.temperatures, step)
+        temperatures = _linear(matrix, remainder, slope, now.temperatures, step)
         change = course.change(now.temperatures, temperatures)
         if change > 1.0:
             step *= max(0.3, 0.9 / change)
             continue
         after = course.moment(now.time + step, temperatures, now)
-        missed = 0.5 * step * (course.rest(after, matrix) - rest - slope * step)
+        missed = 0.5 * step * (course.remainder(after, matrix) - remainder - slope * step)
         error = abs(course.film_temperature(missed)) / ERROR
         if error <= 1.0:
             return after, step * min(GROWTH, 0.9 / max(error, change, 1e-3) ** 0.5)
         step *= max(0.3, 0.9 / error**0.5)
 
 
-def _linear(matrix: Array, rest: Array, slope: Array, start: Array, time: float) -> Array:
+def _linear(matrix: Array, remainder: Array, slope: Array, start: Array, time: float) -> Array:
     """T after a time [s] of dT/dt = A T + N_0 + N_1 t [K]."""
     size = len(start)
-    whole = np.zeros((size + 2, size + 2))
-    whole[:size, :size] = matrix
-    whole[:size, size] = slope  # of (T, t, 1)
-    whole[:size, size + 1] = rest
-    whole[size, size + 1] = 1.0
-    grown = scipy.linalg.expm(time * whole)
+    augmented = np.zeros((size + 2, size + 2))
+    augmented[:size, :size] = matrix
+    augmented[:size, size] = slope  # of (T, t, 1)
+    augmented[:size, size + 1] = remainder
+    augmented[size, size + 1] = 1.0
+    grown = scipy.linalg.expm(time * augmented)
     return np.asarray(grown[:size, :size] @ start + grown[:size, size + 1])
 
 
-def _told(moments: list[_Moment], course: _Course, message: str) -> WarmUp:
+def _result(moments: list[_Moment], course: _Course, message: str) -> WarmUp:
     temperatures = np.stack([moment.temperatures for moment in moments])
     return WarmUp(
         time=np.array([moment.time for moment in moments]),

@@ -21,7 +21,19 @@ PUBLISHED = "bearings.toml"
 
 @cache
 def list_bearings() -> tuple[str, ...]:
-    """Names of the catalogue: published geometries first, then estimated ones by series."""
+    """Names of the catalogue: published geometries first, then estimated ones by series.
+
+    Returns
+    -------
+    tuple[str, ...]
+        names for `load_catalogue_entry`
+
+    Examples
+    --------
+    >>> from bearing import list_bearings
+    >>> "6208" in list_bearings()
+    True
+    """
     published = published_bearings()
     plain = {plain_name(name) for name in published}
     others = (name for name in estimated_bearings() if plain_name(name) not in plain)
@@ -29,15 +41,31 @@ def list_bearings() -> tuple[str, ...]:
 
 
 def published_bearings() -> tuple[str, ...]:
-    """Bearings whose ball, number of balls and pitch diameter are published."""
+    """Bearings whose ball, number of balls and pitch diameter are published.
+
+    Returns
+    -------
+    tuple[str, ...]
+        their names, in the order of the data file
+    """
     return tuple(library_data(PUBLISHED))
 
 
 def catalogue_name(name: str) -> str | None:
-    """The name under which a case shows a bearing of the catalogue: that of `list_bearings()`, or
-    a designation with suffixes as it was written; None if there is no such bearing.
+    """Name under which a case shows a bearing of the catalogue.
 
     Case, spaces and hyphens do not matter; '6205-2RS C3' and '7014 CD/P4A' are understood.
+
+    Parameters
+    ----------
+    name : str
+        name or designation of a bearing
+
+    Returns
+    -------
+    str | None
+        name of `list_bearings()`, or a designation with suffixes as it was written; None if there
+        is no such bearing
     """
     key = matching_name(name, list_bearings())
     if key is not None:
@@ -46,14 +74,48 @@ def catalogue_name(name: str) -> str | None:
 
 
 def named_designation(name: str) -> Designation | None:
-    """What the designation of a bearing of the catalogue says; None where its name is none."""
+    """Designation of a bearing of the catalogue.
+
+    Parameters
+    ----------
+    name : str
+        name or designation of a bearing
+
+    Returns
+    -------
+    Designation | None
+        its parts; None if the name is no designation
+    """
     return known_designation(name)
 
 
 def load_catalogue_entry(name: str) -> dict[str, Any]:
-    """Keys of a case file's [bearing] table for a name that `catalogue_name` knows, with `source`
-    (text), `estimated` (keys whose values are estimates) and `range` (an interval for each of
-    these). ValueError if there is none of this name.
+    """Keys of a case file's [bearing] table for a bearing of the catalogue.
+
+    Parameters
+    ----------
+    name : str
+        a name that `catalogue_name` knows
+
+    Returns
+    -------
+    dict[str, Any]
+        keys and values, with `source` (text), `estimated` (keys whose values are estimates) and
+        `range` (an interval for each of these)
+
+    Raises
+    ------
+    ValueError
+        if no bearing has this name
+
+    Examples
+    --------
+    >>> from bearing import load_catalogue_entry
+    >>> entry = load_catalogue_entry("6208")
+    >>> entry["ball_diameter_mm"], entry["balls"]
+    (12.0, 9)
+    >>> entry["estimated"]
+    ['diametral_clearance_um']
     """
     shown = catalogue_name(name)
     if shown is None:
@@ -81,20 +143,27 @@ def _entry(name: str) -> dict[str, Any]:
 
 
 def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[str] = ()) -> None:
-    """Warn once of all values of a case that are the catalogue's estimates, with their ranges,
-    and once of those that the case itself says are assumed.
+    """Warn once of all values of a case that are the catalogue's estimates, with their ranges.
 
-    `name`: of the bearing, in the catalogue or not; `values`: of the case's [bearing] table,
-    filled in from the catalogue; `assumed`: keys that the case itself says are assumed.
+    And once of those that the case itself says are assumed.
+
+    Parameters
+    ----------
+    name : str
+        name of the bearing, in the catalogue or not
+    values : Mapping[str, Any]
+        the case's [bearing] table, filled in from the catalogue
+    assumed : Collection[str], default ()
+        keys that the case itself says are assumed
     """
     key = catalogue_name(name)
     if key is not None and (estimates := _estimates(key, name, values, assumed)):
         text = f"bearing {key!r}: internal geometry is estimated: {', '.join(estimates)}"
         warnings.warn(text, stacklevel=2)
-    known = {field: value for field, value in values.items() if value is not None}
-    own = [_with_words(field, value) for field, value in known.items() if field in assumed]
-    if own:
-        text = f"bearing {name!r}: assumed, as the case says: {', '.join(own)}"
+    present = {field: value for field, value in values.items() if value is not None}
+    texts = [_with_words(field, value) for field, value in present.items() if field in assumed]
+    if texts:
+        text = f"bearing {name!r}: assumed, as the case says: {', '.join(texts)}"
         warnings.warn(text, stacklevel=2)
 
 
@@ -112,12 +181,25 @@ def _estimates(
 
 
 def estimated_fields(name: str, values: Mapping[str, Any]) -> tuple[str, ...]:
-    """Keys of a case's [bearing] table whose values are the catalogue's estimates."""
+    """Keys of a case's [bearing] table whose values are the catalogue's estimates.
+
+    Parameters
+    ----------
+    name : str
+        name of the bearing
+    values : Mapping[str, Any]
+        the case's [bearing] table
+
+    Returns
+    -------
+    tuple[str, ...]
+        keys, none for a bearing that is not of the catalogue
+    """
     if catalogue_name(name) is None:
         return ()
     entry = _entry_with_class(name, values)
-    known = (field for field in entry["estimated"] if values.get(field) is not None)
-    return tuple(field for field in known if isclose(values[field], entry[field]))
+    present = (field for field in entry["estimated"] if values.get(field) is not None)
+    return tuple(field for field in present if isclose(values[field], entry[field]))
 
 
 def _entry_with_class(name: str, values: Mapping[str, Any]) -> dict[str, Any]:

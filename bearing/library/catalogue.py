@@ -41,7 +41,24 @@ class Geometry:
 
 
 def from_ratings(ball: float, pitch: float, balls: int, basis: str) -> Geometry:
-    """Geometry that explains load ratings, with its intervals; lengths in [m]."""
+    """Geometry that explains load ratings, with its intervals.
+
+    Parameters
+    ----------
+    ball : float
+        ball diameter [m]
+    pitch : float
+        pitch diameter [m]
+    balls : int
+        number of balls [-]
+    basis : str
+        source of the estimate, for the entry's `source`
+
+    Returns
+    -------
+    Geometry
+        geometry with ranges [m]
+    """
     more = max(1, round(BALLS_RANGE * balls))
     return Geometry(
         ball_diameter=ball,
@@ -57,7 +74,22 @@ def from_ratings(ball: float, pitch: float, balls: int, basis: str) -> Geometry:
 def from_dimensions(
     bore: float, outside_diameter: float, contact_angle: float, width: float | None = None
 ) -> Geometry:
-    """Typical geometry of boundary dimensions [m] and a nominal contact angle [rad]."""
+    """Typical geometry of boundary dimensions and a nominal contact angle.
+
+    Parameters
+    ----------
+    bore, outside_diameter : float
+        boundary dimensions [m]
+    contact_angle : float
+        nominal contact angle [rad]
+    width : float | None, optional
+        width [m]; None: the section alone decides
+
+    Returns
+    -------
+    Geometry
+        geometry with ranges [m]
+    """
     ball, pitch, balls = typical.typical_geometry(bore, outside_diameter, contact_angle, width)
     low, high = typical.TYPICAL_BALL_RANGE
     more = max(2, round(typical.TYPICAL_BALLS_RANGE * balls))
@@ -75,7 +107,18 @@ def from_dimensions(
 
 @cache
 def table(file: str) -> tuple[dict[str, str], ...]:
-    """Rows of a table of the library."""
+    """Rows of a table of the library.
+
+    Parameters
+    ----------
+    file : str
+        name of the file in `data`
+
+    Returns
+    -------
+    tuple[dict[str, str], ...]
+        a dictionary by column for each row
+    """
     text = resources.files(__package__).joinpath("data", file).read_text(encoding="utf-8")
     return tuple(csv.DictReader(text.splitlines()))
 
@@ -103,7 +146,11 @@ def estimated_bearings() -> tuple[str, ...]:
     """Designations of all bearings of the catalogue with an estimated geometry."""
     names = []
     for series, (dimensions, angular) in SERIES.items():
-        bores = [bore for own, bore in boundary_dimensions() if own == dimensions]
+        bores = [
+            bore
+            for series_dimensions, bore in boundary_dimensions()
+            if series_dimensions == dimensions
+        ]
         suffixes = tuple(ANGLES) if angular else ("",)
         if series in ("719", "70"):
             suffixes = ("C", "AC")
@@ -117,11 +164,28 @@ def _bore_number(bore: float) -> int:
 
 
 def clearance_class(bore: float, name: str) -> tuple[float, float]:
-    """Smallest and largest radial internal clearance [um] of a class, C2 to C5, of deep groove
-    ball bearings by their bore [mm]: ISO 5753-1.
+    """Smallest and largest radial internal clearance of a class, ISO 5753-1.
 
-    The standard was not read: the numbers of CN are those of two makers' tables, which agree;
-    those of the other classes are from memory and unverified (docs/user/libraries.md).
+    For deep groove ball bearings. The standard was not read: the numbers of CN are those of two
+    makers' tables, which agree; those of the other classes are from memory and unverified
+    (docs/user/libraries.md).
+
+    Parameters
+    ----------
+    bore : float
+        bore diameter [mm]
+    name : str
+        class, C2 to C5
+
+    Returns
+    -------
+    tuple[float, float]
+        smallest and largest clearance [um]
+
+    Raises
+    ------
+    ValueError
+        if the bore lies outside the table
     """
     for row in table("clearance_classes.csv"):
         if float(row["bore_over_mm"]) < bore <= float(row["bore_up_to_mm"]):
@@ -131,8 +195,17 @@ def clearance_class(bore: float, name: str) -> tuple[float, float]:
 
 @lru_cache(maxsize=256)
 def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
-    """Keys of a case's [bearing] table for a designation, with `source`, `estimated`, `range`;
-    None if there is no such size.
+    """Keys of a case's [bearing] table for a designation.
+
+    Parameters
+    ----------
+    designation : Designation
+        series, bore and contact angle; suffixes play no part
+
+    Returns
+    -------
+    dict[str, Any] | None
+        keys with `source`, `estimated` and `range`; None if there is no such size
     """
     size = boundary_dimensions().get((designation.dimension_series, designation.bore))
     if size is None or designation.basic not in estimated_bearings():
@@ -147,14 +220,27 @@ def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
     )
     entry["skf_series"] = skf_series(designation)
     source = f"boundary dimensions: ISO 15, dimension series {designation.dimension_series}"
-    parts = [source, *([MAKER] if row else ["no ratings read"]), entry["source"]]
+    sources = [source, *([MAKER] if row else ["no ratings read"]), entry["source"]]
     if row.get("inner_shoulder_mm"):
-        parts.append("shoulders: SKF general catalogue, d1 and D1, the pitch diameter their mean")
-    return {**entry, "source": "; ".join(parts)}
+        sources.append(
+            "shoulders: SKF general catalogue, d1 and D1, the pitch diameter their mean"
+        )
+    return {**entry, "source": "; ".join(sources)}
 
 
 def skf_series(designation: Designation) -> str:
-    """Series of SKF's friction constants that a designation belongs to."""
+    """Series of SKF's friction constants that a designation belongs to.
+
+    Parameters
+    ----------
+    designation : Designation
+        series and contact angle of a bearing
+
+    Returns
+    -------
+    str
+        name of the series
+    """
     if not designation.angle_suffix:
         return designation.series
     special = designation.series in ("72", "73") and designation.angle_suffix in ("B", "AC")
@@ -162,22 +248,34 @@ def skf_series(designation: Designation) -> str:
 
 
 def nearest_series(bore: float, outside_diameter: float, *, angular: bool) -> str:
-    """Series of SKF's friction constants for a bearing without a designation: that of the
-    diameter series of ISO 15 whose factor f = (D - d)/d^0.9 is the nearest, 0.45 (8), 0.62 (9),
-    0.84 (0), 1.12 (1), 1.48 (2), 1.92 (3), 2.56 (4); lengths in [mm].
+    """Series of SKF's friction constants for a bearing without a designation.
 
-    Small bores have larger factors than these of the standard's formula, so that the
-    dimensions of the catalogue decide where they have the bore.
+    It is that of the diameter series of ISO 15 whose factor f = (D - d)/d^0.9 is the nearest, 0.45
+    (8), 0.62 (9), 0.84 (0), 1.12 (1), 1.48 (2), 1.92 (3), 2.56 (4). Small bores have larger
+    factors than these of the standard's formula, so that the dimensions of the catalogue decide
+    where they have the bore.
+
+    Parameters
+    ----------
+    bore, outside_diameter : float
+        boundary dimensions [mm]
+    angular : bool
+        whether the bearing is one of angular contact
+
+    Returns
+    -------
+    str
+        name of the series
     """
     if angular:
         return "other single row"
-    own = {
+    outside = {
         series: boundary_dimensions()[dimensions, bore][0]
         for series, (dimensions, is_angular) in SERIES.items()
         if not is_angular and (dimensions, bore) in boundary_dimensions()
     }
-    if own:
-        return min(own, key=lambda series: abs(own[series] - outside_diameter))
+    if outside:
+        return min(outside, key=lambda series: abs(outside[series] - outside_diameter))
     factor = (outside_diameter - bore) / bore**0.9
     return min(DIAMETER_SERIES, key=lambda series: abs(DIAMETER_SERIES[series] - factor))
 
@@ -218,11 +316,23 @@ def estimated_entry(
     geometry: Geometry,
     known: dict[str, float],
 ) -> dict[str, Any]:
-    """Keys of a case's [bearing] table for an estimated geometry, with `source`, `estimated` and
-    `range`.
+    """Keys of a case's [bearing] table for an estimated geometry.
 
-    `size`: bore, outside diameter and width [mm]; `contact_angle`: nominal, zero for a deep groove
-    bearing [deg]; `known`: further keys, ratings and shoulders.
+    Parameters
+    ----------
+    size : tuple[float, float, float]
+        bore, outside diameter and width [mm]
+    contact_angle : float
+        nominal contact angle, zero for a deep groove bearing [deg]
+    geometry : Geometry
+        estimated internal geometry
+    known : dict[str, float]
+        further keys, ratings and shoulders
+
+    Returns
+    -------
+    dict[str, Any]
+        keys with `source`, `estimated` and `range`
     """
     ball = geometry.ball_diameter
     inner, outer = typical.INNER_CONFORMITY, typical.OUTER_CONFORMITY
@@ -257,7 +367,20 @@ def estimated_entry(
 
 
 def with_designation(entry: dict[str, Any], designation: Designation) -> dict[str, Any]:
-    """An entry with the materials and the clearance that the suffixes name."""
+    """An entry with the materials and the clearance that the suffixes name.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        keys of the basic bearing
+    designation : Designation
+        designation with its suffixes
+
+    Returns
+    -------
+    dict[str, Any]
+        changed keys
+    """
     entry = {**entry, "range": dict(entry.get("range", {})), "estimated": list(entry["estimated"])}
     if designation.balls:
         entry["ball_material"] = "silicon nitride"
@@ -271,24 +394,48 @@ def with_designation(entry: dict[str, Any], designation: Designation) -> dict[st
 
 
 def with_clearance(entry: dict[str, Any], name: str | None) -> dict[str, Any]:
-    """An entry with the middle of a clearance class, if one is named and it has a clearance."""
+    """An entry with the middle of a clearance class.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        keys of a bearing
+    name : str | None
+        class, C2 to C5; None or empty leaves the entry as it is
+
+    Returns
+    -------
+    dict[str, Any]
+        changed keys, or the entry if it has no clearance
+    """
     key = "diametral_clearance_um"
     if not name or key not in entry or "bore_mm" not in entry:
         return entry
     low, high = clearance_class(entry["bore_mm"], name)
-    told = [part for part in entry["source"].split("; ") if not part.startswith("clearance: ")]
+    sources = [text for text in entry["source"].split("; ") if not text.startswith("clearance: ")]
     return {
         **entry,
         "clearance_class": name,
         key: 0.5 * (low + high),
         "range": {**entry.get("range", {}), key: [low, high]},
         "estimated": list(dict.fromkeys([*entry["estimated"], key])),
-        "source": "; ".join((*told, f"clearance: middle of the class {name}")),
+        "source": "; ".join((*sources, f"clearance: middle of the class {name}")),
     }
 
 
 def known_designation(text: str) -> Designation | None:
-    """The designation that a text is, if the catalogue has its size; None otherwise."""
+    """Read a designation of the catalogue.
+
+    Parameters
+    ----------
+    text : str
+        name of a bearing
+
+    Returns
+    -------
+    Designation | None
+        its parts; None if the text is no designation or the catalogue lacks the size
+    """
     read = read_designation(text)
     return read if read is not None and read.basic in estimated_bearings() else None
 

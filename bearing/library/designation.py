@@ -2,8 +2,8 @@
 
 A designation is read from left to right: a maker's name or prefix, the series, two digits for the
 bore, the letters of the contact angle, then suffixes in any order. The letters differ between
-makers; those of SKF, FAG (Schaeffler), NSK and NTN are known. Suffixes of cage, shield, grease
-and marking have no effect and are left aside; what is not known makes the designation unknown.
+makers; those of SKF, FAG (Schaeffler), NSK and NTN are known. Suffixes of cage, shield, grease and
+marking have no effect and are ignored; a suffix that is not known makes the designation unknown.
 """
 
 import re
@@ -69,7 +69,7 @@ WITHOUT_EFFECT = (
     # cages, snap rings
     "TN9|TNH|TVP2|TVP|TVH|TYN|TR|TN|TA|MPA|MPB|MA|MB|JR|PHAS|PH|BP|J|M|Y|T|P|F|NR|N|W|DG|U|G"
 )
-# why a designation is none of the bearings here, by its beginning
+# reason why a designation is none of the bearings here, by its beginning
 SINGLE_ROWS = "the catalogue has deep groove and angular contact ones"
 BALLS_HERE = "the catalogue has ball bearings only"
 NOT_HERE = (
@@ -106,7 +106,7 @@ NOT_HERE = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Designation:
-    """What a designation says."""
+    """Contents of a designation."""
 
     series: str  # of `SERIES`
     bore_number: int  # [-]
@@ -144,9 +144,27 @@ class Designation:
 
 
 def read_designation(text: str) -> Designation | None:
-    """What a designation says; None if it is none of the series here, or has suffixes that are
-    not known. Case, spaces, hyphens and slashes do not matter, but for the slash before a bore in
+    """Read a designation of one of the series here.
+
+    Case, spaces, hyphens and slashes do not matter, but for the slash before a bore in
     millimetres, as in 618/10.
+
+    Parameters
+    ----------
+    text : str
+        designation with or without a maker's name
+
+    Returns
+    -------
+    Designation | None
+        its parts; None if it is of no series here or has suffixes that are not known
+
+    Examples
+    --------
+    >>> from bearing.library.designation import read_designation
+    >>> read = read_designation("SKF 6205-2RS C3")
+    >>> read.basic, read.sealed, read.clearance_class
+    ('6205', True, 'C3')
     """
     read, rest = _read(text)
     return None if rest else read
@@ -154,9 +172,7 @@ def read_designation(text: str) -> Designation | None:
 
 @lru_cache(maxsize=256)
 def _read(text: str) -> tuple[Designation | None, str]:
-    """What a designation says, and what of its end is not known; None if it is none of the
-    series here.
-    """
+    """Contents of a designation and its unknown end; None if it is none of the series here."""
     prefixes = "|".join(sorted(PREFIXES, key=len, reverse=True))
     series = "|".join(sorted({*SERIES, *SYNONYMS}, key=len, reverse=True))
     begin = rf"((?:(?:{MAKERS}) )?(?:{prefixes}) ?(?:{series}))"
@@ -213,16 +229,16 @@ def _with_suffixes(read: Designation, rest: str) -> tuple[Designation, str]:
     rest = rest.replace("FULL CERAMIC", "CERAMIC").strip()
     while rest:
         word = next((word for word in sorted(words, key=len)[::-1] if rest.startswith(word)), "")
-        found = words.get(word, {})
+        fields = words.get(word, {})
         if not word and SERIES[read.series][1] and (match := re.match(SETS, rest)):
             word = match.group()
-            found = _set(match)
+            fields = _set(match)
         if not word:
             match = re.match(WITHOUT_EFFECT, rest)
             if match is None:
                 break
             word = match.group()
-        read = replace(read, **found)  # type: ignore[arg-type]
+        read = replace(read, **fields)  # type: ignore[arg-type]
         rest = rest.removeprefix(word).strip()
     return read, rest
 
@@ -230,16 +246,27 @@ def _with_suffixes(read: Designation, rest: str) -> tuple[Designation, str]:
 def _set(match: re.Match[str]) -> dict[str, object]:
     """Arrangement and preload class of a set of angular contact bearings."""
     arrangement = match["set"] or match["alone"] or ""
-    found: dict[str, object] = {}
+    fields: dict[str, object] = {}
     if arrangement in ARRANGEMENTS:
-        found["arrangement"] = arrangement
+        fields["arrangement"] = arrangement
     if match["preload"] and arrangement:
-        found["preload_class"] = PRELOADS[match["preload"]]
-    return found
+        fields["preload_class"] = PRELOADS[match["preload"]]
+    return fields
 
 
 def why_unknown(text: str) -> str:
-    """What a designation that is not known seems to be; empty if nothing can be said."""
+    """Explain why a designation is not known.
+
+    Parameters
+    ----------
+    text : str
+        name that is no designation of the catalogue
+
+    Returns
+    -------
+    str
+        reason, for a message; empty if none can be given
+    """
     oil = re.search(r"\b(?:ISO ?)?VG ?\d+", text.upper())
     if oil is not None:
         return f"{oil.group()} is an oil, which goes to [lubricant] name"
@@ -252,7 +279,18 @@ def why_unknown(text: str) -> str:
 
 
 def series_and_bore(text: str) -> Designation | None:
-    """Series and bore with which a designation begins, whatever follows; None without them."""
+    """Series and bore with which a designation begins, whatever follows.
+
+    Parameters
+    ----------
+    text : str
+        designation with or without a maker's name
+
+    Returns
+    -------
+    Designation | None
+        series and bore number; None without them
+    """
     series = "|".join(sorted({*SERIES, *SYNONYMS}, key=len, reverse=True))
     match = re.match(rf"(?:HCB?|XCB?|B)?({series})(\d\d)(?!\d)", _without_maker(text))
     if match is None:

@@ -1,5 +1,5 @@
-"""Greases by name: the oil of the library that stands for the base oil, and what is known of the
-film with the grease over that of its base oil, by age.
+"""Greases by name: their base oil in the library, and the film with the grease over that of
+its base oil, by age.
 """
 
 from dataclasses import dataclass
@@ -24,12 +24,40 @@ class Grease:
 
 
 def list_greases() -> tuple[str, ...]:
-    """Names of the shipped greases, in the order of the data file."""
+    """Names of the shipped greases, in the order of the data file.
+
+    Returns
+    -------
+    tuple[str, ...]
+        names for `load_grease`
+
+    Examples
+    --------
+    >>> from bearing import list_greases, load_grease
+    >>> load_grease(list_greases()[0]).name == list_greases()[0]
+    True
+    """
     return tuple(name for name in library_data(DATA) if name != FACTOR)
 
 
 def load_grease(name: str) -> Grease:
-    """A grease of `list_greases()`, case, spaces and hyphens apart; else ValueError."""
+    """Shipped grease by its name.
+
+    Parameters
+    ----------
+    name : str
+        one of `list_greases()`; case, spaces and hyphens do not matter
+
+    Returns
+    -------
+    Grease
+        base oil and film factors
+
+    Raises
+    ------
+    ValueError
+        if no grease has this name
+    """
     key = matching_name(name, list_greases())
     if key is None:
         raise ValueError(f"grease {name!r} is unknown; known: {', '.join(list_greases())}")

@@ -42,7 +42,21 @@ CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 def list_lubricants(name: str | None = None) -> tuple[str, ...]:
     """Names of the shipped lubricants, in the order of the data file, and of those of plug-ins.
 
-    `name`: the only one that is wanted; where it is shipped, plug-ins are not looked for.
+    Parameters
+    ----------
+    name : str | None, optional
+        the only name of interest; if it is shipped, plug-ins are not searched
+
+    Returns
+    -------
+    tuple[str, ...]
+        names for `library_lubricant`
+
+    Examples
+    --------
+    >>> from bearing import list_lubricants
+    >>> "iso vg 32" in list_lubricants()
+    True
     """
     shipped = tuple(library_data(DATA))
     if name is not None and matching_name(name, shipped):
@@ -51,9 +65,18 @@ def list_lubricants(name: str | None = None) -> tuple[str, ...]:
 
 
 def lubricant_data(name: str) -> dict[str, Any]:
-    """What the data file, or a plug-in, says of one of `list_lubricants()`: `range_C` and, per
-    property of `PROPERTIES`, `law`, its constants with their units, `source`, and `verified` false
-    where the number was not read in a source.
+    """Data of a lubricant as the data file or a plug-in gives them.
+
+    Parameters
+    ----------
+    name : str
+        one of `list_lubricants()`
+
+    Returns
+    -------
+    dict[str, Any]
+        `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units,
+        `source`, and `verified` false if the number was not read in a source
     """
     shipped = library_data(DATA)
     return shipped[name] if name in shipped else _of_plugin(name)
@@ -83,14 +106,37 @@ def _of_plugin(name: str) -> dict[str, Any]:
 
 
 def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
-    """Lubricant of the library at a temperature of the oil in the contact inlet [K], with the
-    thermal properties -d(ln eta)/dT and expansion of the laws there.
+    """Lubricant of the library at a temperature of the oil in the contact inlet.
 
-    `name`: one of `list_lubricants()`; case, spaces and hyphens do not matter; `laws`: further
-    fields of `ehl.Lubricant` (viscosity_law, density_law, roelands_z [-], roelands_pressure [Pa]).
+    With the thermal properties -d(ln eta)/dT and expansion of the laws there. Warns if the
+    temperature lies outside the range of the data.
 
-    Raises ValueError if there is none of this name, or the temperature is not of an oil; warns if
-    it lies outside the range of the data.
+    Parameters
+    ----------
+    name : str
+        one of `list_lubricants()`; case, spaces and hyphens do not matter
+    temperature : float
+        temperature of the oil [K]
+    **laws : Any
+        further fields of `ehl.Lubricant`: viscosity_law, density_law, roelands_z [-],
+        roelands_pressure [Pa]
+
+    Returns
+    -------
+    Lubricant
+        the oil's properties, SI
+
+    Raises
+    ------
+    ValueError
+        if no lubricant has this name, or the temperature is not of an oil
+
+    Examples
+    --------
+    >>> from bearing import library_lubricant
+    >>> oil = library_lubricant("iso vg 32", 313.15)
+    >>> f"{1e3 * oil.viscosity:.1f} mPa s"
+    '27.6 mPa s'
     """
     names = list_lubricants(name)
     key = matching_name(name, names)
@@ -104,8 +150,8 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
         celsius = f"{temperature - ZERO_CELSIUS:.1f} C"
         warnings.warn(f"lubricant {key!r}: {celsius} is outside {low} to {high} C", stacklevel=2)
     constants = oil_constants(entry, temperature)
-    laws = _own_laws(entry) | {name: law for name, law in laws.items() if law is not None}
-    alpha = _own_coefficient(entry, laws.get("viscosity_law"), constants, temperature)
+    laws = _laws_of_set(entry) | {name: law for name, law in laws.items() if law is not None}
+    alpha = _coefficient_of_law(entry, laws.get("viscosity_law"), constants, temperature)
     return Lubricant(
         viscosity=dynamic_viscosity(entry, temperature),
         pressure_viscosity=alpha,
@@ -142,13 +188,13 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
     )
 
 
-def _own_laws(entry: dict[str, Any]) -> dict[str, Any]:
+def _laws_of_set(entry: dict[str, Any]) -> dict[str, Any]:
     """Laws of the oil's set, where it has one."""
     kinds = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
     return {name: kind(entry[name]) for name, kind in kinds.items() if name in entry}
 
 
-def _own_coefficient(
+def _coefficient_of_law(
     entry: dict[str, Any], law: ViscosityLaw | None, constants: dict[str, Any], temperature: float
 ) -> float:
     """d(ln eta)/dp at ambient pressure [1/Pa], by the constants of the law that is taken [K]."""
@@ -159,7 +205,20 @@ def _own_coefficient(
 
 
 def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
-    """Dynamic viscosity [Pa s] of an oil's data at a temperature [K] and ambient pressure."""
+    """Dynamic viscosity of an oil's data at ambient pressure.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil, `lubricant_data`
+    temperature : float
+        temperature [K]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
+    """
     data = entry["viscosity"]
     if callable(data["law"]):  # of a plug-in
         return float(data["law"](temperature))
@@ -167,22 +226,65 @@ def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
 
 
 def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -> float:
-    """Dynamic viscosity [Pa s], rho a exp(b/(t + c)) with a in mm^2/s, t in degrees Celsius, rho
-    in kg/m^3; Vogel (1921).
+    """Dynamic viscosity rho a exp(b/(t + c)) with a in mm^2/s, t in degrees Celsius; Vogel (1921).
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        constants a_mm2_s, b_K, c_K
+    temperature : float
+        temperature [K]
+    density : float
+        rho [kg/m^3]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
     """
     exponent = entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"])
     return float(MM2_S * density * entry["a_mm2_s"] * exp(exponent))
 
 
 def viscosity_vogel_dynamic(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], a exp(b/(t + c)), a in mPa s, t in degrees Celsius; Vogel."""
+    """Dynamic viscosity a exp(b/(t + c)), a in mPa s, t in degrees Celsius; Vogel (1921).
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        constants a_mPa_s, b_K, c_K
+    temperature : float
+        temperature [K]
+    _density : float
+        plays no part [kg/m^3]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
+    """
     exponent = entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"])
     return float(MPA_S * entry["a_mPa_s"] * exp(exponent))
 
 
 def viscosity_roelands(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], ln(eta/eta_p) = ln(eta_r/eta_p) [(T - 138 K)/(T_r - 138 K)]^-S,
-    ln eta_p = -9.67, Roelands (1966); T in [K].
+    """Dynamic viscosity over temperature, Roelands (1966).
+
+    ln(eta/eta_p) = ln(eta_r/eta_p) [(T - 138 K)/(T_r - 138 K)]^-S, ln eta_p = -9.67.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        constants value_mPa_s, reference_K, slope
+    temperature : float
+        T [K]
+    _density : float
+        plays no part [kg/m^3]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
     """
     rise = log(MPA_S * entry["value_mPa_s"]) + ROELANDS_LOG_OFFSET
     room = entry["reference_K"] - ROELANDS_TEMPERATURE
@@ -191,33 +293,108 @@ def viscosity_roelands(entry: dict[str, Any], temperature: float, _density: floa
 
 
 def viscosity_scaled(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s] of the oil's scaled volume at ambient pressure, T in [K]."""
+    """Dynamic viscosity of the oil's scaled volume at ambient pressure.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil with `tait`, `scaled` and eta_inf_Pa_s
+    temperature : float
+        temperature [K]
+    _density : float
+        plays no part [kg/m^3]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
+    """
     constants = oil_constants(entry, temperature)
     exponent = log_viscosity_scaled(0.0, temperature, constants["tait"], constants["scaled"])
     return float(entry["eta_inf_Pa_s"] * np.exp(exponent))
 
 
 def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], eta_0 exp(a D + b D^2), D = 1/T - 1/T_0, at T [K]."""
+    """Dynamic viscosity eta_0 exp(a D + b D^2), D = 1/T - 1/T_0.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        constants eta_Pa_s, a_K, b_K2, reference_K
+    temperature : float
+        T [K]
+    _density : float
+        plays no part [kg/m^3]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
+    """
     delta = 1.0 / temperature - 1.0 / entry["reference_K"]
     return float(entry["eta_Pa_s"] * exp(entry["a_K"] * delta + entry["b_K2"] * delta**2))
 
 
 def viscosity_walther(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], Walther: c (exp(exp(a - b ln T)) - d), T in [K]."""
+    """Dynamic viscosity after Walther: c (exp(exp(a - b ln T)) - d).
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        constants a, b, c_Pa_s, d
+    temperature : float
+        T [K]
+    _density : float
+        plays no part [kg/m^3]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
+    """
     double = exp(exp(entry["a"] - entry["b"] * log(temperature)))
     return float(entry["c_Pa_s"] * (double - entry["d"]))
 
 
 def viscosity_astm_d341(entry: dict[str, Any], temperature: float, density: float) -> float:
-    """Dynamic viscosity [Pa s], rho nu, log10 log10(nu + 0.7) = A - B log10 T through two
-    kinematic viscosities nu in mm^2/s, ASTM D341; T in [K], rho in [kg/m^3].
+    """Dynamic viscosity rho nu through two kinematic viscosities, ASTM D341.
+
+    log10 log10(nu + 0.7) = A - B log10 T, nu in mm^2/s.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        temperature_K and value_mm2_s of the two points
+    temperature : float
+        T [K]
+    density : float
+        rho [kg/m^3]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
     """
     return MM2_S * density * _d341(entry["temperature_K"], entry["value_mm2_s"], temperature)
 
 
 def viscosity_dynamic_d341(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], form of ASTM D341 through two viscosities in mPa s; T in [K]."""
+    """Dynamic viscosity by the form of ASTM D341 through two viscosities in mPa s.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        temperature_K and value_mPa_s of the two points
+    temperature : float
+        T [K]
+    _density : float
+        plays no part [kg/m^3]
+
+    Returns
+    -------
+    float
+        viscosity [Pa s]
+    """
     return MPA_S * _d341(entry["temperature_K"], entry["value_mPa_s"], temperature)
 
 
@@ -241,12 +418,23 @@ LAWS = {
 
 
 def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
-    """Pressure-viscosity coefficient, d(ln eta)/dp at ambient pressure [1/Pa], of an oil's data at
-    a temperature [K].
+    """Pressure-viscosity coefficient, d(ln eta)/dp at ambient pressure, of an oil's data.
 
     exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T,
     constant beyond its ends; roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), the identity of
     Roelands (1966) at constant z; modulus, scaled volume: by the constants of these laws.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil, `lubricant_data`
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        coefficient [1/Pa]
     """
     data = entry["pressure_viscosity"]
     if data["law"] == "exponent":
@@ -262,10 +450,12 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
     if data["law"] == "hyperbola":
         return float(data["a_1_Pa"] + data["b_K_Pa"] / (temperature - data["c_K"]))
     if data["law"] == "roelands":
-        here, there = (
+        value, reference = (
             log(dynamic_viscosity(entry, t)) for t in (temperature, data["reference_K"])
         )
-        return float(data["value"] * (here + ROELANDS_LOG_OFFSET) / (there + ROELANDS_LOG_OFFSET))
+        return float(
+            data["value"] * (value + ROELANDS_LOG_OFFSET) / (reference + ROELANDS_LOG_OFFSET)
+        )
     coldest, *_, hottest = sorted(zip(data["temperature_K"], data["value"], strict=True))
     if temperature > hottest[0]:
         return float(hottest[1])
@@ -273,10 +463,22 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
 
 
 def oil_density(entry: dict[str, Any], temperature: float) -> float:
-    """Density [kg/m^3] of an oil's data at a temperature [K] and ambient pressure.
+    """Density of an oil's data at ambient pressure.
 
     table: linear in T, continued beyond its ends; expansion: rho_r exp[-e (T - T_r)]; tait: by
     the volume of the oil's Tait law.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil, `lubricant_data`
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        density [kg/m^3]
     """
     data = entry["density"]
     if data["law"] == "tait":

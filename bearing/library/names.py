@@ -12,8 +12,19 @@ SHORT = {"vg": "isovg"}  # beginnings of names that are left short: VG68 is ISO 
 
 @lru_cache(maxsize=4096)
 def plain_name(name: str) -> str:
-    """A name without case, spaces, hyphens and underscores: '7208-B' and '7208 b' are one, so are
-    'VG68' and 'ISO VG 68'.
+    """A name without case, spaces, hyphens and underscores.
+
+    '7208-B' and '7208 b' are one, so are 'VG68' and 'ISO VG 68'.
+
+    Parameters
+    ----------
+    name : str
+        name as it was written
+
+    Returns
+    -------
+    str
+        name for comparisons
     """
     plain = "".join(letter for letter in name.casefold() if letter not in IGNORED)
     for short, full in SHORT.items():
@@ -23,15 +34,42 @@ def plain_name(name: str) -> str:
 
 
 def matching_name(name: str, names: Iterable[str]) -> str | None:
-    """The one of `names` that `name` means: itself, else the first of equal `plain_name`."""
+    """Select the one of several names that a name means: itself, else the first of equal
+    `plain_name`.
+
+    Parameters
+    ----------
+    name : str
+        name as it was written
+    names : Iterable[str]
+        names to select from
+
+    Returns
+    -------
+    str | None
+        the selected name; None if no name matches
+    """
     names = tuple(names)
     if name in names:
         return name
-    return {plain_name(own): own for own in reversed(names)}.get(plain_name(name))
+    return {plain_name(candidate): candidate for candidate in reversed(names)}.get(
+        plain_name(name)
+    )
 
 
 @cache
 def library_data(file: str) -> dict[str, dict[str, Any]]:
-    """Tables of a data file of the library by name."""
+    """Tables of a data file of the library by name.
+
+    Parameters
+    ----------
+    file : str
+        name of the file in `data`
+
+    Returns
+    -------
+    dict[str, dict[str, Any]]
+        the parsed file
+    """
     text = resources.files(__package__).joinpath("data", file).read_text(encoding="utf-8")
     return tomllib.loads(text)

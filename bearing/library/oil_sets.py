@@ -14,8 +14,19 @@ HEAT_DATA = "oil_heat.toml"
 
 
 def oil_constants(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Fields of `ehl.Lubricant` with the constants of an oil's data, at a temperature of operation
-    [K], which constants without one of their own are taken at.
+    """Fields of `ehl.Lubricant` with the constants of an oil's data.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil
+    temperature : float
+        temperature of operation, the reference of constants without one [K]
+
+    Returns
+    -------
+    dict[str, Any]
+        fields by name
     """
     constants: dict[str, Any] = {}
     if "tait" in entry:
@@ -62,7 +73,18 @@ def _tait(data: dict[str, Any]) -> TaitVolume:
 
 
 def heat_under_pressure(entry: dict[str, Any]) -> FittedHeat | VolumeHeat | None:
-    """Law of conductivity and heat capacity of an oil's data; None where it has none."""
+    """Law of conductivity and heat capacity of an oil's data.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil
+
+    Returns
+    -------
+    FittedHeat | VolumeHeat | None
+        the law; None if the oil has none
+    """
     name = entry.get("heat_under_pressure")
     if name is None:
         return None
@@ -92,8 +114,18 @@ def heat_under_pressure(entry: dict[str, Any]) -> FittedHeat | VolumeHeat | None
 
 
 def limiting_coefficient(entry: dict[str, Any]) -> dict[str, Any] | None:
-    """The limiting stress over the pressure [-] of an oil's data, `value`, `source` and where it
-    was not read in a source `verified` false; None where none is known.
+    """Limiting stress over the pressure of an oil's data.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil
+
+    Returns
+    -------
+    dict[str, Any] | None
+        `value` [-], `source` and, if it was not read in a source, `verified` false; None without
+        data
     """
-    known: dict[str, Any] | None = entry.get("limiting_stress_coefficient")
-    return known
+    data: dict[str, Any] | None = entry.get("limiting_stress_coefficient")
+    return data

@@ -40,14 +40,38 @@ class Plugin:
         return f"plug-in {self.name!r} ({words})"
 
     def load(self) -> Any:
-        """The object behind the entry point; PluginError where it cannot be imported."""
+        """The object behind the entry point.
+
+        Raises
+        ------
+        PluginError
+            if it cannot be imported
+        """
         try:
             return self.point.load()
         except (Exception, SystemExit) as error:
             raise PluginError(f"{self}: cannot be loaded: {_words(error)}") from error
 
     def call(self, function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
-        """What a function of the plug-in returns; PluginError with what it raises."""
+        """Result of a function of the plug-in.
+
+        Parameters
+        ----------
+        function : Callable[..., Any]
+            function of the plug-in
+        *arguments, **named : Any
+            passed to the function
+
+        Returns
+        -------
+        Any
+            result of the call
+
+        Raises
+        ------
+        PluginError
+            with the error that the function raises
+        """
         try:
             return function(*arguments, **named)
         except PluginError:
@@ -56,7 +80,18 @@ class Plugin:
             raise PluginError(f"{self}: failed: {_words(error)}") from error
 
     def wrong(self, what: str) -> PluginError:
-        """That the plug-in does not keep to what is asked of it."""
+        """Error that names the plug-in and its fault.
+
+        Parameters
+        ----------
+        what : str
+            fault, as the end of a sentence
+
+        Returns
+        -------
+        PluginError
+            error to raise
+        """
         return PluginError(f"{self}: {what}")
 
 
@@ -66,33 +101,70 @@ def _words(error: BaseException) -> str:
 
 @cache
 def plugins(kind: str) -> tuple[Plugin, ...]:
-    """Plug-ins of one of `KINDS` that are installed, by their names."""
+    """Plug-ins of a kind that are installed, by their names.
+
+    Parameters
+    ----------
+    kind : str
+        one of `KINDS`
+
+    Returns
+    -------
+    tuple[Plugin, ...]
+        plug-ins, sorted by name and distribution
+    """
     from importlib.metadata import entry_points  # 10 ms; 50 ms for the metadata of all there is
 
-    found = []
+    installed = []
     for point in entry_points(group=GROUP + kind):
         owner = point.dist
         distribution = "unknown" if owner is None else f"{owner.name} {owner.version}"
-        found.append(Plugin(kind, point.name, point.value, distribution, point))
-    return tuple(sorted(found, key=lambda plugin: (plugin.name, plugin.distribution)))
+        installed.append(Plugin(kind, point.name, point.value, distribution, point))
+    return tuple(sorted(installed, key=lambda plugin: (plugin.name, plugin.distribution)))
 
 
 def plugin_names(kind: str) -> tuple[str, ...]:
-    """Their names, each once."""
+    """Names of the plug-ins of a kind, each once.
+
+    Parameters
+    ----------
+    kind : str
+        one of `KINDS`
+
+    Returns
+    -------
+    tuple[str, ...]
+        names
+    """
     return tuple(dict.fromkeys(plugin.name for plugin in plugins(kind)))
 
 
 def plugin(kind: str, name: str) -> Plugin | None:
-    """The plug-in of a name, which is matched as those of the libraries; None if there is none.
+    """The plug-in of a name, which is matched as those of the libraries.
 
-    PluginError where several distributions bring one of this name.
+    Parameters
+    ----------
+    kind : str
+        one of `KINDS`
+    name : str
+        name of the plug-in
+
+    Returns
+    -------
+    Plugin | None
+        the plug-in; None if there is none
+
+    Raises
+    ------
+    PluginError
+        if several distributions bring one of this name
     """
     key = matching_name(name, plugin_names(kind))
-    found = [one for one in plugins(kind) if one.name == key]
-    if len(found) > 1:
-        owners = ", ".join(one.distribution for one in found)
+    matches = [one for one in plugins(kind) if one.name == key]
+    if len(matches) > 1:
+        owners = ", ".join(one.distribution for one in matches)
         raise PluginError(f"plug-in {key!r} ({GROUP}{kind}): of several distributions: {owners}")
-    return found[0] if found else None
+    return matches[0] if matches else None
 
 
 def plugin_sources() -> bytes:
@@ -122,17 +194,32 @@ def _sources(plugin: Plugin) -> Iterable[Path]:
 
 @cache
 def plugin_oil(name: str) -> dict[str, Any] | None:
-    """Data of the oil of a plug-in, as a table of `data/lubricants.toml`; None if none has it.
+    """Data of the oil of a plug-in, as a table of `data/lubricants.toml`.
 
     A property may have a law of its own: `law`, a function of the temperature [K] that gives the
     viscosity [Pa s].
+
+    Parameters
+    ----------
+    name : str
+        name of the oil
+
+    Returns
+    -------
+    dict[str, Any] | None
+        data; None if no plug-in has the oil
+
+    Raises
+    ------
+    PluginError
+        if the plug-in gives no dictionary
     """
-    found = plugin(OILS, name)
-    if found is None:
+    entry = plugin(OILS, name)
+    if entry is None:
         return None
-    data = found.load()
+    data = entry.load()
     if callable(data):
-        data = found.call(data)
+        data = entry.call(data)
     if not isinstance(data, dict):
-        raise found.wrong(f"gives {type(data).__name__}, and a dictionary is needed")
+        raise entry.wrong(f"gives {type(data).__name__}, and a dictionary is needed")
     return data

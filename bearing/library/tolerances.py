@@ -47,7 +47,25 @@ def _grade(grade: int, column: int) -> float:
 
 
 def shaft_deviations(name: str, size: float) -> Interval:
-    """Deviations of a shaft [um] by its tolerance (k5) and nominal diameter [mm], ISO 286."""
+    """Deviations of a shaft by its tolerance, ISO 286.
+
+    Parameters
+    ----------
+    name : str
+        tolerance, such as k5
+    size : float
+        nominal diameter [mm]
+
+    Returns
+    -------
+    Interval
+        smallest and largest deviation [um]
+
+    Raises
+    ------
+    ValueError
+        if the tolerance or the size is not in the tables
+    """
     letter, grade = _split(name, SHAFT_LETTERS)
     column = _column(size)
     width = _grade(grade, column)
@@ -64,8 +82,24 @@ def shaft_deviations(name: str, size: float) -> Interval:
 
 
 def housing_deviations(name: str, size: float) -> Interval:
-    """Deviations of a housing bore [um] by its tolerance (H7) and nominal diameter [mm], ISO
-    286.
+    """Deviations of a housing bore by its tolerance, ISO 286.
+
+    Parameters
+    ----------
+    name : str
+        tolerance, such as H7
+    size : float
+        nominal diameter [mm]
+
+    Returns
+    -------
+    Interval
+        smallest and largest deviation [um]
+
+    Raises
+    ------
+    ValueError
+        if the tolerance or the size is not in the tables
     """
     letter, grade = _split(name, HOUSING_LETTERS)
     column = _column(size)
@@ -87,14 +121,38 @@ def housing_deviations(name: str, size: float) -> Interval:
 
 
 def bore_deviations(tolerance_class: str, bore: float) -> Interval:
-    """Deviations of the mean bore [um] of a bearing by its class and bore [mm], ISO 492."""
+    """Deviations of the mean bore of a bearing, ISO 492.
+
+    Parameters
+    ----------
+    tolerance_class : str
+        one of `TOLERANCE_CLASSES`
+    bore : float
+        bore diameter [mm]
+
+    Returns
+    -------
+    Interval
+        smallest and largest deviation [um]
+    """
     table: Any = library_data(DATA)["bearings"]["bore"]
     return float(table[tolerance_class][_column(bore)]), 0.0
 
 
 def outside_deviations(tolerance_class: str, outside_diameter: float) -> Interval:
-    """Deviations of the mean outside diameter [um] of a bearing by its class and outside diameter
-    [mm], ISO 492.
+    """Deviations of the mean outside diameter of a bearing, ISO 492.
+
+    Parameters
+    ----------
+    tolerance_class : str
+        one of `TOLERANCE_CLASSES`
+    outside_diameter : float
+        outside diameter [mm]
+
+    Returns
+    -------
+    Interval
+        smallest and largest deviation [um]
     """
     data: Any = library_data(DATA)["bearings"]
     column = _column(outside_diameter)
@@ -104,18 +162,44 @@ def outside_deviations(tolerance_class: str, outside_diameter: float) -> Interva
 
 
 def inner_interference(shaft: str, tolerance_class: str, bore: float) -> Interval:
-    """Smallest and largest interference of the inner ring [um] on a shaft by its tolerance, bore
-    in [mm]; negative is loose.
+    """Interference of the inner ring on a shaft; negative is loose.
+
+    Parameters
+    ----------
+    shaft : str
+        tolerance of the shaft
+    tolerance_class : str
+        class of the bearing
+    bore : float
+        bore diameter [mm]
+
+    Returns
+    -------
+    Interval
+        smallest and largest interference [um]
     """
     low, high = shaft_deviations(shaft, bore)
-    least, most = bore_deviations(tolerance_class, bore)
-    return low - most, high - least
+    smallest, largest = bore_deviations(tolerance_class, bore)
+    return low - largest, high - smallest
 
 
 def outer_interference(housing: str, tolerance_class: str, outside_diameter: float) -> Interval:
-    """Smallest and largest interference of the outer ring [um] in a housing by its tolerance,
-    outside diameter in [mm]; negative is loose.
+    """Interference of the outer ring in a housing; negative is loose.
+
+    Parameters
+    ----------
+    housing : str
+        tolerance of the housing
+    tolerance_class : str
+        class of the bearing
+    outside_diameter : float
+        outside diameter [mm]
+
+    Returns
+    -------
+    Interval
+        smallest and largest interference [um]
     """
     low, high = housing_deviations(housing, outside_diameter)
-    least, most = outside_deviations(tolerance_class, outside_diameter)
-    return least - high, most - low
+    smallest, largest = outside_deviations(tolerance_class, outside_diameter)
+    return smallest - high, largest - low

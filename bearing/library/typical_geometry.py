@@ -13,7 +13,7 @@ METRIC = (3.5e-3,)  # of thin bearings: 6804 to 6807 [m]
 FEWEST_BALLS = 5
 INNER_CONFORMITY = 0.515  # groove radius over ball diameter, assumed [-]
 OUTER_CONFORMITY = 0.525
-# of the bearings with known ones [-]
+# range of the bearings with published ones [-]
 INNER_CONFORMITY_RANGE = (0.51, 0.525)
 OUTER_CONFORMITY_RANGE = (0.515, 0.53)
 ANGLE_RANGE = 3.0  # around a nominal contact angle, unverified [deg]
@@ -24,15 +24,26 @@ TYPICAL_BALL = 0.30
 # below, the 6322 has 0.83 [-]
 WIDEST_BALL = 0.80
 TYPICAL_FILL = ((0.0, 0.60), (15.0, 0.78), (40.0, 0.86))
-# of such a guess, over the guess: docs/user/libraries.md [-]
+# ranges of such an estimate, over the estimate: docs/user/libraries.md [-]
 TYPICAL_BALL_RANGE = (0.80, 1.15)
 TYPICAL_BALLS_RANGE = 0.2
 TYPICAL_PITCH_RANGE = 0.02
 
 
 def ball_sizes(smallest: float, largest: float) -> tuple[float, ...]:
-    """Standard ball diameters in an interval [m]: steps of 1/64 inch up to 9/32 inch, of 1/32 inch
-    beyond, and 3.5 mm.
+    """Standard ball diameters in an interval.
+
+    Steps of 1/64 inch up to 9/32 inch, of 1/32 inch beyond, and 3.5 mm.
+
+    Parameters
+    ----------
+    smallest, largest : float
+        ends of the interval [m]
+
+    Returns
+    -------
+    tuple[float, ...]
+        diameters, rising [m]
     """
     fine = [i * FINE_STEP for i in range(1, round(FINE_LARGEST / FINE_STEP) + 1)]
     first = round(FINE_LARGEST / COARSE_STEP) + 1
@@ -41,32 +52,76 @@ def ball_sizes(smallest: float, largest: float) -> tuple[float, ...]:
 
 
 def most_balls(ball_diameter: float, pitch_diameter: float) -> int:
-    """Number of balls that fit on the pitch circle without a cage; diameters in [m]."""
+    """Number of balls that fit on the pitch circle without a cage.
+
+    Parameters
+    ----------
+    ball_diameter : float
+        D [m]
+    pitch_diameter : float
+        d_m [m]
+
+    Returns
+    -------
+    int
+        number of balls [-]
+    """
     return floor(pi / asin(ball_diameter / pitch_diameter) + 1e-9)
 
 
 def typical_geometry(
     bore: float, outside_diameter: float, contact_angle: float, width: float | None = None
 ) -> tuple[float, float, int]:
-    """Ball diameter [m], pitch diameter [m] and number of balls [-] from the boundary dimensions
-    [m] and the nominal contact angle [rad] alone: a rough guess.
+    """Ball diameter, pitch diameter and number of balls from the boundary dimensions: a rough
+    guess.
 
     D = 0.30 (D_o - d), or 0.80 of a smaller width, the nearest standard size;
-    Z = fill pi/asin(D/d_m), with the share of the pitch circle that the balls of the catalogue's
+    Z = fill pi/asin(D/d_m), with the part of the pitch circle that the balls of the catalogue's
     bearings fill, linear in the contact angle between deep groove, 15 and 40 degrees.
+
+    Parameters
+    ----------
+    bore, outside_diameter : float
+        boundary dimensions [m]
+    contact_angle : float
+        nominal contact angle [rad]
+    width : float | None, optional
+        width [m]; None: the section alone decides
+
+    Returns
+    -------
+    ball_diameter
+        D [m]
+    pitch_diameter
+        d_m [m]
+    balls
+        Z [-]
     """
-    wanted = TYPICAL_BALL * (outside_diameter - bore)
+    target = TYPICAL_BALL * (outside_diameter - bore)
     if width is not None:
-        wanted = min(wanted, WIDEST_BALL * width)
+        target = min(target, WIDEST_BALL * width)
     pitch = 0.5 * (bore + outside_diameter)
-    sizes = ball_sizes(0.5 * wanted, 1.5 * wanted) or (wanted,)
-    ball = min(sizes, key=lambda size: abs(size - wanted))
+    sizes = ball_sizes(0.5 * target, 1.5 * target) or (target,)
+    ball = min(sizes, key=lambda size: abs(size - target))
     return ball, pitch, typical_number(ball, pitch, contact_angle)
 
 
 def typical_number(ball_diameter: float, pitch_diameter: float, contact_angle: float) -> int:
-    """Number of balls that is typical of their diameter on a pitch circle [m] at a nominal
-    contact angle [rad].
+    """Number of balls that is typical of their diameter on a pitch circle.
+
+    Parameters
+    ----------
+    ball_diameter : float
+        D [m]
+    pitch_diameter : float
+        d_m [m]
+    contact_angle : float
+        nominal contact angle [rad]
+
+    Returns
+    -------
+    int
+        number of balls [-]
     """
     fill = _fill(degrees(contact_angle))
     balls = round(fill * pi / asin(ball_diameter / pitch_diameter))

@@ -4,7 +4,7 @@ twin, of all balls together, is `solve_balls_twin` of tests/reference.
 
 import numpy as np
 
-from ehl.compiled import allocating, compiled
+from ehl.compiled import compiled
 from ehl.oil._elementary_kernels import copy, copy_rows
 
 from ._ball_kernels import balance, pressed_load
@@ -23,7 +23,7 @@ SINGULAR = 1.0e-14  # determinant over squared entries of a matrix at which it c
 STIFFENED = 0.1  # trace of stiffness in place of that of body forces, over forces and length [-]
 
 
-@allocating
+@compiled
 def differentiated(u, V, known, given, values, jacobian):
     """Values (6,) of `balance` of a ball at u and V, (x, r) each [m], and by a complex step their
     derivatives (6, 4) by u_x, u_r, w_x, w_r; returns the sum of forces [N].
@@ -169,7 +169,7 @@ def backtracked(u, V, known, given, step, size, trial):
     return forces
 
 
-@allocating
+@compiled
 def balanced(u, V, known, given, values, jacobian):
     """Balance of a ball begun at u (2,) [m], which it changes with values and derivatives as in
     `differentiated`; returns the sum of forces [N].
@@ -195,7 +195,7 @@ def balanced(u, V, known, given, values, jacobian):
     return size
 
 
-@allocating
+@compiled
 def balanced_balls(u, V, prescribed, given, out):
     """Of all balls, begun at u (2, Z) [m], which it changes, at V (2, Z) [m]: values (6, Z), du/dV
     (2, 2, Z), change of the forces on the ring with V (4, 2, Z), sums of forces and what rounding

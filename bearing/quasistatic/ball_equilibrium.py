@@ -49,17 +49,32 @@ class BallsEquilibrium(NamedTuple):
 
 
 def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsEquilibrium:
-    """Equilibrium of all balls at a given position of the inner ring; its `residual` says how well
-    each ball is in balance.
+    """Equilibrium of all balls at a given position of the inner ring.
 
-    `V` (2, Z): axial and radial distance from the outer to the inner groove's centre of
-    curvature at each ball [m]; `u_start` (2, Z): guess of the ball positions [m].
+    Its `residual` says how well each ball is in balance.
+
+    Parameters
+    ----------
+    V : Array
+        axial and radial distance from the outer to the inner groove's centre of curvature at each
+        ball, shape (2, Z) [m]
+    u_start : Array | None
+        initial guess of the ball positions, shape (2, Z) [m]
+    problem : BallProblem
+        numbers that all balls have in common
+
+    Returns
+    -------
+    BallsEquilibrium
+        positions, forces and their derivatives
     """
     u = np.ascontiguousarray(_start(V, u_start, problem))
     count = u.shape[1]
     shapes = ((6,), (2, 2), (4, 2), (2,))
     out = tuple(np.empty((*shape, count)) for shape in shapes)
-    balanced_balls(u, np.ascontiguousarray(V), _prescribed(problem, count), _given(problem), out)
+    balanced_balls(
+        u, np.ascontiguousarray(V), _prescribed(problem, count), _kernel_arguments(problem), out
+    )
     values, du_dV, ring_dV, (size, rounding) = out
     scale = np.maximum(size, LIGHT_LOAD_RATIO * size.max())
     scale = np.where(scale > 0.0, scale, 1.0)
@@ -69,17 +84,17 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsE
 
 def _prescribed(problem: BallProblem, balls: int) -> Array:
     """Motion and friction of the balls where they are prescribed, (balls, 6), else (balls, 0)."""
-    known = problem.prescribed
-    if known is None:
+    prescribed = problem.prescribed
+    if prescribed is None:
         return np.empty((balls, 0))
-    motion = known.motion
-    frictions = (known.inner_friction, known.outer_friction)
+    motion = prescribed.motion
+    frictions = (prescribed.inner_friction, prescribed.outer_friction)
     columns = (motion.orbit_speed, motion.spin_speed, *motion.attitude, *frictions)
     return np.stack(columns, axis=1)
 
 
-def _given(problem: BallProblem) -> tuple[Any, ...]:
-    """What the kernel takes of a problem."""
+def _kernel_arguments(problem: BallProblem) -> tuple[Any, ...]:
+    """Numbers of a problem for the kernel."""
     return (
         (problem.inner_length, problem.outer_length, problem.inner_groove_radius),
         (problem.ball_diameter, problem.pitch_diameter, problem.mass, problem.nominal_couple),

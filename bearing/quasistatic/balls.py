@@ -40,8 +40,8 @@ from .limits import EDGE_COSINE, FRICTION_LIMIT
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BallProblem:
-    """What all balls of a row share: lengths [m], mass [kg], speeds [rad/s], Hertz stiffness,
-    hypothesis.
+    """Numbers that all balls of a row have in common: lengths [m], mass [kg], speeds [rad/s],
+    Hertz stiffness, hypothesis.
     """
 
     inner_length: float  # r_i - D/2 [m]
@@ -85,7 +85,22 @@ class BallState(NamedTuple):
 def ball_problem(
     bearing: Bearing, inner_speed: float, outer_speed: float, model: QuasistaticModel
 ) -> BallProblem:
-    """Collect what the balls share at given ring speeds [rad/s]."""
+    """Collect the numbers that the balls have in common.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    inner_speed, outer_speed : float
+        speeds of the rings [rad/s]
+    model : QuasistaticModel
+        hypothesis on the kinematics and curvature
+
+    Returns
+    -------
+    BallProblem
+        numbers of a ball, SI
+    """
     d = bearing.ball_diameter
     dm = bearing.pitch_diameter
     mass = ball_mass(d, bearing.ball_material.density)
@@ -110,10 +125,21 @@ def ball_problem(
 
 
 def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
-    """Loads, angles, motion and body forces of balls at given positions.
+    """Loads, angles, motion and body forces of balls.
 
-    `u`, `w` (2, ...): axial and radial distance from the outer groove's centre to the ball and
-    from there to the inner groove's [m].
+    Parameters
+    ----------
+    u : Numbers
+        axial and radial distance from the outer groove's centre to the ball, shape (2, ...) [m]
+    w : Numbers
+        likewise from the ball to the inner groove's centre, shape (2, ...) [m]
+    problem : BallProblem
+        numbers that all balls have in common
+
+    Returns
+    -------
+    BallState
+        state of the balls
     """
     outer_distance = np.sqrt(u[0] * u[0] + u[1] * u[1])
     inner_distance = np.sqrt(w[0] * w[0] + w[1] * w[1])
@@ -133,14 +159,14 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     inner_load = inner_load * _smooth_step(inner.cos, EDGE_COSINE)
     prescribed = problem.prescribed
     if prescribed is None:
-        share, motion = _shared_motion(outer, inner, (inner_load, outer_load), problem)
+        fraction, motion = _shared_motion(outer, inner, (inner_load, outer_load), problem)
     else:
         motion = prescribed.motion
     force = centrifugal_force(problem.mass, problem.pitch_diameter, motion.orbit_speed)
     moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
     if prescribed is None:
-        part = INNER_PART[problem.kinematics] * share
-        friction = [p * moment / problem.ball_diameter for p in (part, 2.0 - part)]
+        coefficient = INNER_PART[problem.kinematics] * fraction
+        friction = [p * moment / problem.ball_diameter for p in (coefficient, 2.0 - coefficient)]
     else:
         none = 0.0 * inner_load
         friction = [prescribed.inner_friction + none, prescribed.outer_friction + none]
@@ -159,22 +185,26 @@ def _shared_motion(
     """
     inner_load, outer_load = loads
     speeds = (problem.inner_speed, problem.outer_speed)
-    alone = attitude(outer, inner, problem.gamma, BallKinematics.OUTER_RACE_CONTROL)
-    parallel = Direction(0.0 * alone.sin, 0.0 * alone.sin + 1.0)
-    beta = blend(parallel, alone, _transmissible_share(outer_load, 2.0, alone, problem))
+    outer_control = attitude(outer, inner, problem.gamma, BallKinematics.OUTER_RACE_CONTROL)
+    parallel = Direction(0.0 * outer_control.sin, 0.0 * outer_control.sin + 1.0)
+    beta = blend(
+        parallel, outer_control, _transmissible_fraction(outer_load, 2.0, outer_control, problem)
+    )
     if problem.kinematics is BallKinematics.OUTER_RACE_CONTROL:
         return np.ones_like(inner_load), rolling_motion(outer, inner, beta, problem.gamma, *speeds)
     chosen = attitude(outer, inner, problem.gamma, problem.kinematics)
-    share = _transmissible_share(inner_load, INNER_PART[problem.kinematics], chosen, problem)
-    return share, rolling_motion(outer, inner, blend(beta, chosen, share), problem.gamma, *speeds)
+    fraction = _transmissible_fraction(inner_load, INNER_PART[problem.kinematics], chosen, problem)
+    return fraction, rolling_motion(
+        outer, inner, blend(beta, chosen, fraction), problem.gamma, *speeds
+    )
 
 
-def _transmissible_share(
-    load: Numbers, part: float, beta: Direction, problem: BallProblem
+def _transmissible_fraction(
+    load: Numbers, coefficient: float, beta: Direction, problem: BallProblem
 ) -> Numbers:
-    """1 where the load [N] transmits the friction `part` Mg/D of an attitude, else less."""
+    """1 where the load [N] transmits the friction `coefficient` Mg/D of an attitude, else less."""
     couple = problem.nominal_couple * beta.sin * np.sign(beta.sin.real)
-    return _smooth_step(FRICTION_LIMIT * load, part * couple / problem.ball_diameter)
+    return _smooth_step(FRICTION_LIMIT * load, coefficient * couple / problem.ball_diameter)
 
 
 def _power(approach: Numbers) -> Numbers:

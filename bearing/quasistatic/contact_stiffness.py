@@ -24,8 +24,24 @@ TERMS = 24
 
 @lru_cache(maxsize=256)
 def stiffness_series(bearing: Bearing, race: Race, curvature: Curvature) -> Array:
-    """Chebyshev coefficients in 2 c - 1 of ln K and of its slope d(ln K)/dc over c = cos(contact
-    angle) in [0, 1], shape (TERMS, 2) [-]; K in [N/m^1.5], with FREE that at the free angle.
+    """Chebyshev coefficients of ln K and of its slope over the cosine of the contact angle.
+
+    In 2 c - 1 over c in [0, 1]; second column d(ln K)/dc. K in N/m^1.5; with FREE that at the free
+    angle.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    race : Race
+        raceway in contact
+    curvature : Curvature
+        contact angle at which the curvature is taken
+
+    Returns
+    -------
+    Array
+        coefficients, shape (TERMS, 2) [-]
     """
     modulus = contact_modulus(bearing, race)
 
@@ -44,12 +60,25 @@ def stiffness_series(bearing: Bearing, race: Race, curvature: Curvature) -> Arra
 
 
 def stiffness_at(series: Array, cosine: Numbers) -> Numbers:
-    """K [N/m^1.5] at cosines of contact angles [-], real or under a complex step, by a
-    `stiffness_series` [-]; continued linearly beyond a right angle.
+    """K at cosines of contact angles, real or under a complex step.
+
+    Continued linearly beyond a right angle.
+
+    Parameters
+    ----------
+    series : Array
+        coefficients of `stiffness_series` [-]
+    cosine : Numbers
+        cosines of contact angles [-]
+
+    Returns
+    -------
+    Numbers
+        K, in the shape of the cosines [N/m^1.5]
     """
     c = np.clip(cosine.real, 0.0, 1.0)
     # the same for all directions of a complex step, along the first axis
-    own = c[:1] if np.iscomplexobj(cosine) and c.ndim > 1 else c
-    polynomials = np.cos(np.arange(TERMS) * np.arccos(2.0 * own - 1.0)[..., None])
+    distinct = c[:1] if np.iscomplexobj(cosine) and c.ndim > 1 else c
+    polynomials = np.cos(np.arange(TERMS) * np.arccos(2.0 * distinct - 1.0)[..., None])
     both = polynomials @ series
     return np.exp(both[..., 0]) * (1.0 + both[..., 1] * (cosine - c))

@@ -52,8 +52,23 @@ def solve_between_elastic_rings(
 ) -> BetweenRings:
     """Balls and yielding rings in equilibrium at one position of the inner ring.
 
-    `rigid` (2, N): distances of the grooves' centres of rigid rings [m]; `start`: ball positions,
-    or None, and distances to begin with, shape (2, N) [m]; `movement` (2, 5, N): d(rigid)/dq [-].
+    Parameters
+    ----------
+    rigid : Array
+        distances of the grooves' centres of rigid rings, shape (2, N) [m]
+    start : tuple[Array | None, Array]
+        ball positions, or None, and distances to begin with, shape (2, N) [m]
+    movement : Array
+        d(rigid)/dq, shape (2, 5, N) [-]
+    problem : BallProblem
+        numbers that all balls have in common
+    compliance : RingCompliance
+        compliance of the rings
+
+    Returns
+    -------
+    BetweenRings
+        balls, distances and their derivatives
     """
     target = ROUND_OFF * (problem.inner_length + problem.outer_length)
     trial = _trial(start[1], start[0], rigid, problem, compliance)
@@ -80,11 +95,13 @@ def solve_between_elastic_rings(
     stiffness = np.abs(trial.balls.ring_dV[:2]).max() / max(force, 1e-300)
     tangent = _tangent(trial, compliance)
     columns = movement.transpose(0, 2, 1).reshape(-1, movement.shape[1])
-    moved = np.asarray(np.linalg.solve(tangent, columns))
-    moved = moved.reshape(2, -1, movement.shape[1]).transpose(0, 2, 1)
+    elastic = np.asarray(np.linalg.solve(tangent, columns))
+    elastic = elastic.reshape(2, -1, movement.shape[1]).transpose(0, 2, 1)
     residual = float(np.abs(trial.miss).max() * stiffness) if force > 0.0 else 0.0
     noise = float(target * stiffness) if force > 0.0 else 0.0
-    return BetweenRings(trial.balls, trial.V, np.asarray(moved, dtype=np.float64), residual, noise)
+    return BetweenRings(
+        trial.balls, trial.V, np.asarray(elastic, dtype=np.float64), residual, noise
+    )
 
 
 def _trial(

@@ -66,7 +66,18 @@ class PrescribedBalls:
 
 
 def direction(sin: Numbers, cos: Numbers) -> Direction:
-    """Normalise a pair of components [any unit] to a direction [-]."""
+    """Normalise a pair of components to a direction.
+
+    Parameters
+    ----------
+    sin, cos : Numbers
+        components, of equal shape [any unit]
+
+    Returns
+    -------
+    Direction
+        direction [-]
+    """
     length = np.sqrt(sin * sin + cos * cos)
     return Direction(sin / length, cos / length)
 
@@ -76,7 +87,19 @@ def attitude(
 ) -> Direction:
     """Attitude of a ball's spin under a hypothesis, Jones (1960), Harris and Kotzalas.
 
-    `outer`, `inner`: contact angles [-]; `gamma`: D/d_m [-].
+    Parameters
+    ----------
+    outer, inner : Direction
+        contact angles [-]
+    gamma : float
+        D/d_m [-]
+    kinematics : BallKinematics
+        hypothesis
+
+    Returns
+    -------
+    Direction
+        direction of the spin axis [-]
     """
     if kinematics is BallKinematics.OUTER_RACE_CONTROL:
         return direction(outer.sin, outer.cos + gamma)
@@ -85,10 +108,23 @@ def attitude(
     return direction(outer.sin + inner.sin, outer.cos + inner.cos)
 
 
-def blend(start: Direction, end: Direction, share: Numbers) -> Direction:
-    """Direction a part `share` [-] of the way from one to another [-]."""
-    sine = start.sin + share * (end.sin - start.sin)
-    return direction(sine, start.cos + share * (end.cos - start.cos))
+def blend(start: Direction, end: Direction, fraction: Numbers) -> Direction:
+    """Direction between two others.
+
+    Parameters
+    ----------
+    start, end : Direction
+        directions at 0 and 1 [-]
+    fraction : Numbers
+        fraction of the way from `start` to `end` [-]
+
+    Returns
+    -------
+    Direction
+        direction [-]
+    """
+    sine = start.sin + fraction * (end.sin - start.sin)
+    return direction(sine, start.cos + fraction * (end.cos - start.cos))
 
 
 def rolling_motion(
@@ -99,8 +135,23 @@ def rolling_motion(
     inner_speed: float,
     outer_speed: float,
 ) -> Motion:
-    """Orbit and spin [rad/s] of a ball that slides at neither contact centre, from contact angles,
-    attitude and D/d_m [-] and the speeds of the rings [rad/s].
+    """Orbit and spin of a ball that slides at neither contact centre.
+
+    Parameters
+    ----------
+    outer, inner : Direction
+        contact angles [-]
+    beta : Direction
+        attitude of the spin [-]
+    gamma : float
+        D/d_m [-]
+    inner_speed, outer_speed : float
+        speeds of the rings [rad/s]
+
+    Returns
+    -------
+    Motion
+        motion [rad/s]
     """
     radius_outer = 1.0 + gamma * outer.cos
     radius_inner = 1.0 - gamma * inner.cos
@@ -120,18 +171,59 @@ INNER_PART = {
 
 
 def ball_mass(ball_diameter: float, density: float) -> float:
-    """Mass of a ball [kg], rho pi D^3/6, from its diameter [m] and density [kg/m^3]."""
+    """Mass of a ball, rho pi D^3/6.
+
+    Parameters
+    ----------
+    ball_diameter : float
+        D [m]
+    density : float
+        rho [kg/m^3]
+
+    Returns
+    -------
+    float
+        mass [kg]
+    """
     return density * np.pi / 6.0 * ball_diameter**3
 
 
 def centrifugal_force(mass: float, pitch_diameter: float, orbit_speed: Numbers) -> Numbers:
-    """Centrifugal force of a ball [N], m d_m w_m^2/2; [kg], [m], [rad/s]."""
+    """Centrifugal force of a ball, m d_m w_m^2/2.
+
+    Parameters
+    ----------
+    mass : float
+        m [kg]
+    pitch_diameter : float
+        d_m [m]
+    orbit_speed : Numbers
+        w_m [rad/s]
+
+    Returns
+    -------
+    Numbers
+        force [N]
+    """
     return 0.5 * mass * pitch_diameter * orbit_speed * orbit_speed
 
 
 def gyroscopic_moment(mass: float, ball_diameter: float, motion: Motion) -> Numbers:
-    """Couple Mg that the races must exert on a ball about e_t [N m], J w_m w_R sin(beta) with
-    J = m D^2/10; [kg], [m], [rad/s].
+    """Couple Mg that the races must exert on a ball about e_t, J w_m w_R sin(beta), J = m D^2/10.
+
+    Parameters
+    ----------
+    mass : float
+        m [kg]
+    ball_diameter : float
+        D [m]
+    motion : Motion
+        orbit and spin of the ball
+
+    Returns
+    -------
+    Numbers
+        Mg [N m]
     """
     inertia = 0.1 * mass * ball_diameter**2
     return inertia * motion.orbit_speed * motion.spin_speed * motion.attitude.sin

@@ -25,12 +25,12 @@ from .elastic_balls import BetweenRings, solve_between_elastic_rings
 from .limits import ROUND_OFF
 from .thrust import thrust_position
 
-# What follows, and the constants of `ball_equilibrium`, were measured on 60 random bearings at 0.3
+# The next constants, and those of `ball_equilibrium`, were measured on 60 random bearings at 0.3
 # to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
 # largest, and the number of steps, 268, between 264 and 284.
 RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
 RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
-# of the tangent, relative to its largest entry: a ring that nothing holds must not fly [-]
+# regularisation of the tangent, relative to its largest entry, for a ring without stiffness [-]
 REGULARISATION = 1.0e-12
 SOFTEST = 1.0e-6  # stiffness of the ring over that of a contact below which it counts as none [-]
 # radial over axial load below which the search starts from the thrust alone [-]
@@ -46,7 +46,7 @@ MAX_STALLED_STEPS = 30  # without a new best residual
 
 
 class Ring(NamedTuple):
-    """What is prescribed, and the geometry between the ring and its balls; forces and lengths
+    """Prescribed loads, and the geometry between the ring and its balls; forces and lengths
     only.
     """
 
@@ -65,8 +65,17 @@ class Ring(NamedTuple):
     compliance: RingCompliance | None  # of elastic rings
 
     def position(self, q: Array) -> Array:
-        """Distances (x, r) from outer to inner groove centres, shape (2, Z) [m], at ring position
-        `q` [m].
+        """Distances (x, r) from outer to inner groove centres at a ring position.
+
+        Parameters
+        ----------
+        q : Array
+            position of the ring, tilts times R_i, shape (5,) [m]
+
+        Returns
+        -------
+        Array
+            distances V, shape (2, Z) [m]
         """
         V: Array = np.einsum("vqz,q->vz", self.movement, q)
         V[0] += self.offset
@@ -74,8 +83,19 @@ class Ring(NamedTuple):
         return V
 
     def loads(self, equilibrium: BallsEquilibrium, balls: int) -> Array:
-        """Load of the balls on the ring by rows of `balls` balls, shape (rows, 5) [N],
-        moments over R_i.
+        """Load of the balls on the ring by rows, moments over R_i.
+
+        Parameters
+        ----------
+        equilibrium : BallsEquilibrium
+            balls at the ring's position
+        balls : int
+            number of balls a row [-]
+
+        Returns
+        -------
+        Array
+            loads, shape (rows, 5) [N]
         """
         each = np.einsum("qfz,fz->qz", self.gather, equilibrium.values[2:5])
         return each.reshape(5, -1, balls).sum(axis=2).T
@@ -100,8 +120,10 @@ class RingPoint(NamedTuple):
 
 
 class RingStart(NamedTuple):
-    """Where to begin: ring position q (5,), ball positions u (2, Z), None for a guess, and
-    distances of the grooves' centres V (2, Z), None for those of rigid rings [m].
+    """Initial positions of ring and balls.
+
+    Ring position q (5,), ball positions u (2, Z), None for a guess, and distances of the grooves'
+    centres V (2, Z), None for those of rigid rings [m].
     """
 
     q: Array
@@ -115,8 +137,23 @@ def ring_of(
     rows: Sequence[Row] = SINGLE,
     rings: ElasticRings | None = None,
 ) -> Ring:
-    """Assemble what `solve_ring` needs from a bearing, its operation, rows and elastic rings (SI:
-    [m], [N], [rad]).
+    """Assemble the numbers that `solve_ring` needs, SI.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        loads and displacements of the inner ring
+    rows : Sequence[Row], default SINGLE
+        rows of balls on the inner ring
+    rings : ElasticRings | None, optional
+        rings that are elastic bodies
+
+    Returns
+    -------
+    Ring
+        loads, geometry and compliance
     """
     radius = bearing.inner_centre_radius
     scale = np.array([1.0, 1.0, 1.0, radius, radius])
@@ -132,20 +169,35 @@ def ring_of(
     distance = bearing.curvature_centre_distance
     facing = distance - 0.5 * bearing.diametral_clearance
     offset = per_ball(bearing, [row.offset for row in rows])
-    place = (distance, facing, bearing.free_axial_position, offset, movement, gather)
+    geometry = (distance, facing, bearing.free_axial_position, offset, movement, gather)
     compliance = None
     if rings is not None:
         compliance = ring_compliance(rings, row_azimuths(bearing, rows), bearing.balls)
-    return Ring(free, load, prescribed, scale, *place, np.zeros((len(rows), 5)), compliance)
+    return Ring(free, load, prescribed, scale, *geometry, np.zeros((len(rows), 5)), compliance)
 
 
 def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tuple[RingPoint, int]:
-    """Newton's method on the free degrees of freedom of the ring, every ball in equilibrium at
-    every step; the best point, and the number of steps [-].
+    """Newton's method on the free degrees of freedom of the ring.
 
-    A step is accepted when the residual falls, or when the unbalanced force still points along it;
-    it is shortened when the force has turned against it (the minimum of the energy has been
-    passed). `start`: None makes a guess from the loads.
+    Every ball is in equilibrium at every step. A step is accepted when the residual falls, or when
+    the unbalanced force still points along it; it is shortened when the force has turned against
+    it (the minimum of the energy has been passed).
+
+    Parameters
+    ----------
+    ring : Ring
+        loads and geometry of the ring
+    problem : BallProblem
+        numbers that all balls have in common
+    start : RingStart | None
+        position to begin with; None: a guess from the loads
+
+    Returns
+    -------
+    point
+        best point of the iterations
+    iterations
+        number of steps [-]
     """
     q = _guess(ring, problem) if start is None else start.q
     point = _point(q, start, ring, problem)
@@ -158,13 +210,13 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
         # 2. Newton step, shortened by a line search
         point = _search(point, _step(point, ring, problem), ring, problem)
         # 3. no more progress: round-off, a ball without equilibrium, or too many steps in vain
-        lost = bool(point.balls.residual.max() > max(RESIDUAL_TOLERANCE, point.noise))
+        unbalanced = bool(point.balls.residual.max() > max(RESIDUAL_TOLERANCE, point.noise))
         stalled = point.residual >= 0.5 * best.residual
         if point.residual < best.residual:
             best = point
             improved_at = iteration
-        enough = stalled and best.residual <= max(RESIDUAL_TOLERANCE, best.noise)
-        if enough or lost or iteration - improved_at >= MAX_STALLED_STEPS:
+        accurate = stalled and best.residual <= max(RESIDUAL_TOLERANCE, best.noise)
+        if accurate or unbalanced or iteration - improved_at >= MAX_STALLED_STEPS:
             break
     return best, iteration + 1
 
@@ -262,8 +314,10 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
     if axial != 0.0 and radial < MAX_THRUST_LOAD_RATIO * abs(axial) and ring.free[0]:
         beyond = ring.free_axial + ring.distance
         each = abs(axial) / balls
-        place = thrust_position(each, ring.distance, ring.facing, lambda _: compliance) or beyond
-        q[0] = np.sign(axial) * min(place, beyond) - offset
+        position = (
+            thrust_position(each, ring.distance, ring.facing, lambda _: compliance) or beyond
+        )
+        q[0] = np.sign(axial) * min(position, beyond) - offset
     elif radial > 0.0 and (ring.free[1] or ring.free[2]):
         length = ring.distance + compliance * (5.0 * hypot(axial, radial) / balls) ** (2.0 / 3.0)
         angle = min(atan2(abs(axial), radial), asin(min(1.0, ring.free_axial / ring.distance)))

@@ -13,8 +13,21 @@ from .solution import QuasistaticSolution
 
 
 def ring_displacements(state: QuasistaticSolution, race: Race) -> tuple[RingField, ...]:
-    """Displacement of the ring of each row, the middle of its groove at x = 0; empty, if it is no
-    elastic body. Without the movement of the ring as a whole.
+    """Displacement of the ring of each row, the middle of its groove at x = 0.
+
+    Without the movement of the ring as a whole.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    tuple[RingField, ...]
+        field of each row [m]; empty if the ring is no elastic body
     """
     rings = state.model.rings
     ring = None if rings is None else getattr(rings, race.value)
@@ -26,10 +39,10 @@ def ring_displacements(state: QuasistaticSolution, race: Race) -> tuple[RingFiel
     rows = [slice(first, first + balls) for first in range(0, state.azimuth.size, balls)]
     if not ring.supports:
         return tuple(ring_field(response, state.azimuth[row], loads[:, row]) for row in rows)
-    pressed, moved = seat_reactions(state, race)
+    pressed, movements = seat_reactions(state, race)
     outward = pressed if race is Race.INNER else -pressed
     fields = []
-    for row, force, move in zip(rows, outward, moved, strict=True):
+    for row, force, move in zip(rows, outward, movements, strict=True):
         turns = np.concatenate([state.azimuth[row], ring.supports])
         both = np.zeros((4, turns.size))
         both[:3, :balls] = loads[:, row]
@@ -40,8 +53,21 @@ def ring_displacements(state: QuasistaticSolution, race: Race) -> tuple[RingFiel
 
 
 def seat_reactions(state: QuasistaticSolution, race: Race) -> tuple[Array, Array]:
-    """Forces of the places of a split seat on the ring of each row, shape (rows, places) [N], and
-    the movement of that ring as a whole (y, z), shape (rows, 2) [m]; no rows for other seats.
+    """Forces of the supports of a split seat on the ring of each row, and its movement as a whole.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    pressed
+        forces, shape (rows, supports); no rows for other seats [N]
+    moved
+        movement (y, z), shape (rows, 2) [m]
     """
     rings = state.model.rings
     ring = None if rings is None else getattr(rings, race.value)
@@ -50,12 +76,25 @@ def seat_reactions(state: QuasistaticSolution, race: Race) -> tuple[Array, Array
     angle = state.inner_contact_angle if race is Race.INNER else state.outer_contact_angle
     directions = np.stack([np.sin(angle), np.cos(angle)])
     groove = getattr(ring_compliance(rings, state.azimuth, state.bearing.balls), race.value)
-    pressed, moved = groove.reactions(ball_forces(state, race), directions)
-    return pressed.reshape(-1, len(ring.supports)), moved
+    pressed, movements = groove.reactions(ball_forces(state, race), directions)
+    return pressed.reshape(-1, len(ring.supports)), movements
 
 
 def ball_forces(state: QuasistaticSolution, race: Race) -> Array:
-    """Forces of the balls on a ring (x, r), shape (2, N) [N]."""
+    """Forces of the balls on a ring.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    Array
+        forces (x, r), shape (2, N) [N]
+    """
     s, c = np.sin(state.inner_contact_angle), np.cos(state.inner_contact_angle)
     axial = state.inner_load * s + state.inner_friction * c
     radial = state.inner_load * c - state.inner_friction * s

@@ -20,7 +20,7 @@ class QuasistaticSolution:
     bearing: Bearing
     operation: Operation
     model: QuasistaticModel
-    # of the inner ring, from facing, concentric grooves
+    # inner ring, from facing, concentric grooves
     displacement: Array  # (3,) [m]
     tilt: Array  # (2,) [rad]
     # external load that holds the inner ring
@@ -31,7 +31,7 @@ class QuasistaticSolution:
     azimuth: Array  # [rad]
     inner_load: Array  # [N]
     outer_load: Array  # [N]
-    # where the inner contact is unloaded, the direction towards the inner groove's centre
+    # for an unloaded inner contact, the direction towards the inner groove's centre
     inner_contact_angle: Array  # [rad]
     outer_contact_angle: Array  # [rad]
     # position of the ball centres: a single row counts from the middle of its outer groove, rows
@@ -52,11 +52,11 @@ class QuasistaticSolution:
     inner_ring_radial: Array  # [m]
     outer_ring_axial: Array  # [m]
     outer_ring_radial: Array  # [m]
-    # of the races on the ball across the rolling direction, positive as those that hold a positive
-    # gyroscopic couple
+    # force of the races on the ball across the rolling direction, positive as those that balance a
+    # positive gyroscopic couple
     inner_friction: Array  # [N]
     outer_friction: Array  # [N]
-    # of the ball on the inner ring along the tangent of the orbit; zero under a hypothesis
+    # force of the ball on the inner ring along the tangent of the orbit; zero under a hypothesis
     inner_drive: Array  # [N]
     # in traction equilibrium: loaded at the inner race, which cannot drive it, so the cage does
     cage_driven: NDArray[np.bool_]
@@ -75,11 +75,20 @@ class QuasistaticSolution:
         return np.repeat(np.arange(len(self.rows)), self.bearing.balls)
 
     def row(self, index: int) -> "QuasistaticSolution":
-        """One row alone, index from 0: its balls, what it holds of the load, its own cage speed
-        [rad/s].
+        """One row alone, with its balls, its fraction of the load and its own cage speed.
+
+        Parameters
+        ----------
+        index : int
+            number of the row, from 0 [-]
+
+        Returns
+        -------
+        QuasistaticSolution
+            solution of this row
         """
-        part = slice(index * self.bearing.balls, (index + 1) * self.bearing.balls)
-        arrays = {name: getattr(self, name)[part] for name in BALL_ARRAYS}
+        balls = slice(index * self.bearing.balls, (index + 1) * self.bearing.balls)
+        arrays = {name: getattr(self, name)[balls] for name in BALL_ARRAYS}
         return replace(
             self,
             **arrays,

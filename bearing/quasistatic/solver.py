@@ -42,15 +42,36 @@ def solve_quasistatic(
 ) -> QuasistaticSolution:
     """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas; SI.
 
-    `model`: with one of the hypotheses on the balls' kinematics; `initial_guess`: a converged
-    solution of the same bearing at speeds and loads nearby, from where the search begins; `rows`:
-    of balls on the one inner ring. With `converged` False and a `message` where there is no
-    equilibrium or none was found.
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds, loads and displacements
+    model : QuasistaticModel | None, optional
+        assumptions, with one of the hypotheses on the balls' kinematics
+    initial_guess : QuasistaticSolution | None, optional
+        a converged solution of the same bearing at similar speeds and loads
+    rows : Sequence[Row], default SINGLE
+        rows of balls on the one inner ring
+
+    Returns
+    -------
+    QuasistaticSolution
+        equilibrium; with `converged` False and a `message` if there is none or the search failed
 
     Raises
     ------
     ValueError
-        For traction equilibrium, which `friction.equilibrium.solve_traction_equilibrium` solves.
+        for traction equilibrium, which `friction.equilibrium.solve_traction_equilibrium` solves
+
+    Examples
+    --------
+    >>> from bearing import Operation, load_bearing, solve_quasistatic
+    >>> operation = Operation(inner_speed=300.0, force=(0.0, 1000.0, 0.0))
+    >>> solution = solve_quasistatic(load_bearing("6208"), operation)
+    >>> solution.converged, f"{solution.inner_load.max():.0f} N"
+    (True, '555 N')
     """
     model = model or QuasistaticModel()
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
@@ -84,10 +105,28 @@ def solve_with_prescribed_balls(
     start: QuasistaticSolution,
     prescribed: PrescribedBalls,
 ) -> QuasistaticSolution:
-    """Equilibrium with the speeds [rad/s] of the balls and the friction [N] on them prescribed.
+    """Equilibrium with the speeds of the balls and the friction on them prescribed.
 
-    The search begins at `start`, at whose inner contacts [rad] the friction along the orbit acts;
+    The search begins at `start`, at whose inner contacts the friction along the orbit acts;
     otherwise as `solve_quasistatic`.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds, loads and displacements
+    model : QuasistaticModel
+        assumptions of the model
+    start : QuasistaticSolution
+        solution to begin with
+    prescribed : PrescribedBalls
+        speeds [rad/s] and friction [N] of the balls
+
+    Returns
+    -------
+    QuasistaticSolution
+        equilibrium, or `converged` False with a `message`
     """
     inputs = (bearing, operation, model, start.rows)
     ring = ring_of(bearing, operation, start.rows, model.rings)
@@ -141,7 +180,7 @@ def _convergence(
     state: BallState,
     iterations: int,
 ) -> tuple[bool, str]:
-    """Whether the point is an equilibrium, and a message: why not, or what is undetermined."""
+    """Convergence of the point, and a message with the fault or the undetermined directions."""
     loaded = state.inner_load > 0.0
     beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
     if beyond.any():
@@ -165,14 +204,14 @@ def _convergence(
 
 
 def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState) -> str:
-    """What most likely keeps balls and ring from a balance, and what to change."""
+    """Most likely reason why balls and ring have no balance, and what to change."""
     if _too_wide(bearing, problem, state):
         return "contact ellipses came out wider than the ball, take smaller loads or speeds"
     forces = state.inner_load.size * problem.nominal_force
-    share = float(np.linalg.norm(ring.load[:3])) / max(forces, 1e-300)
-    if problem.nominal_force > 0.0 and share < LIGHT_LOAD_RATIO and ring.free[0]:
+    ratio = float(np.linalg.norm(ring.load[:3])) / max(forces, 1e-300)
+    if problem.nominal_force > 0.0 and ratio < LIGHT_LOAD_RATIO and ring.free[0]:
         return (
-            f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to hold "
+            f"the loads are {ratio:.2g} of the centrifugal forces of the balls, too light to hold "
             "them in the grooves under this hypothesis: take more thrust or less speed"
         )
     if problem.inner_speed * problem.outer_speed < 0.0:
@@ -184,7 +223,7 @@ def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState
 
 
 def _too_wide(bearing: Bearing, problem: BallProblem, state: BallState) -> bool:
-    """Whether a contact ellipse is wider than the ball, where Hertz' theory is void.
+    """Check for a contact ellipse that is wider than the ball, where Hertz' theory is void.
 
     Over the semi-axis b the gap rises by b^2/(2 Ry), which is less than the approach (Q/K)^(2/3):
     most fit by that.
@@ -216,8 +255,8 @@ def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
     null = vectors[values < SINGULAR_RATIO * values[0]]
     return [
         DEGREES_OF_FREEDOM[k]
-        for k, part in zip(indices, np.abs(null).T, strict=True)
-        if (part > 0.1).any()
+        for k, components in zip(indices, np.abs(null).T, strict=True)
+        if (components > 0.1).any()
     ]
 
 
@@ -250,7 +289,7 @@ def _solution(
         azimuth=row_azimuths(bearing, rows),
         **_ball_arrays(state),
         **_ring_arrays(ring, point),
-        ball_axial=balls.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
+        ball_axial=balls.u[0] + per_ball(bearing, [row.outer_plane for row in rows]),
         ball_radial=bearing.outer_centre_radius + balls.u[1],
         pivot_speed=none if prescribed is None else prescribed.pivot_speed,
         inner_drive=none if prescribed is None else prescribed.inner_drive,

@@ -25,65 +25,104 @@ from .solver import _solution
 SAME_PLACE = 1.0e-9  # of azimuths [rad]
 
 
-class AlikeBalls(NamedTuple):
+class BallClasses(NamedTuple):
     """Balls that are solved, and which of them each ball is like."""
 
     solved: NDArray[np.int64]  # their numbers, shape (n,)
-    like: NDArray[np.int64]  # place in `solved`, shape (Z,)
+    class_of: NDArray[np.int64]  # place in `solved`, shape (Z,)
 
 
-def alike(bearing: Bearing, load: Array) -> AlikeBalls:
-    """Balls that differ under a load of the inner ring, shape (5,) [N], [N m]: all alike without
-    one across the axis; else mirror images about the load line.
+def ball_classes(bearing: Bearing, load: Array) -> BallClasses:
+    """Balls that differ under a load of the inner ring.
+
+    All are equal without a load across the axis; else mirror images about the load line.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    load : Array
+        load of the inner ring, shape (5,) [N], [N m]
+
+    Returns
+    -------
+    AlikeBalls
+        balls to solve, and the one that each ball equals
     """
     count = bearing.balls
     if not np.any(load[1:]):
-        return AlikeBalls(np.zeros(1, dtype=np.int64), np.zeros(count, dtype=np.int64))
+        return BallClasses(np.zeros(1, dtype=np.int64), np.zeros(count, dtype=np.int64))
     if np.any(load[3:]):
-        return AlikeBalls(np.arange(count), np.arange(count))
+        return BallClasses(np.arange(count), np.arange(count))
     from_line = bearing.azimuths - np.arctan2(load[2], load[1])
     away = np.abs((from_line + np.pi) % (2.0 * np.pi) - np.pi)
     kinds = np.round(away / SAME_PLACE).astype(np.int64)
-    _, solved, like = np.unique(kinds, return_index=True, return_inverse=True)
-    return AlikeBalls(solved, like)
+    _, solved, class_of = np.unique(kinds, return_index=True, return_inverse=True)
+    return BallClasses(solved, class_of)
 
 
 def solve_symmetric(bearing: Bearing, operation: Operation) -> QuasistaticSolution | None:
-    """Equilibrium under speeds [rad/s] and loads [N], [N m] by the balls that differ; None where
-    that is none for all balls.
+    """Equilibrium under speeds and loads by the balls that differ.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+
+    Returns
+    -------
+    QuasistaticSolution | None
+        equilibrium; None if that of the different balls is none for all balls
     """
     model = QuasistaticModel()
     ring = ring_of(bearing, operation)
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
-    balls = alike(bearing, ring.load)
-    few = _few(ring, balls)
-    start = RingStart(_static_place(few, problem), None)
-    point, iterations = solve_ring(few, problem, start)
-    everywhere = RingStart(point.q, point.balls.u[:, balls.like])
-    whole = _point(point.q, everywhere, ring, problem)
-    if whole.residual > max(RESIDUAL_TOLERANCE, whole.noise):
+    balls = ball_classes(bearing, ring.load)
+    reduced = _reduced_ring(ring, balls)
+    start = RingStart(_static_position(reduced, problem), None)
+    point, iterations = solve_ring(reduced, problem, start)
+    everywhere = RingStart(point.q, point.balls.u[:, balls.class_of])
+    full = _point(point.q, everywhere, ring, problem)
+    if full.residual > max(RESIDUAL_TOLERANCE, full.noise):
         return None
-    return _solution((bearing, operation, model, SINGLE), ring, problem, whole, iterations)
+    return _solution((bearing, operation, model, SINGLE), ring, problem, full, iterations)
 
 
 def unknowns(bearing: Bearing, operation: Operation) -> tuple[int, int]:
-    """Unknowns of `solve_symmetric` in its static and its quasi-static stage [-]."""
+    """Unknowns of `solve_symmetric`.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+
+    Returns
+    -------
+    static
+        in the static stage [-]
+    quasi_static
+        in the quasi-static stage [-]
+    """
     ring = ring_of(bearing, operation)
-    balls = alike(bearing, ring.load)
-    free = int(_few(ring, balls).free.sum())
+    balls = ball_classes(bearing, ring.load)
+    free = int(_reduced_ring(ring, balls).free.sum())
     return free, free + 2 * balls.solved.size
 
 
-def _few(ring: Ring, balls: AlikeBalls) -> Ring:
+def _reduced_ring(ring: Ring, balls: BallClasses) -> Ring:
     """The ring on the balls that are solved, each of which counts for those like it."""
-    times = np.bincount(balls.like)
+    times = np.bincount(balls.class_of)
     load = ring.load
     free = ring.free.copy()
     if balls.solved.size == 1:  # its part of the thrust, for a first guess of the right size
         times = np.ones(1, dtype=np.int64)
-        load = ring.load / balls.like.size
+        load = ring.load / balls.class_of.size
         free[1:] = False
-    elif balls.solved.size < balls.like.size and load[2] == 0.0:
+    elif balls.solved.size < balls.class_of.size and load[2] == 0.0:
         free[2] = False
     return ring._replace(
         free=free,
@@ -94,7 +133,7 @@ def _few(ring: Ring, balls: AlikeBalls) -> Ring:
     )
 
 
-def _static_place(ring: Ring, problem: BallProblem) -> Array:
+def _static_position(ring: Ring, problem: BallProblem) -> Array:
     """Ring position at which balls that stand still carry its load [m]; a guess by formula where
     no such is found.
     """
@@ -118,8 +157,8 @@ def _static_place(ring: Ring, problem: BallProblem) -> Array:
         total = np.einsum("qfz,fz->q", ring.gather, forces) + ring.load
         return np.asarray(total[free] / largest)
 
-    found = root(unbalance, guess[free] / ring.distance)
-    place = guess.copy()
-    if found.success:
-        place[free] = found.x * ring.distance
-    return place
+    result = root(unbalance, guess[free] / ring.distance)
+    position = guess.copy()
+    if result.success:
+        position[free] = result.x * ring.distance
+    return position

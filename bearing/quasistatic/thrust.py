@@ -22,12 +22,24 @@ X_RTOL = 4.0 * 2.0**-52  # the least that `brentq` takes [-]
 def thrust_position(
     thrust: float, distance: float, facing: float, compliance: Callable[[float], float]
 ) -> float | None:
-    """Axial distance x of the grooves' middles at which a ball carries a thrust [m]; None where it
-    would climb beyond 80 degrees, or carries it at no angle to the last digit.
+    """Axial distance x of the grooves' middles at which a ball carries a thrust.
 
-    `thrust`: of each ball, above zero [N]; `distance`: A, of the grooves' centres at first touch
-    [m]; `facing`: the same of facing grooves [m]; `compliance`: K_i^(-2/3) + K_o^(-2/3) at a
-    cosine of the contact angle [m/N^(2/3)].
+    Parameters
+    ----------
+    thrust : float
+        thrust of each ball, above zero [N]
+    distance : float
+        A, distance of the grooves' centres at first touch [m]
+    facing : float
+        distance of the centres of facing grooves [m]
+    compliance : Callable[[float], float]
+        K_i^(-2/3) + K_o^(-2/3) at a cosine of the contact angle [m/N^(2/3)]
+
+    Returns
+    -------
+    float | None
+        distance [m]; None if the ball would climb beyond 80 degrees, or carries the thrust at no
+        angle to the last digit
     """
 
     def surplus(x: float) -> float:

@@ -43,7 +43,7 @@ class LoadCase:
     torque: float | None = None  # friction torque [N m]; None where no model gives it
     torque_model: str | None = None
     revolution_share: float = 0.0  # u_i of the revolutions of the cycle [-]
-    # of the damage of the cycle, with a_ISO where that is known
+    # fraction of the damage of the cycle, with a_ISO if that applies
     damage_share: float | None = None  # [-]
     messages: tuple[str, ...] = ()
 
@@ -55,7 +55,7 @@ class LoadCase:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DutyCycle:
-    """Load cases and what follows from all of them; None where it does not apply."""
+    """Load cases and results of all of them; None for a result that does not apply."""
 
     cases: tuple[LoadCase, ...]
     mean_speed: float  # n_m, of one ring against the other, over the time [rad/s]
@@ -72,7 +72,7 @@ class DutyCycle:
 
     @property
     def converged(self) -> bool:
-        """Whether every case has its equilibrium."""
+        """True if every case has its equilibrium."""
         return all(case.converged for case in self.cases)
 
     @property
@@ -104,16 +104,37 @@ class DutyCycle:
 
 
 def revolution_shares(cases: Sequence[LoadCase]) -> list[float]:
-    """u_i = q_i n_i/sum(q n) [-]; zero for all where nothing turns."""
-    turned = [case.time_share * case.operation.shaft_speed for case in cases]
-    total = sum(turned)
-    return [part / total if total else 0.0 for part in turned]
+    """Fractions u_i = q_i n_i/sum(q n) of the revolutions; zero for all if nothing turns.
+
+    Parameters
+    ----------
+    cases : Sequence[LoadCase]
+        load cases of the cycle
+
+    Returns
+    -------
+    list[float]
+        u_i of each case [-]
+    """
+    turns = [case.time_share * case.operation.shaft_speed for case in cases]
+    total = sum(turns)
+    return [turn / total if total else 0.0 for turn in turns]
 
 
 def miner_life(shares: Sequence[float], lives: Sequence[float | None]) -> float | None:
-    """L of 1/L = sum u_i/L_i [revolutions]; None where a case that turns has no life.
+    """L of 1/L = sum u_i/L_i, Palmgren and Miner.
 
-    `shares`: u_i of the revolutions [-]; `lives`: L_i of each case by itself [revolutions].
+    Parameters
+    ----------
+    shares : Sequence[float]
+        u_i of the revolutions [-]
+    lives : Sequence[float | None]
+        L_i of each case by itself, None without one [revolutions]
+
+    Returns
+    -------
+    float | None
+        life of the cycle [revolutions]; None if a case that turns has no life
     """
     damage = 0.0
     for share, life in zip(shares, lives, strict=True):
@@ -126,7 +147,20 @@ def miner_life(shares: Sequence[float], lives: Sequence[float | None]) -> float 
 
 
 def duty_cycle(bearing: Bearing, cases: Sequence[LoadCase]) -> DutyCycle:
-    """Life, torque and energy of a cycle from its cases, whose shares of the time sum to 1."""
+    """Life, torque and energy of a cycle from its cases.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        bearing of all cases
+    cases : Sequence[LoadCase]
+        load cases, whose fractions of the time sum to 1
+
+    Returns
+    -------
+    DutyCycle
+        results of the cycle, each None if it does not apply
+    """
     # 1. shares of the revolutions
     shares = revolution_shares(cases)
     speed = sum(case.time_share * case.operation.shaft_speed for case in cases)
@@ -194,10 +228,10 @@ def _shared(cases: Sequence[LoadCase], shares: Sequence[float]) -> Iterator[Load
 
 
 def _messages(cases: Sequence[LoadCase]) -> Iterator[str]:
-    """What each case leaves out, in its own words, and what that means for the cycle."""
-    still = [str(k) for k, case in enumerate(cases, 1) if not case.operation.shaft_speed]
-    if still:
-        yield f"load_cases: life, kappa and a_iso null where nothing turns, {', '.join(still)}"
+    """Results that each case leaves out, by its messages, and the consequence for the cycle."""
+    idle = [str(k) for k, case in enumerate(cases, 1) if not case.operation.shaft_speed]
+    if idle:
+        yield f"load_cases: life, kappa and a_iso null where nothing turns, {', '.join(idle)}"
     turning = [(k, case) for k, case in enumerate(cases, 1) if case.operation.shaft_speed]
     if not turning:
         yield "duty_cycle: life and torque null, no load case turns"

@@ -25,8 +25,27 @@ class Frequencies:
 
 
 def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
-    """Frequencies [Hz] from the cage speed and the mean spin of the loaded balls, at the operating
-    contact angles; Harris and Kotzalas (Essential Concepts).
+    """Frequencies from the cage speed and the mean spin of the loaded balls.
+
+    At the operating contact angles; Harris and Kotzalas (Essential Concepts).
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    Frequencies
+        frequencies [Hz]
+
+    Examples
+    --------
+    >>> from bearing import Operation, bearing_frequencies, load_bearing, solve_quasistatic
+    >>> operation = Operation(inner_speed=300.0, force=(0.0, 1000.0, 0.0))
+    >>> solution = solve_quasistatic(load_bearing("6208"), operation)
+    >>> f"{bearing_frequencies(solution).ball_pass_outer:.1f} Hz"
+    '171.9 Hz'
     """
     operation = solution.operation
     loaded = solution.inner_load > 0.0
@@ -42,16 +61,40 @@ def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
 
 
 def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: float) -> float:
-    """Speed of the cage without sliding, all speeds in [rad/s] or [Hz], from those of the rings
-    and the contact angle [rad]; `cage_speed_without_slip`.
+    """Speed of the cage without sliding, `cage_speed_without_slip`.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    inner, outer : float
+        speeds of the rings [rad/s] or [Hz]
+    angle : float
+        contact angle [rad]
+
+    Returns
+    -------
+    float
+        speed of the cage, in the unit of the rings' speeds [rad/s] or [Hz]
     """
     gamma = bearing.ball_diameter / bearing.pitch_diameter * cos(angle)
     return cage_speed_without_slip(gamma, inner, outer)
 
 
 def cage_speed_without_slip(gamma: Values, inner: Values, outer: Values) -> Values:
-    """(1 - g) inner/2 + (1 + g) outer/2, g = (D/d_m) cos a, from the speeds of the rings, in their
-    unit; Harris and Kotzalas (Essential Concepts).
+    """Cage speed (1 - g) inner/2 + (1 + g) outer/2, Harris and Kotzalas (Essential Concepts).
+
+    Parameters
+    ----------
+    gamma : Values
+        g = (D/d_m) cos(contact angle) [-]
+    inner, outer : Values
+        speeds of the rings [rad/s] or [Hz]
+
+    Returns
+    -------
+    Values
+        speed of the cage, in the unit of the rings' speeds [rad/s] or [Hz]
     """
     return 0.5 * ((1.0 - gamma) * inner + (1.0 + gamma) * outer)
 
@@ -59,9 +102,23 @@ def cage_speed_without_slip(gamma: Values, inner: Values, outer: Values) -> Valu
 def ball_spin_without_slip(
     diameter_ratio: float, gamma: Values, inner: Values, outer: Values
 ) -> Values:
-    """|inner - outer| (d_m/D) (1 - g^2)/2, of a ball about its own axis in the frame of the cage,
-    from D/d_m [-], g = (D/d_m) cos a [-] and the speeds of the rings, in their unit; Harris and
-    Kotzalas (Essential Concepts).
+    """Spin |inner - outer| (d_m/D) (1 - g^2)/2 of a ball in the frame of the cage.
+
+    About its own axis; Harris and Kotzalas (Essential Concepts).
+
+    Parameters
+    ----------
+    diameter_ratio : float
+        D/d_m [-]
+    gamma : Values
+        g = (D/d_m) cos(contact angle) [-]
+    inner, outer : Values
+        speeds of the rings [rad/s] or [Hz]
+
+    Returns
+    -------
+    Values
+        speed of the spin, in the unit of the rings' speeds [rad/s] or [Hz]
     """
     return 0.5 * abs(inner - outer) / diameter_ratio * (1.0 - gamma**2)
 
@@ -69,11 +126,26 @@ def ball_spin_without_slip(
 def kinematic_frequencies(
     bearing: Bearing, operation: Operation, contact_angle: float
 ) -> Frequencies:
-    """Frequencies [Hz] of rolling at a nominal contact angle [rad], whatever the loads, as in
-    catalogues; Harris and Kotzalas (Essential Concepts).
+    """Frequencies of rolling at a nominal contact angle, independent of the loads, as in
+    catalogues.
 
-    Cage: `kinematic_cage_speed`; ball: `ball_spin_without_slip`. `bearing_frequencies` differs
-    from them as the contact angles do in operation.
+    Harris and Kotzalas (Essential Concepts). Cage: `kinematic_cage_speed`; ball:
+    `ball_spin_without_slip`. `bearing_frequencies` differs from them as the contact angles do in
+    operation.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    operation : Operation
+        speeds of the rings
+    contact_angle : float
+        nominal contact angle [rad]
+
+    Returns
+    -------
+    Frequencies
+        frequencies [Hz]
     """
     inner = operation.inner_speed / (2.0 * pi)
     outer = operation.outer_speed / (2.0 * pi)

@@ -1,5 +1,5 @@
-"""Internal geometry that makers do not publish, estimated from what they do: boundary dimensions
-and load ratings.
+"""Internal geometry that makers do not publish, estimated from their boundary dimensions and
+load ratings.
 
 The ratings of ISO 281 and ISO 76 are functions of ball diameter, number of balls, pitch diameter
 and contact angle alone as long as the grooves are not wide. Balls come in standard sizes and whole
@@ -30,12 +30,12 @@ BALL_TO_SECTION = (0.20, 0.38)  # smallest and largest D over D_o - d that are t
 # ln(1.5), of the ratings of a new bearing: makers rate up to a sixth above the standards, of the
 # catalogue the worst is missed by 3 %; what is missed by more is another bearing, or in newtons
 WORST_MISFIT = 0.405
-NEAR = 0.1  # of the logarithms of ratings, within which a pair comes into question [-]
+RATING_TOLERANCE = 0.1  # of the logarithms of ratings, within which a pair comes into question [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CatalogueData:
-    """What a maker's catalogue says of a ball bearing with one row, SI."""
+    """Data of a maker's catalogue for a ball bearing with one row, SI."""
 
     bore: float  # d [m]
     outside_diameter: float  # D_o [m]
@@ -44,7 +44,7 @@ class CatalogueData:
     dynamic_rating: float | None = None  # [N]
     static_rating: float | None = None  # [N]
     width: float | None = None  # [m]
-    # where it is known better than (d + D_o)/2, as from the shoulders' diameters [m]
+    # if it is more exact than (d + D_o)/2, as from the shoulders' diameters [m]
     pitch_diameter: float | None = None
 
     def __post_init__(self) -> None:
@@ -90,22 +90,32 @@ def estimate_geometry(data: CatalogueData) -> RatedPair:
     fit, C and C_0 by `load_rating.dynamic_rating` and `static_rating`. With one of the ratings
     alone, over the ball sizes with the number of balls that is typical of each.
 
+    Parameters
+    ----------
+    data : CatalogueData
+        boundary dimensions and ratings of the catalogue [m], [N]
+
+    Returns
+    -------
+    RatedPair
+        best pair with its errors
+
     Raises
     ------
     ValueError
-        If no rating is given, or no standard ball fits the section [m].
+        if no rating is given, or no standard ball fits the section
     """
     if data.dynamic_rating is None and data.static_rating is None:
         raise ValueError("dynamic_rating and static_rating must not both be left out")
     section = data.outside_diameter - data.bore
-    smallest, largest = (share * section for share in BALL_TO_SECTION)
+    smallest, largest = (fraction * section for fraction in BALL_TO_SECTION)
     bearings = [
         bearing
         for ball in typical.ball_sizes(smallest, largest)
         for bearing in _bearings(data, ball)
     ]
-    near = [bearing for bearing in bearings if _is_near(data, bearing)]
-    candidates = [_pair(data, bearing) for bearing in (near if len(near) > 1 else bearings)]
+    close = [bearing for bearing in bearings if _is_close(data, bearing)]
+    candidates = [_pair(data, bearing) for bearing in (close if len(close) > 1 else bearings)]
     if len(candidates) < 2:
         raise ValueError(
             f"outside_diameter and bore leave no room for standard balls, section {section!r} m"
@@ -116,28 +126,33 @@ def estimate_geometry(data: CatalogueData) -> RatedPair:
 
 def _bearings(data: CatalogueData, ball: float) -> list[Bearing]:
     """Bearings with balls of a diameter [m] in all numbers that come into question."""
-    most = typical.most_balls(ball, data.pitch)
-    numbers = range(typical.FEWEST_BALLS, most + 1)
+    largest = typical.most_balls(ball, data.pitch)
+    numbers = range(typical.FEWEST_BALLS, largest + 1)
     if data.dynamic_rating is None or data.static_rating is None:
         usual = typical.typical_number(ball, data.pitch, data.contact_angle)
         numbers = range(usual, usual + 1)
     return [_bearing(data, ball, balls) for balls in numbers]
 
 
-def _is_near(data: CatalogueData, bearing: Bearing) -> bool:
-    """Whether the dynamic rating is near enough for the dearer static one to be computed."""
+def _is_close(data: CatalogueData, bearing: Bearing) -> bool:
+    """Check the dynamic rating before the more expensive static one is computed."""
     if data.dynamic_rating is None:
         return True
-    return abs(log(dynamic_rating(bearing, data.contact_angle) / data.dynamic_rating)) < NEAR
+    return (
+        abs(log(dynamic_rating(bearing, data.contact_angle) / data.dynamic_rating))
+        < RATING_TOLERANCE
+    )
 
 
 def _pair(data: CatalogueData, bearing: Bearing) -> RatedPair:
     errors: list[float | None] = []
-    for rating, given in (
+    for rating, published in (
         (dynamic_rating, data.dynamic_rating),
         (static_rating, data.static_rating),
     ):
-        errors.append(None if given is None else rating(bearing, data.contact_angle) / given - 1.0)
+        errors.append(
+            None if published is None else rating(bearing, data.contact_angle) / published - 1.0
+        )
     misfit = hypot(*(log(1.0 + error) for error in errors if error is not None))
     return RatedPair(
         ball_diameter=bearing.ball_diameter,
@@ -168,16 +183,31 @@ def _bearing(data: CatalogueData, ball: float, balls: int) -> Bearing:
 
 
 def estimate_bearing(data: CatalogueData) -> dict[str, Any]:
-    """Keys of a case's [bearing] table for a bearing that is known from outside: its internal
-    geometry estimated, with `source` (text), `estimated` (keys) and `range` (an interval of each).
+    """Keys of a case's [bearing] table for a bearing whose boundary dimensions alone are known.
 
-    By the ratings where the catalogue data [m, N] have any (`estimate_geometry`), else typical of
-    the boundary dimensions; a deep groove bearing gets the clearance of the class CN, grooves are
-    assumed. ValueError without a width, or where nothing fits.
+    The internal geometry follows from the ratings where the data have any (`estimate_geometry`),
+    else it is typical of the boundary dimensions; a deep groove bearing gets the clearance of the
+    class CN, grooves are assumed.
+
+    Parameters
+    ----------
+    data : CatalogueData
+        boundary dimensions and ratings of the catalogue [m], [N]
+
+    Returns
+    -------
+    dict[str, Any]
+        keys of the table, with `source` (text), `estimated` (keys) and `range` (an interval of
+        each)
+
+    Raises
+    ------
+    ValueError
+        without a width, or if nothing fits
     """
     if data.width is None:
         raise ValueError("width must be given")
-    known = {
+    ratings = {
         key: value / 1e3
         for key, value in (
             ("basic_dynamic_rating_kN", data.dynamic_rating),
@@ -189,7 +219,7 @@ def estimate_bearing(data: CatalogueData) -> dict[str, Any]:
         round(length / MILLIMETRE, 9) for length in (data.bore, data.outside_diameter, data.width)
     )
     angle = round(degrees(data.contact_angle), 9)
-    entry = estimated_entry((bore, outside, width), angle, _geometry(data), known)
+    entry = estimated_entry((bore, outside, width), angle, _geometry(data), ratings)
     series = nearest_series(bore, outside, angular=data.contact_angle > 0.0)
     return {**entry, "skf_series": series}
 
@@ -200,9 +230,9 @@ def _geometry(data: CatalogueData) -> Geometry:
     pair = estimate_geometry(data)
     if pair.misfit > WORST_MISFIT:
         named = {"C": pair.dynamic_error, "C_0": pair.static_error}
-        parts = [f"{key} {1.0 + e:.3g}" for key, e in named.items() if e is not None]
+        ratios = [f"{key} {1.0 + e:.3g}" for key, e in named.items() if e is not None]
         raise ValueError(
-            f"ratings that no balls have which fit in: the nearest have {', '.join(parts)} times "
+            f"ratings that no balls have which fit in: the nearest have {', '.join(ratios)} times "
             "those given; allowed: 0.67 to 1.5 times. A wrong unit?"
         )
     basis = f"ball, balls: estimated from the ratings, which they miss by {pair.misfit:.1%}"

@@ -84,15 +84,53 @@ class LifeRating:
 
 
 def time_of(life: float | None, speed: float) -> float | None:
-    """Time [s] of a life [revolutions] at a speed of one ring against the other [rad/s]."""
+    """Time of a life at a speed.
+
+    Parameters
+    ----------
+    life : float | None
+        number of revolutions, None without one [revolutions]
+    speed : float
+        speed of one ring against the other [rad/s]
+
+    Returns
+    -------
+    float | None
+        time [s]; None without a life or a speed
+    """
     return 2.0 * pi * life / speed if life is not None and speed else None
 
 
 def bearing_life(
     solution: QuasistaticSolution, lubricant: Lubricant, rating: RatingInput
 ) -> LifeRating:
-    """Basic and modified reference rating life, ISO 16281, from the ball loads [N] of an
-    equilibrium, with a lubricant at the temperature of operation [Pa s].
+    """Basic and modified reference rating life, ISO 16281, from the ball loads of an equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        oil at the temperature of operation
+    rating : RatingInput
+        ratings of the catalogue and contamination
+
+    Returns
+    -------
+    LifeRating
+        lives [revolutions], ratings [N] and static safety, each None with a message if it does not
+        apply
+
+    Examples
+    --------
+    >>> from bearing import Operation, RatingInput, bearing_life, library_lubricant
+    >>> from bearing import load_bearing, solve_quasistatic
+    >>> operation = Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0))
+    >>> solution = solve_quasistatic(load_bearing("6208"), operation)
+    >>> oil = library_lubricant("iso vg 32", operation.temperature)
+    >>> life = bearing_life(solution, oil, RatingInput(contamination_factor=0.5))
+    >>> f"{life.basic_life / 1e6:.0f} million revolutions, a_ISO {life.life_factor:.1f}"
+    '857 million revolutions, a_ISO 20.5'
     """
     bearing = solution.bearing
     reason = _not_covered(bearing) or ("" if solution.converged else "there is no equilibrium")
@@ -102,12 +140,15 @@ def bearing_life(
     speed = solution.operation.shaft_speed
     viscosity = lubricant.viscosity / lubricant.density
     kappa = viscosity_ratio(viscosity, speed, bearing.pitch_diameter) if speed else None
-    known, messages = _static(
+    partial, messages = _static(
         LifeRating(rating=rating, viscosity_ratio=kappa, shaft_speed=speed), solution
     )
-    why = _no_life(solution, rating, speed)
-    if kappa is None or why:
-        return replace(known, messages=(*messages, f"life: basic and modified rating null, {why}"))
+    reason_without = _no_life(solution, rating, speed)
+    if kappa is None or reason_without:
+        return replace(
+            partial,
+            messages=(*messages, f"life: basic and modified rating null, {reason_without}"),
+        )
     capacity = rating.dynamic_rating or dynamic_rating(bearing, angle)
     life = reference_life(solution, capacity, angle)
     rows = len(solution.rows)
@@ -118,7 +159,7 @@ def bearing_life(
     if rating.contamination_factor is not None and kappa >= SMALLEST_KAPPA:
         factor = life_factor(kappa, rating.contamination_factor * (limit / load))
     return replace(
-        known,
+        partial,
         dynamic_rating=capacity,
         equivalent_load=load,
         basic_life=MILLION * life,
@@ -130,7 +171,7 @@ def bearing_life(
 
 
 def _not_covered(bearing: Bearing) -> str:
-    """Why the standards do not cover the materials, empty if they do."""
+    """Reason why the standards do not cover the materials, empty if they do."""
     for ring in (bearing.inner_ring_material, bearing.outer_ring_material):
         if ring.kind is not MaterialKind.BEARING_STEEL:
             material = f"{ring.name!r} (kind {ring.kind.value!r})"
@@ -143,13 +184,13 @@ def _not_covered(bearing: Bearing) -> str:
     )
 
 
-def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRating, list[str]]:
+def _static(partial: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRating, list[str]]:
     """Static safety by pressure and by S_0 = C_0/P_0, and what is left out."""
     bearing = solution.bearing
-    angle = known.rating.nominal_contact_angle
+    angle = partial.rating.nominal_contact_angle
     messages = []
     safety = None
-    capacity = known.rating.static_rating
+    capacity = partial.rating.static_rating
     hybrid = bearing.ball_material.kind is not MaterialKind.BEARING_STEEL
     if hybrid:
         messages.append(
@@ -176,20 +217,31 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
             "life: P_0 and S_0 null, factors X_0, Y_0 are known for contact angles of 0 and 15 "
             "to 40 deg"
         )
-    known = replace(
-        known,
+    partial = replace(
+        partial,
         static_safety=safety,
         static_rating=capacity,
         static_load=load,
         static_safety_factor=capacity / load if capacity is not None and load else None,
     )
-    return known, [*messages, *overload(known)]
+    return partial, [*messages, *overload(partial)]
 
 
 def overload(life: LifeRating) -> Iterator[str]:
-    """That ball and race are permanently deformed, where a static safety is below 1, ISO 76."""
-    found = {"S_0": life.static_safety_factor, "static safety by pressure": life.static_safety}
-    low = [f"{name} = {value:.3g}" for name, value in found.items() if value and value < 1.0]
+    """Message of a permanent deformation of ball and race, for a static safety below 1, ISO 76.
+
+    Parameters
+    ----------
+    life : LifeRating
+        rated bearing
+
+    Yields
+    ------
+    Iterator[str]
+        one message, or none
+    """
+    safeties = {"S_0": life.static_safety_factor, "static safety by pressure": life.static_safety}
+    low = [f"{name} = {value:.3g}" for name, value in safeties.items() if value and value < 1.0]
     if low:
         yield (
             f"life: {', '.join(low)}, beyond the static rating: ball and race keep a deformation "
@@ -198,7 +250,7 @@ def overload(life: LifeRating) -> Iterator[str]:
 
 
 def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -> str:
-    """Why there is no basic life, empty if there is one."""
+    """Reason why there is no basic life, empty if there is one."""
     if not speed:
         return "the rings do not turn against each other"
     if not (solution.inner_load > 0.0).any():
@@ -210,7 +262,7 @@ def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -
 
 
 def _remarks(
-    solution: QuasistaticSolution, rating: RatingInput, kappa: float, share: float
+    solution: QuasistaticSolution, rating: RatingInput, kappa: float, ratio: float
 ) -> Iterator[str]:
     rows = len(solution.rows)
     null = "life: a_iso and modified rating null,"
@@ -234,21 +286,33 @@ def _remarks(
         yield f"{null} the case gives no [lubricant] contamination_factor"
     elif kappa < SMALLEST_KAPPA:
         yield f"{null} ISO 281 has no factor below kappa {SMALLEST_KAPPA}"
-    if share > LARGEST_LOAD_SHARE:
+    if ratio > LARGEST_LOAD_SHARE:
         yield (
-            f"life: the equivalent load is {share:.3g} of the dynamic rating, beyond ISO 281, "
+            f"life: the equivalent load is {ratio:.3g} of the dynamic rating, beyond ISO 281, "
             f"which ends at {LARGEST_LOAD_SHARE}"
         )
 
 
 def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle: float) -> float:
-    """Basic reference rating life, ISO 16281 [10^6 revolutions of one ring against the other].
+    """Basic reference rating life, ISO 16281.
 
     L_10r = [sum over rows of (Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), Q_e = (sum
     Q_j^p/Z)^(1/p), p = 3 for a ring that turns relative to the load and 10/3 for one that stands.
     The load stands in space.
 
-    `solution`: ball loads [N]; `capacity`: C_r of one row [N]; `contact_angle`: nominal [rad].
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium with the ball loads
+    capacity : float
+        C_r of one row [N]
+    contact_angle : float
+        nominal contact angle [rad]
+
+    Returns
+    -------
+    float
+        life [10^6 revolutions of one ring against the other]
     """
     inner, outer = ball_ratings(solution.bearing, capacity, contact_angle)
     operation = solution.operation
@@ -264,19 +328,43 @@ def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle
 
 
 def equivalent_ball_load(loads: Array, *, turning: bool) -> float:
-    """Q_e [N] of the ball loads [N] on a ring, (sum Q^p/Z)^(1/p), ISO 16281."""
+    """Q_e of the ball loads on a ring, (sum Q^p/Z)^(1/p), ISO 16281.
+
+    Parameters
+    ----------
+    loads : Array
+        ball loads, shape (Z,) [N]
+    turning : bool
+        whether the ring turns relative to the load
+
+    Returns
+    -------
+    float
+        equivalent ball load [N]
+    """
     exponent = ROTATING if turning else STATIONARY
     return float(np.mean(loads**exponent) ** (1.0 / exponent))
 
 
 def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: float) -> float:
-    """kappa = nu/nu_1 [-], ISO 281.
+    """kappa = nu/nu_1, ISO 281.
 
     nu_1 = 45000 n^-0.83 d_m^-0.5 below 1000 r/min, 4500 n^-0.5 d_m^-0.5 from there, in mm^2/s with
     d_m in mm.
 
-    `kinematic_viscosity`: at the temperature of operation [m^2/s]; `speed`: of one ring against
-    the other, positive [rad/s]; `pitch_diameter` [m].
+    Parameters
+    ----------
+    kinematic_viscosity : float
+        at the temperature of operation [m^2/s]
+    speed : float
+        speed of one ring against the other, positive [rad/s]
+    pitch_diameter : float
+        d_m [m]
+
+    Returns
+    -------
+    float
+        viscosity ratio [-]
     """
     n = speed / RPM
     of_speed = 45000.0 * n**-0.83 if n < 1000.0 else 4500.0 * n**-0.5
@@ -285,18 +373,33 @@ def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: fl
 
 
 def life_factor(kappa: float, limit: float) -> float:
-    """a_ISO of radial ball bearings [-], ISO 281.
+    """a_ISO of radial ball bearings, ISO 281.
 
     a_ISO = 0.1 [1 - (2.5671 - c/kappa^e)^0.83 (e_C C_u/P)^(1/3)]^-9.3, at most 50, with kappa at
     most 4; (c, e) = (2.2649, 0.054381) below 0.4, (1.9987, 0.19087) up to 1, (1.9987, 0.071739) up
     to 4.
 
-    `kappa`: viscosity ratio, from 0.1 [-]; `limit`: e_C C_u/P [-].
+    Parameters
+    ----------
+    kappa : float
+        viscosity ratio, from 0.1 [-]
+    limit : float
+        e_C C_u/P [-]
+
+    Returns
+    -------
+    float
+        life factor [-]
+
+    Raises
+    ------
+    ValueError
+        if kappa lies below 0.1
     """
     if kappa < SMALLEST_KAPPA:
         raise ValueError(f"kappa must be at least {SMALLEST_KAPPA}, got {kappa!r}")
     kappa = min(kappa, LARGEST_KAPPA)
-    constant, exponent = next((c, e) for most, c, e in A_ISO_PIECES if kappa <= most)
+    constant, exponent = next((c, e) for largest, c, e in A_ISO_PIECES if kappa <= largest)
     base = 1.0 - (2.5671 - constant / kappa**exponent) ** 0.83 * limit ** (1.0 / 3.0)
     return min(LARGEST_A_ISO, 0.1 * base**-9.3) if base > 0.0 else LARGEST_A_ISO
 

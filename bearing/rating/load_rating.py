@@ -12,14 +12,14 @@ from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..operation import RatingInput
 
 RATING_FACTOR = 1.3  # b_m of deep groove and angular contact ball bearings, ISO 281 [-]
-# of Lundberg and Palmgren's form that passes five points of ISO 281's table within their rounding
-# (tests), N and mm
+# scale of Lundberg and Palmgren's form that passes five points of ISO 281's table within their
+# rounding (tests), N and mm
 F_C_SCALE = 38.2
 # to which the form is used [-]
 SMALLEST_GAMMA = 0.01
 LARGEST_GAMMA = 0.40
 F_C_CONFORMITY = 0.52  # of both grooves, with which it passes them [-]
-# of inner and outer groove that f_c is for; wider ones carry less [-]
+# conformities of inner and outer groove that f_c is for; wider ones carry less [-]
 LARGEST_CONFORMITIES = (0.52, 0.53)
 STATIC_PRESSURE = 4.2e9  # Hertz pressure at the static rating of ball bearings, ISO 76 [Pa]
 # heaviest ball load over the mean one, F/(Z cos alpha), of a radially loaded bearing [-]
@@ -38,7 +38,20 @@ def _gamma(bearing: Bearing, contact_angle: float) -> float:
 
 
 def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
-    """Why `dynamic_rating` does not hold for a geometry, or empty; nominal angle in [rad]."""
+    """Reason why `dynamic_rating` does not hold for a geometry, or empty.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    contact_angle : float
+        nominal contact angle [rad]
+
+    Returns
+    -------
+    str
+        reason, for a message
+    """
     gamma = _gamma(bearing, contact_angle)
     if not SMALLEST_GAMMA <= gamma <= LARGEST_GAMMA:
         text = f"D cos(alpha)/d_m = {gamma:.3g} lies outside the range of the factors f_c"
@@ -47,29 +60,59 @@ def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
 
 
 def wide_grooves(bearing: Bearing) -> bool:
-    """Whether a groove is wider than those f_c is for, which lowers the rating."""
+    """Check whether a groove is wider than those f_c is for, which lowers the rating.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+
+    Returns
+    -------
+    bool
+        true if inner or outer groove is wider
+    """
     inner, outer = (conformity + ROUNDING for conformity in LARGEST_CONFORMITIES)
     return bearing.inner_conformity > inner or bearing.outer_conformity > outer
 
 
 def factor_f_c(gamma: float) -> float:
-    """f_c of the dynamic rating of radial ball bearings (N, mm) at gamma = D cos(alpha)/d_m, 0.01
-    to 0.40 [-]: Lundberg and Palmgren (1947), ISO 281.
+    """f_c of the dynamic rating of radial ball bearings (N, mm), Lundberg and Palmgren (1947), ISO
+    281.
 
     Their form with both grooves 0.52 D wide and one scale passes the five points of the standard's
     table at hand within their rounding.
+
+    Parameters
+    ----------
+    gamma : float
+        D cos(alpha)/d_m, 0.01 to 0.40 [-]
+
+    Returns
+    -------
+    float
+        f_c [-]
     """
     return F_C_SCALE * lundberg_palmgren(gamma, F_C_CONFORMITY, F_C_CONFORMITY)
 
 
 def lundberg_palmgren(gamma: float, inner: float, outer: float) -> float:
-    """Shape of the capacity over geometry [-], Lundberg and Palmgren (1947).
+    """Shape of the capacity over geometry, Lundberg and Palmgren (1947).
 
     [1 + T^(10/3)]^-0.3 g^0.3 (1 - g)^1.39/(1 + g)^(1/3) [2 f_i/(2 f_i - 1)]^0.41 with
     T = 1.04 [(1 - g)/(1 + g)]^1.72 [f_i (2 f_e - 1)/(f_e (2 f_i - 1))]^0.41.
 
-    `gamma`: g = D cos(alpha)/d_m [-]; `inner`, `outer`: conformities of the grooves, radius over
-    ball diameter [-].
+    Parameters
+    ----------
+    gamma : float
+        g = D cos(alpha)/d_m [-]
+    inner, outer : float
+        conformities of the grooves, radius over ball diameter [-]
+
+    Returns
+    -------
+    float
+        capacity over that of a scale [-]
     """
     grooves = inner * (2.0 * outer - 1.0) / (outer * (2.0 * inner - 1.0))
     ratio = 1.04 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
@@ -80,8 +123,19 @@ def lundberg_palmgren(gamma: float, inner: float, outer: float) -> float:
 
 
 def groove_factor(bearing: Bearing, contact_angle: float) -> float:
-    """Capacity with the bearing's grooves over that with the widest f_c is for, 1 unless they are
-    wider [-]; nominal contact angle [rad].
+    """Capacity with the bearing's grooves over that with the widest f_c is for; 1 unless wider.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    contact_angle : float
+        nominal contact angle [rad]
+
+    Returns
+    -------
+    float
+        factor on f_c [-]
     """
     gamma = _gamma(bearing, contact_angle)
     inner, outer = LARGEST_CONFORMITIES
@@ -90,11 +144,23 @@ def groove_factor(bearing: Bearing, contact_angle: float) -> float:
 
 
 def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
-    """Basic dynamic radial load rating of one row [N] at a nominal contact angle [rad], ISO 281:
-    C_r = 1.3 f_c (cos alpha)^0.7 Z^(2/3) D^1.8, and 3.647 D^1.4 for D^1.8 above 25.4 mm (in mm).
+    """Basic dynamic radial load rating of one row, ISO 281.
 
+    C_r = 1.3 f_c (cos alpha)^0.7 Z^(2/3) D^1.8, and 3.647 D^1.4 for D^1.8 above 25.4 mm (in mm).
     For grooves wider than f_c is for it is lowered as the theory behind f_c says
     (`groove_factor`).
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    contact_angle : float
+        nominal contact angle alpha [rad]
+
+    Returns
+    -------
+    float
+        C_r [N]
     """
     diameter = bearing.ball_diameter / MILLIMETRE
     power = diameter**1.8 if bearing.ball_diameter <= LARGE_BALL else 3.647 * diameter**1.4
@@ -103,18 +169,46 @@ def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
 
 
 def capacity(bearing: Bearing, rating: RatingInput) -> float:
-    """C_r of one row as given, or from the geometry [N]."""
+    """C_r of one row as prescribed, or from the geometry.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    rating : RatingInput
+        ratings of the catalogue
+
+    Returns
+    -------
+    float
+        C_r [N]
+    """
     return rating.dynamic_rating or dynamic_rating(bearing, rating.nominal_contact_angle)
 
 
 def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tuple[float, float]:
-    """Dynamic ratings of the balls on inner and outer ring Q_ci, Q_ce [N], ISO 16281, from C_r [N]
-    and the nominal contact angle [rad].
+    """Dynamic ratings of the balls on inner and outer ring Q_ci, Q_ce, ISO 16281.
 
     Q_ci = C_r/(0.407 Z cos alpha) (1 + T^(10/3))^0.3, Q_ce = C_r/(0.389 Z cos alpha) (1 +
     T^(-10/3))^0.3, T = 1.044 ((1 - g)/(1 + g))^1.72 [r_i (2 r_e - D)/(r_e (2 r_i - D))]^0.41, g =
     D cos alpha/d_m. One transcription has (cos alpha)^0.7; the theory of Lundberg and Palmgren
     supports the first power.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    capacity : float
+        C_r of the row [N]
+    contact_angle : float
+        nominal contact angle alpha [rad]
+
+    Returns
+    -------
+    inner
+        Q_ci [N]
+    outer
+        Q_ce [N]
     """
     diameter = bearing.ball_diameter
     inner = bearing.inner_groove_radius
@@ -122,16 +216,27 @@ def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tup
     gamma = _gamma(bearing, contact_angle)
     grooves = inner * (2.0 * outer - diameter) / (outer * (2.0 * inner - diameter))
     ratio = 1.044 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
-    share = capacity / (bearing.balls * cos(contact_angle))
-    inner_rating = share / 0.407 * (1.0 + ratio ** (10.0 / 3.0)) ** 0.3
-    return inner_rating, share / 0.389 * (1.0 + ratio ** (-10.0 / 3.0)) ** 0.3
+    per_ball = capacity / (bearing.balls * cos(contact_angle))
+    inner_rating = per_ball / 0.407 * (1.0 + ratio ** (10.0 / 3.0)) ** 0.3
+    return inner_rating, per_ball / 0.389 * (1.0 + ratio ** (-10.0 / 3.0)) ** 0.3
 
 
 def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:
-    """C_u [N] at a nominal contact angle [rad], ISO 281: 0.2288 Z min(Q_ui, Q_ue) cos alpha, times
-    (100/d_m)^0.5 above d_m = 100 mm.
+    """C_u, ISO 281: 0.2288 Z min(Q_ui, Q_ue) cos alpha, times (100/d_m)^0.5 above d_m = 100 mm.
 
     Q_u: ball load at a Hertz pressure of 1500 MPa, with the moduli of the bearing's own materials.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    contact_angle : float
+        nominal contact angle alpha [rad]
+
+    Returns
+    -------
+    float
+        C_u [N]
     """
     limits = load_at_pressure(bearing, contact_angle, FATIGUE_PRESSURE)
     size = min(1.0, (0.1 / bearing.pitch_diameter) ** 0.5)
@@ -139,12 +244,24 @@ def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:
 
 
 def static_rating(bearing: Bearing, contact_angle: float) -> float:
-    """Basic static radial load rating [N] at a nominal contact angle [rad], after the definition
-    of ISO 76: 4200 MPa at the heaviest contact.
+    """Basic static radial load rating after the definition of ISO 76: 4200 MPa at the heaviest
+    contact.
 
     C_0r = Z cos(alpha) min(Q_i, Q_e)/5, Q the ball load at 4200 MPa on grooves of 0.52 D (inner)
     and 0.53 D (outer) or wider, 5 the heaviest over the mean ball load after Stribeck. The
     standard's table of f_0 was not read.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    contact_angle : float
+        nominal contact angle alpha [rad]
+
+    Returns
+    -------
+    float
+        C_0r [N]
     """
     inner, outer = (conformity * bearing.ball_diameter for conformity in LARGEST_CONFORMITIES)
     rated = replace(
@@ -159,7 +276,24 @@ def static_rating(bearing: Bearing, contact_angle: float) -> float:
 def load_at_pressure(
     bearing: Bearing, contact_angle: float, pressure: float
 ) -> tuple[float, float]:
-    """Ball loads [N] on inner and outer race at a Hertz pressure [Pa] and angle [rad]."""
+    """Ball loads on inner and outer race at a Hertz pressure.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    contact_angle : float
+        contact angle [rad]
+    pressure : float
+        Hertz pressure [Pa]
+
+    Returns
+    -------
+    inner
+        load on the inner race [N]
+    outer
+        load on the outer race [N]
+    """
     inner, outer = (
         hertz_contact(1.0, *reduced_radii(bearing, r, contact_angle), contact_modulus(bearing, r))
         for r in Race
@@ -168,12 +302,22 @@ def load_at_pressure(
 
 
 def static_equivalent_load(radial: float, axial: float, contact_angle: float) -> float | None:
-    """P_0 = max(X_0 F_r + Y_0 F_a, F_r) of one row [N], ISO 76; None at angles without factors.
+    """P_0 = max(X_0 F_r + Y_0 F_a, F_r) of one row, ISO 76.
 
     X_0, Y_0 are 0.6, 0.5 at zero contact angle (SKF, deep groove ball bearings); X_0 = 0.5 and Y_0
     = 0.46, 0.38, 0.26 at 15, 25, 40 degrees (LYC, angular contact ball bearings), linear between.
 
-    `radial`, `axial`: magnitudes of the loads [N]; `contact_angle`: nominal contact angle [rad].
+    Parameters
+    ----------
+    radial, axial : float
+        magnitudes of the loads [N]
+    contact_angle : float
+        nominal contact angle [rad]
+
+    Returns
+    -------
+    float | None
+        P_0 [N]; None at angles without factors
     """
     angle = degrees(contact_angle)
     x, y = STATIC_FACTORS_RADIAL

@@ -39,14 +39,27 @@ FASTEST = 1.0e7  # where the search ends [r/min]
 
 
 def reference_speed(bearing: Bearing, static_rating: float, series: str | None) -> float | None:
-    """Speed at which the seats of one row take the friction of the reference conditions [rad/s],
-    by C_0r [N]; None where a dimension or the factors of the series are not known.
+    """Speed at which the seats of one row take the friction of the reference conditions.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry with bore, outside diameter and width
+    static_rating : float
+        C_0r [N]
+    series : str | None
+        series of SKF's friction model, which selects f_0r and f_1r
+
+    Returns
+    -------
+    float | None
+        speed [rad/s]; None if a dimension or the factors of the series are missing
     """
-    known = [FACTORS[name] for name in FACTORS if (series or "").startswith(name)]
+    factors = [FACTORS[name] for name in FACTORS if (series or "").startswith(name)]
     sizes = (bearing.bore, bearing.outside_diameter, bearing.width)
-    if not known or None in sizes:
+    if not factors or None in sizes:
         return None
-    f_0, f_1 = known[0]
+    f_0, f_1 = factors[0]
     bore, outside, width = (float(size or 0.0) / MILLIMETRE for size in sizes)
     area = pi * width * (outside + bore)
     heat = HEAT_FLOW * area * min(1.0, (area / LARGE_SEAT) ** -0.34)

@@ -18,10 +18,21 @@ LONGEST = 30000.0  # h, beyond which a grease is taken for life; maintenance sta
 
 
 def relubrication_interval(bore: float, speed: float, temperature: float) -> float | None:
-    """Time after which grease is to be renewed [s]; None where the formula gives none, at rest or
-    too fast for it.
+    """Time after which grease is to be renewed.
 
-    `bore` [m]; `speed`: of one ring against the other [rad/s]; `temperature`: of the bearing [K].
+    Parameters
+    ----------
+    bore : float
+        bore diameter [m]
+    speed : float
+        speed of one ring against the other [rad/s]
+    temperature : float
+        temperature of the bearing [K]
+
+    Returns
+    -------
+    float | None
+        interval [s]; None if the formula gives none, at rest or too fast for it
     """
     if not speed:
         return None

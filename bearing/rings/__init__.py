@@ -1,6 +1,6 @@
 """Rings as elastic bodies on their seats.
 
-compliance   - what the balls' forces move at each other's places
+compliance   - movement of a groove at one ball by the force of another
 elastic_ring - an elastic ring: section, material, seat
-seat_places  - reactions of a seat that presses a ring at places only
+seat_places  - reactions of a seat that presses a ring at supports only
 """

@@ -1,4 +1,4 @@
-r"""What the forces of the balls move at each other's places: structural compliance of the rings.
+r"""Structural compliance of the rings: movement of a groove at one ball by another's force.
 
 A force F_k = (x, r) of ball k on a ring moves the centre of its groove at ball j by C_jk F_k,
 beyond what Hertz' theory gives at the ball itself. V, the distance of the grooves' centres, then
@@ -26,7 +26,7 @@ from ehl.solid import bodies
 
 from ..geometry import Array
 from .elastic_ring import ElasticRing, ElasticRings
-from .seat_places import SeatPlaces, seat_places
+from .seat_places import SeatSupports, seat_supports
 
 
 class OpeningForce(NamedTuple):
@@ -43,10 +43,23 @@ class GrooveCompliance(NamedTuple):
     entries: Array  # G_xx, G_rr, G_ro, G_oo, shape (4, N, N) [m/N]
     angle: float  # alpha, at which the opening counts as one [rad]
     outward: float  # sign of the radial force that balls press with: 1 outer, -1 inner ring [-]
-    places: SeatPlaces | None = None  # of a seat that presses there only
+    supports: SeatSupports | None = None  # of a seat that presses there only
 
     def opening_force(self, force: Array, V: Array) -> OpeningForce:
-        """Of forces, shape (2, N) [N]; unloaded balls have the direction of V, shape (2, N)."""
+        """Opening parts of forces, with their derivatives.
+
+        Parameters
+        ----------
+        force : Array
+            forces (x, r) of the balls, shape (2, N) [N]
+        V : Array
+            distances of the grooves' centres, the direction of unloaded balls, shape (2, N) [m]
+
+        Returns
+        -------
+        OpeningForce
+            parts that open the groove
+        """
         size = np.hypot(*force)
         loaded = size > 0.0
         s, c = np.where(loaded, force, self.outward * V) / np.where(loaded, size, np.hypot(*V))
@@ -57,53 +70,95 @@ class GrooveCompliance(NamedTuple):
         return OpeningForce(size * s * s / scale, slope, bend * across[:, None] * across)
 
     def deflection(self, force: Array, V: Array) -> Array:
-        """Movement of the groove's centre at the balls (x, r), shape (2, N) [m]."""
-        part = self.opening_force(force, V)
-        axial, radial, opened, opening = self._matrices(force, part)
-        moved = part.slope * (opened.T @ force[1] + opening @ part.size)
-        moved[0] += axial @ force[0]
-        moved[1] += radial @ force[1] + opened @ part.size
-        return np.asarray(moved)
+        """Movement of the groove's centre at the balls.
+
+        Parameters
+        ----------
+        force : Array
+            forces (x, r) of the balls, shape (2, N) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        Array
+            movement (x, r), shape (2, N) [m]
+        """
+        opening_part = self.opening_force(force, V)
+        axial, radial, opened, opening = self._matrices(force, opening_part)
+        movement = opening_part.slope * (opened.T @ force[1] + opening @ opening_part.size)
+        movement[0] += axial @ force[0]
+        movement[1] += radial @ force[1] + opened @ opening_part.size
+        return np.asarray(movement)
 
     def derivative(self, force: Array, V: Array) -> Array:
-        """d(deflection)/dF, shape (2, N, 2, N) [m/N]."""
-        part = self.opening_force(force, V)
-        axial, radial, opened, opening = self._matrices(force, part)
-        whole = np.einsum("vj,jk,wk->vjwk", part.slope, opening, part.slope)
-        whole[0, :, 0] += axial
-        whole[1, :, 1] += radial
-        whole[1] += np.einsum("jk,wk->jwk", opened, part.slope)
-        whole[:, :, 1] += np.einsum("vj,kj->vjk", part.slope, opened)
+        """Derivative of the deflection by the forces.
+
+        Parameters
+        ----------
+        force : Array
+            forces (x, r) of the balls, shape (2, N) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        Array
+            d(deflection)/dF, shape (2, N, 2, N) [m/N]
+        """
+        opening_part = self.opening_force(force, V)
+        axial, radial, opened, opening = self._matrices(force, opening_part)
+        total = np.einsum("vj,jk,wk->vjwk", opening_part.slope, opening, opening_part.slope)
+        total[0, :, 0] += axial
+        total[1, :, 1] += radial
+        total[1] += np.einsum("jk,wk->jwk", opened, opening_part.slope)
+        total[:, :, 1] += np.einsum("vj,kj->vjk", opening_part.slope, opened)
         balls = np.arange(force.shape[1])
-        bend = part.curvature * (opened.T @ force[1] + opening @ part.size)
-        whole[:, balls, :, balls] += bend.transpose(2, 0, 1)
-        return np.asarray(whole)
+        bend = opening_part.curvature * (opened.T @ force[1] + opening @ opening_part.size)
+        total[:, balls, :, balls] += bend.transpose(2, 0, 1)
+        return np.asarray(total)
 
     def reactions(self, force: Array, V: Array) -> tuple[Array, Array]:
-        """Forces of the places of the seat [N], and the movement of the ring as a whole towards
-        them (y, z), shape (rows, 2) [m]; nothing without places.
-        """
-        if self.places is None:
-            return np.zeros(0), np.zeros((0, 2))
-        part = self.opening_force(force, V)
-        pressed, moved = self.places.reactions(np.concatenate([force[1], part.size]))
-        return pressed, -self.outward * moved.reshape(-1, 2)
+        """Forces of the supports of the seat, and the movement of the ring as a whole towards
+        them.
 
-    def _matrices(self, force: Array, part: OpeningForce) -> tuple[Array, Array, Array, Array]:
-        """Compliance of the movements, G_xx, G_rr, G_ro, G_oo, less what the places of the
+        Parameters
+        ----------
+        force : Array
+            forces (x, r) of the balls, shape (2, N) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        pressed
+            forces of the supports, empty without any [N]
+        moved
+            movement (y, z), shape (rows, 2) [m]
+        """
+        if self.supports is None:
+            return np.zeros(0), np.zeros((0, 2))
+        opening_part = self.opening_force(force, V)
+        pressed, movement = self.supports.reactions(np.concatenate([force[1], opening_part.size]))
+        return pressed, -self.outward * movement.reshape(-1, 2)
+
+    def _matrices(
+        self, force: Array, opening_part: OpeningForce
+    ) -> tuple[Array, Array, Array, Array]:
+        """Compliance of the movements, G_xx, G_rr, G_ro, G_oo, less what the supports of the
         seat take from it.
         """
         axial, radial, opened, opening = self.entries
         opened = self.outward * opened
         count = force.shape[1]
-        if self.places is None:
+        if self.supports is None:
             return axial, radial, opened, opening
-        less = self.places.taken(np.concatenate([force[1], part.size]))
+        reduction = self.supports.taken(np.concatenate([force[1], opening_part.size]))
         return (
             axial,
-            radial - less[:count, :count],
-            opened - less[:count, count:],
-            opening - less[count:, count:],
+            radial - reduction[:count, :count],
+            opened - reduction[:count, count:],
+            opening - reduction[count:, count:],
         )
 
 
@@ -119,13 +174,43 @@ class RingCompliance(NamedTuple):
     outer: GrooveCompliance
 
     def shift(self, inner_force: Array, centrifugal: Array, V: Array) -> Array:
-        """What the rings yield, from outer to inner groove centre, shape (2, N) [m]."""
+        """Yield of the rings, from outer to inner groove centre.
+
+        Parameters
+        ----------
+        inner_force : Array
+            forces (x, r) of the balls on the inner ring, shape (2, N) [N]
+        centrifugal : Array
+            centrifugal forces, shape (N,) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        Array
+            shift (x, r), shape (2, N) [m]
+        """
         inner, outer = self.deflections(inner_force, centrifugal, V)
         return inner - outer
 
     def deflections(self, inner_force: Array, centrifugal: Array, V: Array) -> tuple[Array, Array]:
-        """Movement of the groove's centre of the inner and the outer ring, (x, r) each, shape (2,
-        N) [m].
+        """Movement of the groove's centre of the inner and the outer ring.
+
+        Parameters
+        ----------
+        inner_force : Array
+            forces (x, r) of the balls on the inner ring, shape (2, N) [N]
+        centrifugal : Array
+            centrifugal forces, shape (N,) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        inner
+            movement (x, r), shape (2, N) [m]
+        outer
+            movement (x, r), shape (2, N) [m]
         """
         outer_force = _on_outer_ring(inner_force, centrifugal)
         return self.inner.deflection(inner_force, V), self.outer.deflection(outer_force, V)
@@ -133,8 +218,23 @@ class RingCompliance(NamedTuple):
     def derivative(
         self, inner_force: Array, centrifugal: Array, V: Array, ring_dV: Array
     ) -> Array:
-        """d(shift)/dV of the derivatives of the forces (x, r, couple, centrifugal) by V, shape (4,
-        2, N) [N/m]; shape (2, N, 2, N) [-].
+        """Derivative of the shift by the distances V of the grooves' centres.
+
+        Parameters
+        ----------
+        inner_force : Array
+            forces (x, r) of the balls on the inner ring, shape (2, N) [N]
+        centrifugal : Array
+            centrifugal forces, shape (N,) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+        ring_dV : Array
+            derivatives of the forces (x, r, couple, centrifugal) by V, shape (4, 2, N) [N/m]
+
+        Returns
+        -------
+        Array
+            d(shift)/dV, shape (2, N, 2, N) [-]
         """
         inner = self.inner.derivative(inner_force, V)
         outer = self.outer.derivative(_on_outer_ring(inner_force, centrifugal), V)
@@ -152,19 +252,45 @@ def _on_outer_ring(inner_force: Array, centrifugal: Array) -> Array:
 
 @lru_cache(maxsize=16)
 def response_of(ring: ElasticRing) -> bodies.RingResponse:
-    """Displacement of a ring under unit forces, computed once a process."""
+    """Displacement of a ring under unit forces, computed once a process.
+
+    Parameters
+    ----------
+    ring : ElasticRing
+        elastic ring on its seat
+
+    Returns
+    -------
+    bodies.RingResponse
+        response over the angle [m/N]
+    """
     return bodies.ring_response(
         ring.profile,
         ring.elasticity,
         ring.seat,
         ring.contact_angle,
         ring.cells,
-        place=ring.half_support if ring.supports else None,
+        seat_contact=ring.half_support if ring.supports else None,
     )
 
 
 def ring_compliance(rings: ElasticRings, azimuths: Array, balls: int) -> RingCompliance:
-    """Compliance of the rings between balls at azimuths [rad], rows of `balls` each."""
+    """Compliance of the rings between balls.
+
+    Parameters
+    ----------
+    rings : ElasticRings
+        elastic rings; None of a rigid one
+    azimuths : Array
+        azimuths of the balls, row by row, shape (N,) [rad]
+    balls : int
+        number of balls a row [-]
+
+    Returns
+    -------
+    RingCompliance
+        compliance of both rings [m/N]
+    """
     row = np.arange(azimuths.size) // balls
     together = row[:, None] == row[None, :]
     angles = azimuths[:, None] - azimuths[None, :]
@@ -175,18 +301,20 @@ def ring_compliance(rings: ElasticRings, azimuths: Array, balls: int) -> RingCom
     for ring, outward in ((rings.inner, -1.0), (rings.outer, 1.0)):
         entries = np.zeros((4, azimuths.size, azimuths.size))
         angle = 0.5 * np.pi
-        places = None
+        supports = None
         if ring is not None:
             between = response_of(ring).at(2.0 * np.pi * np.arange(balls // 2 + 1) / balls)
             entries = np.where(together, between[:, steps], 0.0)
             angle = ring.contact_angle
-            places = _places(ring, azimuths, balls, outward)
-        grooves.append(GrooveCompliance(entries, angle, outward, places))
+            supports = _supports(ring, azimuths, balls, outward)
+        grooves.append(GrooveCompliance(entries, angle, outward, supports))
     return RingCompliance(*grooves)
 
 
-def _places(ring: ElasticRing, azimuths: Array, balls: int, outward: float) -> SeatPlaces | None:
-    response = response_of(ring).places
+def _supports(
+    ring: ElasticRing, azimuths: Array, balls: int, outward: float
+) -> SeatSupports | None:
+    response = response_of(ring).seat_contacts
     if response is None:
         return None
-    return seat_places(response, np.array(ring.supports), (azimuths, balls), outward)
+    return seat_supports(response, np.array(ring.supports), (azimuths, balls), outward)

@@ -6,7 +6,7 @@ from math import degrees, pi, radians
 
 from ehl.solid.bodies.ring_profile import Elasticity, RingCells, RingProfile, Seat
 
-from ..geometry import Bearing, Race
+from ..geometry import Bearing, Race, ring_material
 from ..material import Material
 
 # contact angle at which the axial compliance is taken: at least this, from the free angle rounded,
@@ -27,7 +27,7 @@ class ElasticRing:
     contact_angle: float  # at which axial forces act [rad]
     estimated_shoulder: bool = False  # its diameter is an estimate
     cells: RingCells | None = None  # of its mesh; None: those of `ring_mesh`
-    supports: tuple[float, ...] = ()  # azimuths of the places of `Seat.SPLIT` [rad]
+    supports: tuple[float, ...] = ()  # azimuths of the supports of `Seat.SPLIT` [rad]
 
     def __post_init__(self) -> None:
         if (self.seat is Seat.SPLIT) != bool(self.supports):
@@ -39,12 +39,14 @@ class ElasticRing:
         if max(gaps) > pi - self.half_support:
             raise ValueError("supports must be three or more, none of them 180 deg from the next")
         if min(gaps) < 2.0 * self.half_support:
-            least = 2.0 * degrees(self.half_support)
-            raise ValueError(f"supports must be {least:.1f} deg apart, twice the wall of the ring")
+            smallest = 2.0 * degrees(self.half_support)
+            raise ValueError(
+                f"supports must be {smallest:.1f} deg apart, twice the wall of the ring"
+            )
 
     @property
     def half_support(self) -> float:
-        """Half the angle of a place of a split seat, as wide as twice the wall [rad]."""
+        """Half the angle of a support of a split seat, as wide as twice the wall [rad]."""
         return self.profile.wall / self.profile.seat_radius
 
 
@@ -66,14 +68,31 @@ def elastic_ring(
 ) -> ElasticRing:
     """The elastic ring of a bearing; its clearance plays no part.
 
-    `shoulder`: diameter [m], and whether it is an estimate; `body`: bore of the shaft or outside
-    diameter of the housing [m] with its material, for `Seat.ELASTIC`; `supports`: azimuths of
-    the places of `Seat.SPLIT` [rad].
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    race : Race
+        raceway of the ring
+    seat : Seat
+        kind of the seat
+    shoulder : tuple[float, bool]
+        diameter of the shoulder [m], and whether it is an estimate
+    body : tuple[float, Material] | None, optional
+        bore of the shaft or outside diameter of the housing [m] with its material, for
+        `Seat.ELASTIC`
+    supports : tuple[float, ...], default ()
+        azimuths of the supports of `Seat.SPLIT` [rad]
+
+    Returns
+    -------
+    ElasticRing
+        section, elastic constants and seat
 
     Raises
     ------
     ValueError
-        If bore, outside diameter or width are not known, or the section is impossible.
+        if bore, outside diameter or width is missing, or the section is impossible
     """
     inner = race is Race.INNER
     name = "bore" if inner else "outside_diameter"
@@ -85,7 +104,7 @@ def elastic_ring(
     track_diameter = bearing.pitch_diameter + (-ball if inner else ball)
     if (track_diameter - seat_diameter) * (1 if inner else -1) <= 0.0:
         raise ValueError(f"{name} leaves no wall under the groove of the {race.value} ring")
-    material = bearing.inner_ring_material if inner else bearing.outer_ring_material
+    material = ring_material(bearing, race)
     radius, body_material = (None, None) if body is None else body
     if radius is not None:
         radius *= 0.5

@@ -1,13 +1,13 @@
-r"""Reactions of a seat that presses a ring at places only, and lets go where it would pull.
+r"""Reactions of a seat that presses a ring at supports only, and lets go where it would pull.
 
-R >= 0 are the forces of the places, w = g - S R - E z <= 0 how far the ring is pressed into
-them, R w = 0, with g the displacement by the balls towards the places, S the compliance of the
+R >= 0 are the forces of the supports, w = g - S R - E z <= 0 how far the ring is pressed into
+them, R w = 0, with g the displacement by the balls towards the supports, S the compliance of the
 seat, and z the movement of the ring as a whole, for which :math:`E^T R`
 balances the balls (Signorini's problem of a discrete seat). A spring, `CENTRING`, holds the ring
-across where one place alone presses, as friction there would; it takes a thousandth of the load
+across where one support alone presses, as friction there would; it takes a thousandth of the load
 at most where two do.
 
-The pressing places follow from non-negative least squares (Lawson and Hanson, 1974), after which
+The pressing supports follow from non-negative least squares (Lawson and Hanson, 1974), after which
 
 .. math:: \begin{pmatrix} S & E \\ E^T & -\epsilon \end{pmatrix}
           \begin{pmatrix} R \\ z \end{pmatrix} = D \hat f
@@ -27,30 +27,54 @@ from ..geometry import Array
 CENTRING = 1e-3  # of a force to the compliance of the seat: epsilon S [-]
 
 
-class SeatPlaces(NamedTuple):
-    """Places of the seat of a ring under N balls; P places and two movements for each row."""
+class SeatSupports(NamedTuple):
+    """Supports of the seat of a ring under N balls; P supports and two movements for each row."""
 
     seat: Array  # S, shape (P, P) [m/N]
     by_force: Array  # g of radial forces and opening parts of the balls, shape (P, 2 N) [m/N]
     directions: Array  # E, shape (P, 2 rows) [-]
-    balance: Array  # resultant of the balls, towards the places, shape (2 rows, 2 N) [-]
+    balance: Array  # resultant of the balls, towards the supports, shape (2 rows, 2 N) [-]
 
     def reactions(self, parts: Array) -> tuple[Array, Array]:
-        """R, shape (P,) [N], and z, shape (2 rows,) [m], under forces, shape (2 N,) [N]."""
+        """Forces R of the supports and movement z of the ring under forces of the balls.
+
+        Parameters
+        ----------
+        parts : Array
+            radial forces and opening parts of the balls, shape (2 N,) [N]
+
+        Returns
+        -------
+        force
+            R, shape (P,) [N]
+        movement
+            z, shape (2 rows,) [m]
+        """
         pressing = self._pressing(parts)
         system, load = self._system(pressing)
-        found = np.linalg.solve(system, load @ parts)
+        solved = np.linalg.solve(system, load @ parts)
         force = np.zeros(len(self.seat))
-        force[pressing] = found[: pressing.sum()]
-        return force, np.asarray(found[pressing.sum() :], dtype=np.float64)
+        force[pressing] = solved[: pressing.sum()]
+        return force, np.asarray(solved[pressing.sum() :], dtype=np.float64)
 
     def taken(self, parts: Array) -> Array:
-        """What the places take from the compliance, shape (2 N, 2 N) [m/N]."""
+        """Reduction of the compliance by the supports.
+
+        Parameters
+        ----------
+        parts : Array
+            radial forces and opening parts of the balls, shape (2 N,) [N]
+
+        Returns
+        -------
+        Array
+            reduction, shape (2 N, 2 N) [m/N]
+        """
         system, load = self._system(self._pressing(parts))
         return np.asarray(load.T @ np.linalg.solve(system, load))
 
     def _pressing(self, parts: Array) -> Array:
-        """Which places press, shape (P,)."""
+        """Supports that press, shape (P,)."""
         scale = np.trace(self.seat) / len(self.seat)
         stiff = scale / CENTRING
         matrix = self.seat + stiff * self.directions @ self.directions.T
@@ -68,32 +92,47 @@ class SeatPlaces(NamedTuple):
         return matrix, np.vstack([self.by_force[pressing], self.balance])
 
 
-def seat_places(
+def seat_supports(
     response: SeatResponse, azimuths: Array, on_balls: tuple[Array, int], outward: float
-) -> SeatPlaces:
-    """Places at azimuths [rad] on the ring of each row.
+) -> SeatSupports:
+    """Supports at azimuths on the ring of each row.
 
-    `on_balls`: azimuths of the balls [rad], and how many of them are in a row; `outward`: 1 for
-    an outer, -1 for an inner ring.
+    Parameters
+    ----------
+    response : SeatResponse
+        response of the ring to forces at its seat
+    azimuths : Array
+        azimuths of the supports [rad]
+    on_balls : tuple[Array, int]
+        azimuths of the balls [rad], and the number of balls a row
+    outward : float
+        1 for an outer, -1 for an inner ring [-]
+
+    Returns
+    -------
+    SeatSupports
+        supports with their compliance
     """
     ball_azimuths, balls = on_balls
     rows = ball_azimuths.size // balls
-    place = np.tile(azimuths, rows)
-    place_row = np.repeat(np.arange(rows), azimuths.size)
+    seat_azimuths = np.tile(azimuths, rows)
+    support_row = np.repeat(np.arange(rows), azimuths.size)
     ball_row = np.arange(ball_azimuths.size) // balls
-    _, _, seat = response.at(place[:, None] - place)
-    radial, opened, _ = response.at(place[:, None] - ball_azimuths)
-    own = place_row[:, None] == ball_row
-    direction = np.stack([np.cos(place), np.sin(place)], axis=1)
+    _, _, seat = response.at(seat_azimuths[:, None] - seat_azimuths)
+    radial, opened, _ = response.at(seat_azimuths[:, None] - ball_azimuths)
+    same_row = support_row[:, None] == ball_row
+    direction = np.stack([np.cos(seat_azimuths), np.sin(seat_azimuths)], axis=1)
     to_ball = outward * np.stack([np.cos(ball_azimuths), np.sin(ball_azimuths)], axis=1)
-    spread = np.zeros((place.size, rows, 2))
-    spread[np.arange(place.size), place_row] = direction
+    spread = np.zeros((seat_azimuths.size, rows, 2))
+    spread[np.arange(seat_azimuths.size), support_row] = direction
     balance = np.zeros((rows, 2, ball_azimuths.size))
     balance[ball_row, :, np.arange(ball_azimuths.size)] = to_ball
     none = np.zeros((2 * rows, ball_azimuths.size))
-    return SeatPlaces(
-        seat=np.where(place_row[:, None] == place_row, 0.5 * (seat + seat.T), 0.0),
-        by_force=np.hstack([np.where(own, radial, 0.0), np.where(own, outward * opened, 0.0)]),
-        directions=spread.reshape(place.size, 2 * rows),
+    return SeatSupports(
+        seat=np.where(support_row[:, None] == support_row, 0.5 * (seat + seat.T), 0.0),
+        by_force=np.hstack(
+            [np.where(same_row, radial, 0.0), np.where(same_row, outward * opened, 0.0)]
+        ),
+        directions=spread.reshape(seat_azimuths.size, 2 * rows),
         balance=np.hstack([balance.reshape(2 * rows, -1), none]),
     )

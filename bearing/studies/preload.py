@@ -38,8 +38,26 @@ SENSES = {
 def preload_offset(
     bearing: Bearing, preload_force: float, model: QuasistaticModel | None = None
 ) -> float:
-    """Axial distance of the grooves' middles at which one row at rest carries a force [N], the
-    free axial position without any [m].
+    """Axial distance of the grooves' middles at which one row at rest carries a force.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        with the clearance it is set with
+    preload_force : float
+        axial force; zero gives the free axial position [N]
+    model : QuasistaticModel | None, optional
+        assumptions of the equilibrium
+
+    Returns
+    -------
+    float
+        distance [m]
+
+    Raises
+    ------
+    ValueError
+        if the force is negative or the row has no equilibrium
     """
     if not preload_force >= 0.0:
         raise ValueError(f"preload_force must not be negative, got {preload_force!r} N")
@@ -97,9 +115,30 @@ def preloaded_row(
 ) -> Row:
     """A row with a preload, as a force or as a displacement beyond first touch.
 
-    `bearing`: with the clearance it is set with; `axial_position` [m]; `sense`: 1 if a push of the
-    inner ring to +x loads the row, else -1 [-]; `preload_force` [N]; `preload_displacement` [m];
-    negative leaves play.
+    Parameters
+    ----------
+    bearing : Bearing
+        with the clearance it is set with
+    axial_position : float
+        position of the row [m]
+    sense : int
+        1 if a push of the inner ring to +x loads the row, else -1 [-]
+    preload_force : float, default 0.0
+        force of the row at rest [N]
+    preload_displacement : float, default 0.0
+        displacement beyond first touch; negative leaves play [m]
+    model : QuasistaticModel | None, optional
+        assumptions of the equilibrium
+
+    Returns
+    -------
+    Row
+        row with its offset
+
+    Raises
+    ------
+    ValueError
+        if `sense` is neither, or both preloads are prescribed
     """
     if sense not in (1, -1):
         raise ValueError(f"sense must be 1 or -1, got {sense!r}")
@@ -119,9 +158,27 @@ def duplex(
 ) -> tuple[Row, Row]:
     """Two equal rows about the origin.
 
-    `distance`: between the middles of the rows [m]; `preload_force`: in each row at rest [N];
-    `preload_displacement`: of each row beyond first touch [m]; the gap that mounting closes is
-    twice that.
+    Parameters
+    ----------
+    bearing : Bearing
+        with the clearance it is set with
+    arrangement : Arrangement
+        back to back, face to face or tandem
+    distance : float
+        between the middles of the rows [m]
+    preload_force : float, default 0.0
+        in each row at rest [N]
+    preload_displacement : float, default 0.0
+        of each row beyond first touch; the gap that mounting closes is twice that [m]
+    model : QuasistaticModel | None, optional
+        assumptions of the equilibrium
+
+    Returns
+    -------
+    left
+        row at -x
+    right
+        row at +x
     """
     preload = (preload_force, preload_displacement, model)
     left, right = SENSES[arrangement]

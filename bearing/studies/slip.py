@@ -70,7 +70,22 @@ class SlipStudy:
     def solve(
         self, speed: float, axial_load: float, initial_guess: QuasistaticSolution | None = None
     ) -> QuasistaticSolution | None:
-        """Equilibrium at an inner speed [rad/s] and axial load [N]; None where there is none."""
+        """Equilibrium at an inner speed and axial load.
+
+        Parameters
+        ----------
+        speed : float
+            speed of the inner ring [rad/s]
+        axial_load : float
+            load along x [N]
+        initial_guess : QuasistaticSolution | None, optional
+            converged solution of a similar state
+
+        Returns
+        -------
+        QuasistaticSolution | None
+            equilibrium; None if there is none
+        """
         operation = replace(
             self.operation, inner_speed=speed, force=(axial_load, *self.operation.force[1:])
         )
@@ -78,7 +93,18 @@ class SlipStudy:
         return solution if solution.converged else None
 
     def least_preload(self, speed: float) -> float:
-        """Axial load [N] below which a ball must slip at `speed` [rad/s], limit Z Fc."""
+        """Axial load limit Z Fc below which a ball must slip.
+
+        Parameters
+        ----------
+        speed : float
+            speed of the inner ring [rad/s]
+
+        Returns
+        -------
+        float
+            load [N]
+        """
         problem = ball_problem(self.bearing, speed, self.operation.outer_speed, self.model)
         return self.limit * self.bearing.balls * problem.nominal_force
 
@@ -112,7 +138,18 @@ class CriticalCurves:
 
 
 def slip_factors(solution: QuasistaticSolution) -> Array:
-    """SF = Qi |sin ai|/Fc of every ball, shape (Z,) [-], Hirano (1965); infinite at rest."""
+    """SF = Qi |sin ai|/Fc of every ball, Hirano (1965); infinite at rest.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    Array
+        factors, shape (Z,) [-]
+    """
     axial = solution.inner_load * np.abs(np.sin(solution.inner_contact_angle))
     force = solution.centrifugal_force
     factors: Array = np.where(force > 0.0, axial / np.where(force > 0.0, force, 1.0), np.inf)
@@ -120,8 +157,21 @@ def slip_factors(solution: QuasistaticSolution) -> Array:
 
 
 def slip_row(study: SlipStudy, axial_loads: Sequence[float], speed: float) -> Array:
-    """Slip factors [-] over axial loads [N] at one speed [rad/s], each solution the start of the
-    next; NaN where there is no equilibrium, shape (F, Z).
+    """Slip factors over axial loads at one speed, each solution the start of the next.
+
+    Parameters
+    ----------
+    study : SlipStudy
+        bearing and its other loads
+    axial_loads : Sequence[float]
+        loads along x, shape (F,) [N]
+    speed : float
+        speed of the inner ring [rad/s]
+
+    Returns
+    -------
+    Array
+        factors, NaN without an equilibrium, shape (F, Z) [-]
     """
     factors = np.full((len(axial_loads), study.bearing.balls), nan)
     last = None
@@ -137,8 +187,23 @@ def slip_row(study: SlipStudy, axial_loads: Sequence[float], speed: float) -> Ar
 def slip_surface(
     study: SlipStudy, speeds: Sequence[float], axial_loads: Sequence[float], mapper: Mapper = map
 ) -> SlipSurface:
-    """Slip factors of every ball over speeds of the inner ring [rad/s] and axial loads [N]; the
-    `mapper` may be the map of a pool that shares the rows.
+    """Slip factors of every ball over speeds of the inner ring and axial loads.
+
+    Parameters
+    ----------
+    study : SlipStudy
+        bearing and its other loads
+    speeds : Sequence[float]
+        speeds of the inner ring, shape (n,) [rad/s]
+    axial_loads : Sequence[float]
+        loads along x, shape (F,) [N]
+    mapper : Mapper, default map
+        `map`, or the map of a pool that distributes the rows
+
+    Returns
+    -------
+    SlipSurface
+        factors over both
     """
     rows = mapper(partial(slip_row, study, tuple(axial_loads)), [float(n) for n in speeds])
     return SlipSurface(
@@ -147,8 +212,19 @@ def slip_surface(
 
 
 def minimum_preload(study: SlipStudy, speed: float) -> float:
-    """Least axial load [N] with which no ball slips at a speed of the inner ring [rad/s]; 0
-    without centrifugal force; NaN if it exceeds 700 times the least possible one.
+    """Least axial load with which no ball slips.
+
+    Parameters
+    ----------
+    study : SlipStudy
+        bearing and its other loads
+    speed : float
+        speed of the inner ring [rad/s]
+
+    Returns
+    -------
+    float
+        load; 0 without centrifugal force; NaN if it exceeds 700 times the least possible one [N]
     """
     if study.least_preload(speed) == 0.0:
         return 0.0
@@ -159,16 +235,48 @@ def minimum_preload(study: SlipStudy, speed: float) -> float:
 
 
 def minimum_preloads(study: SlipStudy, speeds: Sequence[float], mapper: Mapper = map) -> Array:
-    """`minimum_preload` [N] over speeds [rad/s], shared by `mapper`; shape (n,)."""
+    """`minimum_preload` over speeds.
+
+    Parameters
+    ----------
+    study : SlipStudy
+        bearing and its other loads
+    speeds : Sequence[float]
+        speeds of the inner ring, shape (n,) [rad/s]
+    mapper : Mapper, default map
+        `map`, or the map of a pool
+
+    Returns
+    -------
+    Array
+        loads, shape (n,) [N]
+    """
     return np.array(list(mapper(partial(minimum_preload, study), [float(n) for n in speeds])))
 
 
 def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
-    """Axial load [N] at which the factor of each ball passes the limit, shape (Z,): the heaviest
-    where there are several, NaN where there is none.
+    """Axial load at which the factor of each ball passes the limit.
 
-    `study`: its radial load is replaced by `radial_load`, along +y [N]; `speed`: of the inner ring
-    [rad/s].
+    The heaviest if there are several, NaN if there is none.
+
+    Parameters
+    ----------
+    study : SlipStudy
+        bearing; its radial load is replaced
+    speed : float
+        speed of the inner ring [rad/s]
+    radial_load : float
+        load along +y [N]
+
+    Returns
+    -------
+    Array
+        loads, shape (Z,) [N]
+
+    Raises
+    ------
+    ValueError
+        if the study prescribes a displacement along y
     """
     if study.operation.force[1] is None:
         raise ValueError(
@@ -201,7 +309,24 @@ def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
 def critical_curves(
     study: SlipStudy, speed: float, radial_loads: Sequence[float], mapper: Mapper = map
 ) -> CriticalCurves:
-    """`critical_loads` [N] over radial loads [N] at one speed [rad/s], shared by `mapper`."""
+    """`critical_loads` over radial loads at one speed.
+
+    Parameters
+    ----------
+    study : SlipStudy
+        bearing; its radial load is replaced
+    speed : float
+        speed of the inner ring [rad/s]
+    radial_loads : Sequence[float]
+        loads along +y, shape (R,) [N]
+    mapper : Mapper, default map
+        `map`, or the map of a pool
+
+    Returns
+    -------
+    CriticalCurves
+        critical axial loads over the radial ones [N]
+    """
     rows = mapper(partial(critical_loads, study, speed), [float(load) for load in radial_loads])
     return CriticalCurves(
         speed=speed, radial_loads=np.array(radial_loads), axial_loads=np.array(list(rows))
@@ -209,8 +334,20 @@ def critical_curves(
 
 
 def minimum_axial_load_skf(factor: float, speed: float) -> float:
-    """Catalogue minimum axial load F_am = A (n/1000)^2, SKF Rolling bearings catalogue [N]; A of
-    the product table in [N], speed in [rad/s], n in r/min.
+    """Catalogue minimum axial load F_am = A (n/1000)^2, SKF Rolling bearings catalogue; n in
+    r/min.
+
+    Parameters
+    ----------
+    factor : float
+        A of the product table [N]
+    speed : float
+        speed of one ring against the other [rad/s]
+
+    Returns
+    -------
+    float
+        F_am [N]
     """
     return factor * (speed / RPM / 1000.0) ** 2
 
@@ -218,18 +355,32 @@ def minimum_axial_load_skf(factor: float, speed: float) -> float:
 def minimum_radial_load_skf(
     factor: float, speed: float, kinematic_viscosity: float, pitch_diameter: float
 ) -> float:
-    """Catalogue minimum radial load F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2, SKF Rolling bearings
-    catalogue [N]; n in r/min, nu in mm^2/s, d_m in mm.
+    """Catalogue minimum radial load, SKF Rolling bearings catalogue.
 
-    `factor`: k_r of the product table [N]; `speed` [rad/s]; `kinematic_viscosity`: at operating
-    temperature [m^2/s]; `pitch_diameter` [m].
+    F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2; n in r/min, nu in mm^2/s, d_m in mm.
+
+    Parameters
+    ----------
+    factor : float
+        k_r of the product table [N]
+    speed : float
+        speed of one ring against the other [rad/s]
+    kinematic_viscosity : float
+        at operating temperature [m^2/s]
+    pitch_diameter : float
+        d_m [m]
+
+    Returns
+    -------
+    float
+        F_rm [N]
     """
     flow = kinematic_viscosity / MILLIMETRE**2 * abs(speed / RPM) / 1000.0
     return float(factor * flow ** (2.0 / 3.0) * (pitch_diameter / MILLIMETRE / 100.0) ** 2)
 
 
 class _Ascent(NamedTuple):
-    """Where the search upwards ended."""
+    """End of the search upwards."""
 
     before: float  # trial before the last; NaN without an equilibrium there [N]
     load: float  # last trial [N]

@@ -31,7 +31,7 @@ class StiffnessOverSpeed:
 
     @property
     def converged(self) -> NDArray[np.bool_]:
-        """Whether there is an equilibrium, shape (n,) [-]."""
+        """True for the speeds with an equilibrium, shape (n,) [-]."""
         return np.asarray(np.isfinite(self.matrices).all(axis=(1, 2)))
 
 
@@ -43,8 +43,27 @@ def stiffness_over_speed(
     rows: Sequence[Row] = SINGLE,
     solve: Callable[..., QuasistaticSolution] = solve_quasistatic,
 ) -> StiffnessOverSpeed:
-    """Stiffness at several speeds of the inner ring [rad/s], all else as in the operation, whose
-    inner speed is replaced; `solve` is called as `solve_quasistatic`.
+    """Stiffness at several speeds of the inner ring, all else as in the operation.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        loads; its inner speed is replaced
+    speeds : Sequence[float]
+        speeds of the inner ring, shape (n,) [rad/s]
+    model : QuasistaticModel | None, optional
+        assumptions of the equilibrium
+    rows : Sequence[Row], default SINGLE
+        rows of balls on the inner ring
+    solve : Callable[..., QuasistaticSolution], default solve_quasistatic
+        called as `solve_quasistatic`
+
+    Returns
+    -------
+    StiffnessOverSpeed
+        stiffness and displacement over speed, NaN without an equilibrium
     """
     matrices = np.full((len(speeds), 5, 5), np.nan)
     displacements = np.full((len(speeds), 5), np.nan)

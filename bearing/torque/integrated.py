@@ -26,7 +26,7 @@ from ..friction.balance import BalancedFriction, balance_balls, balance_driven_b
 from ..friction.cage import resisted_power
 from ..friction.film_nodes import film_nodes
 from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
-from ..friction.law import ContactLaw
+from ..friction.law import ContactFriction
 from ..friction.resistance import NO_RESISTANCE, Resistance
 from ..geometry import Array
 from ..operation import BallKinematics
@@ -285,9 +285,9 @@ def _flooded_torque(
 def law_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
-    whole: ContactLaw | None = None,
+    whole: ContactFriction | None = None,
 ) -> SolvedShear:
     """Torque by the friction of all contacts under the hypothesis and in balance; the rings turn
     against
@@ -299,11 +299,11 @@ def law_torque(
         equilibrium of the bearing
     contacts : Sequence[BearingContact]
         all of its contacts, inner then outer, ball by ball
-    law : ContactLaw
+    law : ContactFriction
         friction of the contacts
     resistance : Resistance, default NO_RESISTANCE
         what holds the balls back beside the races
-    whole : ContactLaw | None, optional
+    whole : ContactFriction | None, optional
         the law with the rolling moment of flooded, isothermal films, where it is another
 
     Returns
@@ -337,7 +337,7 @@ def law_torque(
 def _balanced_law(
     solution: QuasistaticSolution,
     kinematics: MotionMap,
-    law: ContactLaw,
+    law: ContactFriction,
     balance: BalancedFriction,
 ) -> IntegratedTorque:
     """Torque of a law at the motion that balances it [N m]."""
@@ -378,7 +378,7 @@ def _as_balanced(torque: IntegratedTorque, balance: BalancedFriction) -> Integra
 def _law_torque(
     solution: QuasistaticSolution,
     kinematics: MotionMap,
-    law: ContactLaw,
+    law: ContactFriction,
     motion: Array,
     forces: Array,
 ) -> IntegratedTorque:

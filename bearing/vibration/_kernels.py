@@ -13,7 +13,7 @@ Fourth-order Runge-Kutta steps; works are integrated along with them.
 
 import numpy as np
 
-from ehl.compiled import allocating, compiled
+from ehl.compiled import compiled
 from ehl.oil._elementary_kernels import copy
 
 from .arrays import (
@@ -168,7 +168,7 @@ def add_ball(c, j, q, v, about, result):
         power[STORED] += energy
 
 
-@allocating
+@compiled
 def accelerations(c, time, q, v, outside, result):
     """Accelerations, powers with the elastic energy, loads of the contacts (Z inner, Z outer) into
     the arrays of result. outside: share of the form, damping of all bodies [1/s].
@@ -242,7 +242,7 @@ def keep_row(record, row, state, slopes, kinetic):
     copy(work, energies[row, 1:])
 
 
-@allocating
+@compiled
 def advance(c, clock, share, state, record):
     """Steps of Runge and Kutta; the state (q, v, works) moves on in place, a row of the record is
     written before every stride-th step; none with a stride of zero.

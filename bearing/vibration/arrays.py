@@ -1,10 +1,10 @@
-"""What the compiled equations of motion take: numbers of a model, places in the state."""
+"""Numbers of a model for the compiled equations of motion, and indices in the state."""
 
 from typing import NamedTuple
 
 from ..geometry import Array
 
-# of a body's coordinates in the state
+# first index of a body's coordinates in the state
 INNER = 0  # x, y, z, tilt y, tilt z of the inner ring
 OUTER = 5  # x, y, z of the outer ring
 SENSOR = 8  # of the oscillator on it

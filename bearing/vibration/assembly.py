@@ -23,6 +23,7 @@ from .laws import (
     film_law,
     heaviest,
     linear_law,
+    mean_angle,
     solved_films,
     stiffness_factor,
 )
@@ -45,36 +46,59 @@ class Assembled:
 
 
 def track_radius(bearing: Bearing, race: Race, contact_angle: float) -> float:
-    """Radius at which balls roll on a race, d_m/2 -+ D/2 cos(angle) [m]; angle in [rad]."""
+    """Radius at which balls roll on a race, d_m/2 -+ D/2 cos(angle).
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    race : Race
+        raceway
+    contact_angle : float
+        contact angle [rad]
+
+    Returns
+    -------
+    float
+        radius [m]
+    """
     side = -1.0 if race is Race.INNER else 1.0
     return 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(contact_angle))
-
-
-def mean_angle(solution: QuasistaticSolution, race: Race) -> float:
-    """Contact angle of a race, mean over the balls by their loads [rad]."""
-    inner = race is Race.INNER
-    load = solution.inner_load if inner else solution.outer_load
-    angle = solution.inner_contact_angle if inner else solution.outer_contact_angle
-    return float(np.average(angle, weights=load)) if load.sum() > 0.0 else float(np.mean(angle))
 
 
 def assembled(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], model: VibrationModel
 ) -> Assembled:
-    """The equations of a bearing, SI, the films of its contacts solved where the model asks for
-    them; behind a layer of oil where their conditions have one, but for the waves' way through.
+    """The equations of a bearing, SI.
+
+    The films of its contacts are solved if the model asks for them; with the oil at their inlet if
+    their conditions have a layer, except for the transmission of waves.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+    model : VibrationModel
+        form of the surfaces, supports and options
+
+    Returns
+    -------
+    Assembled
+        numbers of the equations, and the films solved for them
 
     Raises
     ------
     ValueError
-        If dimensions are missing, a wave is too short for the record, or nothing turns.
+        if dimensions are missing, a wave is too short for the record, or nothing turns
     FilmsNotSolvedError
-        If a film is not solved.
+        if a film is not solved
     """
     _check(solution, model)
     films: dict[Race, SolvedFilms] = {}
     laws: dict[Race, ContactLawTable] = {}
-    parts: dict[Race, Transmission] = {}
+    transmissions: dict[Race, Transmission] = {}
     stiffness: dict[Race, float] = {}
     frequency = resonance(solution, model.support)
     for race in RACES:
@@ -90,23 +114,23 @@ def assembled(
         if model.options.wave_filter is not WaveFilter.NONE:
             assert contact.hertz is not None  # it is loaded
             along = contact.hertz.semi_axis_x
-            parts[race] = dry_transmission(along)
+            transmissions[race] = dry_transmission(along)
             uneven = not (model.form.is_even(RACES[race]) and model.form.is_even(Place.BALL))
             if model.options.wave_filter is WaveFilter.FILM and uneven:
                 assert contact.conditions is not None  # its film was solved
                 shortest = _largest_number(solution, model, race, along)
                 grid = SolverOptions(points=POINTS, certify=False)
                 flooded = replace(contact.conditions, inlet_layer=None)
-                parts[race] = film_transmission(flooded, along, shortest, grid)
+                transmissions[race] = film_transmission(flooded, along, shortest, grid)
     cage = solution.cage_speed
     cage -= model.options.cage_slip * (cage - solution.operation.outer_speed)
     loaded = solution.inner_load > 0.0
     ball = float(np.mean(solution.spin_speed[loaded] if loaded.any() else solution.spin_speed))
-    arrays = _arrays(solution, model, laws, parts, (cage, ball))
+    arrays = _arrays(solution, model, laws, transmissions, (cage, ball))
     return Assembled(
         arrays=arrays,
         films=films,
-        transmissions=parts,
+        transmissions=transmissions,
         stiffness=stiffness,
         cage_speed=cage,
         ball_speed=ball,
@@ -114,10 +138,23 @@ def assembled(
 
 
 def resonance(solution: QuasistaticSolution, support: Support) -> float:
-    """Of the inner ring on its balls in the radial direction of the load [Hz]; of the outer ring
-    where that one is held.
+    """Frequency of the inner ring on its balls in the radial direction of the load.
+
+    That of the outer ring if the inner one is fixed.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    support : Support
+        supports of the rings
+
+    Returns
+    -------
+    float
+        frequency [Hz]
     """
-    mass = _masses(solution.bearing, support)[0 if not support.inner_ring_held else OUTER]
+    mass = _masses(solution.bearing, support)[0 if not support.inner_ring_fixed else OUTER]
     return sqrt(float(solution.stiffness[1, 1]) / mass) / (2.0 * pi)
 
 
@@ -138,8 +175,8 @@ def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
     if max(numbers, default=0) > balls:
         raise ValueError(f"ball: {max(numbers)} is given a form, but there are {balls} balls")
     if len(model.form.ball_diameters) not in (0, balls):
-        given = len(model.form.ball_diameters)
-        raise ValueError(f"ball_diameters: {given} values for {balls} balls")
+        count = len(model.form.ball_diameters)
+        raise ValueError(f"ball_diameters: {count} values for {balls} balls")
     _check_orders(solution, model, limit)
 
 
@@ -179,8 +216,8 @@ def _largest_number(
     """k a of the shortest wave that matters: given, or half the sample rate for profiles [-]."""
     radius = track_radius(solution.bearing, race, mean_angle(solution, race))
     ball_radius = 0.5 * solution.bearing.ball_diameter
-    own = model.form.waves.get(RACES[race], ())
-    numbers = [wave.order * along / radius for wave in own]
+    waves = model.form.waves.get(RACES[race], ())
+    numbers = [wave.order * along / radius for wave in waves]
     numbers += [w.order * along / ball_radius for w in model.form.waves.get(Place.BALL, ())]
     if model.form.profiles or model.form.defects:
         conditions_speed = abs(solution.operation.shaft_speed) * radius
@@ -192,7 +229,7 @@ def _arrays(
     solution: QuasistaticSolution,
     model: VibrationModel,
     laws: dict[Race, ContactLawTable],
-    parts: dict[Race, Transmission],
+    transmissions: dict[Race, Transmission],
     speeds: tuple[float, float],
 ) -> VibrationArrays:
     bearing = solution.bearing
@@ -222,9 +259,9 @@ def _arrays(
         ball_excess=excess,
         inner_law=laws[Race.INNER],
         outer_law=laws[Race.OUTER],
-        inner_height=_ring_heights(solution, model, Race.INNER, parts),
-        outer_height=_ring_heights(solution, model, Race.OUTER, parts),
-        ball_height=_ball_heights(solution, model, parts),
+        inner_height=_ring_heights(solution, model, Race.INNER, transmissions),
+        outer_height=_ring_heights(solution, model, Race.OUTER, transmissions),
+        ball_height=_ball_heights(solution, model, transmissions),
         mass=inertia[:BALLS],
         free=_free(solution, support),
         polar_inertia=float(inertia[BALLS]),
@@ -238,9 +275,9 @@ def _arrays(
 
 
 def _masses(bearing: Bearing, support: Support) -> Array:
-    """Of the nine coordinates [kg], [kg m^2], and the polar inertia of the inner ring [kg m^2]."""
+    """Masses of the nine coordinates and the inner ring's polar inertia [kg], [kg m^2]."""
     masses = np.ones(BALLS + 1)
-    if not support.inner_ring_held:
+    if not support.inner_ring_fixed:
         ring = ring_body(bearing)
         masses[INNER:OUTER] = ring.mass + support.shaft_mass
         masses[INNER + 3 : OUTER] = ring.transverse_inertia
@@ -253,7 +290,7 @@ def _masses(bearing: Bearing, support: Support) -> Array:
 
 
 def _outer_mass(bearing: Bearing, support: Support) -> float:
-    """Of the outer ring: as given, or a hollow cylinder outside of its groove's bottom [kg]."""
+    """Mass of the outer ring [kg]: prescribed, or that of a cylinder outside of its groove."""
     if support.outer_mass is not None:
         return support.outer_mass
     if bearing.outside_diameter is None or bearing.width is None:
@@ -267,9 +304,9 @@ def _outer_mass(bearing: Bearing, support: Support) -> float:
 
 def _free(solution: QuasistaticSolution, support: Support) -> Array:
     free = np.zeros(BALLS)
-    if not support.inner_ring_held:
-        given = [load is not None for load in solution.operation.loads]
-        free[INNER:OUTER] = given
+    if not support.inner_ring_fixed:
+        loaded = [load is not None for load in solution.operation.loads]
+        free[INNER:OUTER] = loaded
     if support.outer_moves:
         free[OUTER:SENSOR] = 1.0
     if support.sensor is not None:
@@ -286,15 +323,15 @@ def _sensor(sensor: Sensor | None) -> Array:
     return np.array([sensor.mass * omega**2, damping, float(AXES[Direction.Y])])
 
 
-def _entering(profile: Array, part: Transmission | None, radius: float) -> Array:
-    return profile if part is None else filtered(profile, part, radius)
+def _entering(profile: Array, transmission: Transmission | None, radius: float) -> Array:
+    return profile if transmission is None else filtered(profile, transmission, radius)
 
 
 def _ring_heights(
     solution: QuasistaticSolution,
     model: VibrationModel,
     race: Race,
-    parts: dict[Race, Transmission],
+    transmissions: dict[Race, Transmission],
 ) -> Array:
     """Form of a race as it enters the bearing [m]."""
     place = RACES[race]
@@ -306,11 +343,11 @@ def _ring_heights(
     for defect in model.form.defects_of(place):
         profile = profile - hollow(defect, radius)
     along = reduced_radii(solution.bearing, race, angle)[0]
-    return _entering(rolled(profile, radius, along), parts.get(race), radius)
+    return _entering(rolled(profile, radius, along), transmissions.get(race), radius)
 
 
 def _ball_heights(
-    solution: QuasistaticSolution, model: VibrationModel, parts: dict[Race, Transmission]
+    solution: QuasistaticSolution, model: VibrationModel, transmissions: dict[Race, Transmission]
 ) -> Array:
     """Form of the balls as it enters at the inner and the outer race, shape (2, 1 or Z, n) [m];
     one of all balls where they are alike.
@@ -320,14 +357,14 @@ def _ball_heights(
     if form.is_even(Place.BALL):
         return np.zeros((2, 1, 2))
     radius = 0.5 * bearing.ball_diameter
-    alike = not form.defects_of(Place.BALL)
-    alike &= all(wave.ball == 0 for wave in form.waves.get(Place.BALL, ()))
-    rows = [heights(form, Place.BALL, ball + 1) for ball in range(1 if alike else bearing.balls)]
+    equal = not form.defects_of(Place.BALL)
+    equal &= all(wave.ball == 0 for wave in form.waves.get(Place.BALL, ()))
+    rows = [heights(form, Place.BALL, ball + 1) for ball in range(1 if equal else bearing.balls)]
     for defect in form.defects_of(Place.BALL):
         rows[defect.ball - 1] -= hollow(defect, radius)
     both = []
     for race in RACES:
         along = reduced_radii(bearing, race, mean_angle(solution, race))[0]
-        part = parts.get(race)
-        both.append([_entering(rolled(row, radius, along), part, radius) for row in rows])
+        transmission = transmissions.get(race)
+        both.append([_entering(rolled(row, radius, along), transmission, radius) for row in rows])
     return np.array(both)

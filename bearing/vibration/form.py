@@ -71,7 +71,7 @@ class Defect:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SurfaceForm:
-    """What the surfaces of a bearing differ by from circles and grooves."""
+    """Differences of the surfaces of a bearing from circles and grooves."""
 
     waves: dict[Place, tuple[Wave, ...]] = field(default_factory=dict)
     profiles: dict[Place, Array] = field(default_factory=dict)  # heights over a turn, even [m]
@@ -79,57 +79,119 @@ class SurfaceForm:
     defects: tuple[Defect, ...] = ()
 
     def defects_of(self, place: Place) -> tuple[Defect, ...]:
-        """Those of one body, or of all balls."""
+        """Defects of one body, or of all balls.
+
+        Parameters
+        ----------
+        place : Place
+            body
+
+        Returns
+        -------
+        tuple[Defect, ...]
+            its defects
+        """
         return tuple(defect for defect in self.defects if defect.place is place)
 
     def is_even(self, place: Place) -> bool:
-        """Whether a body has neither waviness nor profile nor defect."""
-        given = self.waves.get(place) or place in self.profiles or self.defects_of(place)
-        return not given
+        """Check whether a body has neither waviness nor profile nor defect.
+
+        Parameters
+        ----------
+        place : Place
+            body
+
+        Returns
+        -------
+        bool
+            true if its form is that of a circle
+        """
+        uneven = self.waves.get(place) or place in self.profiles or self.defects_of(place)
+        return not uneven
 
 
 def heights(form: SurfaceForm, place: Place, ball: int = 0) -> Array:
-    """Waves and profile of a ring, or of a ball by its number from 1, over a turn [m], shape
-    (POINTS,), without its defects.
+    """Waves and profile of a body over a turn, without its defects.
+
+    Parameters
+    ----------
+    form : SurfaceForm
+        form of all surfaces
+    place : Place
+        body
+    ball : int, default 0
+        number of the ball, from 1 [-]
+
+    Returns
+    -------
+    Array
+        heights, shape (POINTS,) [m]
     """
     angle = 2.0 * pi / POINTS * np.arange(POINTS)
     total = np.zeros(POINTS)
     for wave in form.waves.get(place, ()):
         if wave.ball in (0, ball):
             total += wave.amplitude * np.cos(wave.order * angle + wave.phase)
-    given = form.profiles.get(place)
-    if given is not None:
-        even = np.append(given, given[0])
+    profile = form.profiles.get(place)
+    if profile is not None:
+        even = np.append(profile, profile[0])
         total += np.interp(angle, np.linspace(0.0, 2.0 * pi, even.size), even)
     return total
 
 
 def hollow(defect: Defect, radius: float) -> Array:
-    """Depth of a defect over a turn of a body [m], shape (POINTS,); radius: of its track [m].
-    ValueError for one wider than half of the track.
+    """Depth of a defect over a turn of a body.
+
+    Parameters
+    ----------
+    defect : Defect
+        shape and size
+    radius : float
+        radius of its track [m]
+
+    Returns
+    -------
+    Array
+        depth, shape (POINTS,) [m]
+
+    Raises
+    ------
+    ValueError
+        if it is wider than half of the track
     """
     if defect.width > pi * radius:
         raise ValueError(f"width: {defect.width:.4g} m is more than half of the track")
-    turned = 2.0 * pi / POINTS * np.arange(POINTS) - defect.azimuth
-    from_middle = radius * ((turned + pi) % (2.0 * pi) - pi)
-    place = 2.0 * from_middle / defect.width  # from -1 to 1 inside
-    inside = abs(place) < 1.0
+    angle = 2.0 * pi / POINTS * np.arange(POINTS) - defect.azimuth
+    from_middle = radius * ((angle + pi) % (2.0 * pi) - pi)
+    position = 2.0 * from_middle / defect.width  # from -1 to 1 inside
+    inside = abs(position) < 1.0
     shapes = {
         DefectKind.SPALL: np.ones(POINTS),
-        DefectKind.PIT: 1.0 - place**2,
-        DefectKind.DENT: 0.5 * (1.0 + np.cos(pi * place)),
+        DefectKind.PIT: 1.0 - position**2,
+        DefectKind.DENT: 0.5 * (1.0 + np.cos(pi * position)),
     }
     return np.where(inside, defect.depth * shapes[defect.kind], 0.0)
 
 
 def rolled(profile: Array, radius: float, reduced_radius: float) -> Array:
-    """Path of a rigid body that rolls over a profile, max over s of z(x + s) - s^2/(2 R_x) [m].
+    """Path of a rigid body that rolls over a profile, max over s of z(x + s) - s^2/(2 R_x).
 
     Over a gap of the width w it drops by u^2/(2 R_x) at the distance u from the nearer edge,
     w^2/(8 R_x) at most, or onto the bottom where that is less deep.
 
-    profile: heights over a turn [m], shape (n,); radius: of the track [m]; reduced_radius: R_x of
-    ball and race [m].
+    Parameters
+    ----------
+    profile : Array
+        heights over a turn, shape (n,) [m]
+    radius : float
+        radius of the track [m]
+    reduced_radius : float
+        R_x of ball and race [m]
+
+    Returns
+    -------
+    Array
+        path, shape (n,) [m]
     """
     deepest = float(profile.max() - profile.min())
     if deepest == 0.0:

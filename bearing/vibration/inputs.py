@@ -1,4 +1,4 @@
-"""What the vibration of a bearing is computed from, in SI."""
+"""Inputs of the vibration of a bearing, in SI."""
 
 from dataclasses import dataclass, field
 from enum import Enum
@@ -21,7 +21,7 @@ class ContactLaw(Enum):
 
 
 class WaveFilter(Enum):
-    """What the length of the contact leaves of a wave.
+    """Transmission of a wave by the length of the contact.
 
     FILM: solved with the film; DRY: mean height over Hertz' contact; NONE: all of it.
     """
@@ -32,7 +32,7 @@ class WaveFilter(Enum):
 
 
 class Direction(Enum):
-    """Of what is measured: along the axis, along the load line, across it."""
+    """Direction of the sensor: along the axis, along the load line, across it."""
 
     X = "x"
     Y = "y"
@@ -50,11 +50,11 @@ class Sensor:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Support:
-    """What holds the rings."""
+    """Supports of the rings."""
 
     shaft_mass: float = 0.0  # that moves with the inner ring [kg]
-    inner_ring_held: bool = False  # as on a stiff spindle: it stays where the loads put it
-    # of the outer ring's seat, radial and axial [N/m]; None: it stands still; zero: it is loaded
+    inner_ring_fixed: bool = False  # as on a stiff spindle: it stays where the loads put it
+    # outer ring's seat, radial and axial [N/m]; None: it stands still; zero: it is loaded
     # against an inner ring that is held
     seat_stiffness: float | None = None
     seat_axial_stiffness: float | None = None  # None: the radial one [N/m]
@@ -65,7 +65,7 @@ class Support:
 
     @property
     def outer_moves(self) -> bool:
-        """Whether the outer ring is a body that moves."""
+        """True if the outer ring is a body that moves."""
         return self.seat_stiffness is not None
 
     def __post_init__(self) -> None:
@@ -74,12 +74,12 @@ class Support:
                 raise ValueError(f"{name} must not be negative, got {getattr(self, name)!r}")
         if self.sensor is not None and not self.outer_moves:
             raise ValueError("sensor: needs an outer ring that moves, hence a seat_stiffness")
-        if self.inner_ring_held and not self.outer_moves:
-            raise ValueError("inner_ring_held: nothing moves; needs a seat_stiffness, or 0")
-        if self.seat_stiffness == 0.0 and not self.inner_ring_held:
+        if self.inner_ring_fixed and not self.outer_moves:
+            raise ValueError("inner_ring_fixed: nothing moves; needs a seat_stiffness, or 0")
+        if self.seat_stiffness == 0.0 and not self.inner_ring_fixed:
             raise ValueError(
                 "seat_stiffness: 0 leaves both rings without a hold; allowed with "
-                "inner_ring_held, or give a stiffness"
+                "inner_ring_fixed, or give a stiffness"
             )
 
 

@@ -44,19 +44,67 @@ class SolvedFilms:
     film_share: float = 1.0  # of the load; the rest is on asperities, which damp nothing [-]
 
 
-def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
-    """K of Hertz' law Q = K d^1.5 at the load-weighted mean contact angle [N/m^1.5]."""
-    bearing = solution.bearing
+def mean_angle(solution: QuasistaticSolution, race: Race) -> float:
+    """Contact angle of a race, mean over the balls by their loads.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway
+
+    Returns
+    -------
+    float
+        mean angle [rad]
+    """
     inner = race is Race.INNER
     load = solution.inner_load if inner else solution.outer_load
     angle = solution.inner_contact_angle if inner else solution.outer_contact_angle
-    mean = float(np.average(angle, weights=load)) if load.sum() > 0.0 else float(np.mean(angle))
-    radii = reduced_radii(bearing, race, mean)
+    return float(np.average(angle, weights=load)) if load.sum() > 0.0 else float(np.mean(angle))
+
+
+def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
+    """K of Hertz' law Q = K d^1.5 at the load-weighted mean contact angle.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway
+
+    Returns
+    -------
+    float
+        K [N/m^1.5]
+    """
+    bearing = solution.bearing
+    radii = reduced_radii(bearing, race, mean_angle(solution, race))
     return contact_stiffness(*radii, contact_modulus(bearing, race))
 
 
 def heaviest(contacts: Sequence[BearingContact], race: Race) -> BearingContact:
-    """The contact of a race with the largest load; ValueError where none is loaded [N]."""
+    """The contact of a race with the largest load.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        contacts of the equilibrium
+    race : Race
+        raceway
+
+    Returns
+    -------
+    BearingContact
+        its most heavily loaded contact
+
+    Raises
+    ------
+    ValueError
+        if none is loaded
+    """
     worst = max((c for c in contacts if c.race is race), key=lambda contact: contact.load)
     if not worst.load > 0.0:
         raise ValueError(f"no ball is loaded at the {race.value} race: nothing to vibrate on")
@@ -100,45 +148,76 @@ def film_shares(
 def solved_films(
     contact: BearingContact, factor: float, frequency: float, options: SolverOptions | None = None
 ) -> SolvedFilms:
-    """Response of a contact and of lighter ones at a frequency [Hz], or at the highest that a mesh
-    carries. factor: K of Hertz [N/m^1.5].
+    """Response of a contact and of lighter ones at a frequency, or at the highest that a mesh
+    carries.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of the equilibrium
+    factor : float
+        K of Hertz [N/m^1.5]
+    frequency : float
+        frequency of the response [Hz]
+    options : SolverOptions | None, optional
+        mesh of the films
+
+    Returns
+    -------
+    SolvedFilms
+        stiffness and damping at some loads
 
     Raises
     ------
     FilmsNotSolvedError
-        If a film or its response is not solved.
+        if a film or its response is not solved
     """
-    own = contact.conditions
-    if own is None:
+    conditions = contact.conditions
+    if conditions is None:
         raise FilmsNotSolvedError(f"{contact.race.value} race: {contact.note}")
-    grid = options or SolverOptions(points=POINTS if own.inlet_layer is None else STARVED_POINTS)
-    found: list[tuple[float, float, NormalResponse]] = []
-    for share in SOLVED_LOADS:
-        lighter: ContactConditions = replace(own, load=share * own.load)
+    grid = options or SolverOptions(
+        points=POINTS if conditions.inlet_layer is None else STARVED_POINTS
+    )
+    responses: list[tuple[float, float, NormalResponse]] = []
+    for fraction in SOLVED_LOADS:
+        lighter: ContactConditions = replace(conditions, load=fraction * conditions.load)
         at = min(frequency, highest_frequency(lighter))
-        found.append((lighter.load, at, normal_response(lighter, grid, (at,))))
-        response = found[-1][2]
+        responses.append((lighter.load, at, normal_response(lighter, grid, (at,))))
+        response = responses[-1][2]
         if not response.converged:
             where = f"film at the {contact.race.value} race under {lighter.load:.4g} N"
             raise FilmsNotSolvedError(f"{where}: {response.message}")
-    loads = np.array([load for load, _, _ in found])
+    loads = np.array([load for load, _, _ in responses])
     hertz = HERTZ * factor ** (2.0 / 3.0) * np.cbrt(loads)
-    stiffness = np.array([response.stiffnesses[0].value for _, _, response in found])
+    stiffness = np.array([response.stiffnesses[0].value for _, _, response in responses])
     # behind a layer it may be negative: bodies that close in feed the meniscus
-    damping = np.array([response.dampings[0].value for _, _, response in found])
-    bars = np.array([response.dampings[0].uncertainty for _, _, response in found])
+    damping = np.array([response.dampings[0].value for _, _, response in responses])
+    bars = np.array([response.dampings[0].uncertainty for _, _, response in responses])
     return SolvedFilms(
         loads=loads,
         stiffness_ratio=stiffness / hertz,
         damping=damping,
         damping_uncertainty=bars,
-        frequency=min(at for _, at, _ in found),
+        frequency=min(at for _, at, _ in responses),
     )
 
 
 def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
-    """Law with the stiffness dQ/dd and the damping of solved films over the load; the damping of
-    lighter contacts fades with the load. factor: K of Hertz [N/m^1.5].
+    """Law with the stiffness dQ/dd and the damping of solved films over the load.
+
+    The damping of lighter contacts fades with the load.
+
+    Parameters
+    ----------
+    factor : float
+        K of Hertz [N/m^1.5]
+    films : SolvedFilms
+        solved films of the race
+
+    Returns
+    -------
+    ContactLawTable
+        law over the logarithm of the approach
     """
     largest = films.loads[-1]
     dry = (largest / factor) ** (2.0 / 3.0)
@@ -150,7 +229,7 @@ def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
     approach = hertz[0] / ratio[0] + np.concatenate([[0.0], np.cumsum(steps)])
     grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
     load = np.exp(np.interp(np.log(grid), np.log(approach), np.log(loads)))
-    # what is negative at the one frequency is positive at those of balls: none, over time
+    # damping negative at the one frequency is positive at those of balls: none, over time
     solved = np.maximum(films.damping, 0.0)
     damping = films.film_share * np.interp(np.log(load), np.log(films.loads), solved)
     damping *= np.minimum(load / films.loads[0], 1.0)
@@ -158,8 +237,21 @@ def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
 
 
 def dry_law(factor: float, largest: float, loss_time: float) -> ContactLawTable:
-    """Hertz' law [N/m^1.5] with a damping of loss_time [s] times its stiffness, for loads around
-    the largest [N].
+    """Hertz' law with a damping in proportion to its stiffness.
+
+    Parameters
+    ----------
+    factor : float
+        K of Hertz [N/m^1.5]
+    largest : float
+        largest load of the race [N]
+    loss_time : float
+        damping over stiffness [s]
+
+    Returns
+    -------
+    ContactLawTable
+        law over the logarithm of the approach
     """
     dry = (largest / factor) ** (2.0 / 3.0)
     grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
@@ -168,7 +260,24 @@ def dry_law(factor: float, largest: float, loss_time: float) -> ContactLawTable:
 
 
 def linear_law(factor: float, mean: float, largest: float, loss_time: float) -> ContactLawTable:
-    """Spring k d with Hertz' stiffness k at the mean load [N] of the loaded contacts."""
+    """Spring k d with Hertz' stiffness k at the mean load of the loaded contacts.
+
+    Parameters
+    ----------
+    factor : float
+        K of Hertz [N/m^1.5]
+    mean : float
+        mean load [N]
+    largest : float
+        largest load of the race [N]
+    loss_time : float
+        damping over stiffness [s]
+
+    Returns
+    -------
+    ContactLawTable
+        law over the logarithm of the approach
+    """
     stiffness = HERTZ * factor ** (2.0 / 3.0) * mean ** (1.0 / 3.0)
     grid = np.geomspace(SPAN[0], SPAN[1], NODES) * largest / stiffness
     damping = np.full(NODES, loss_time * stiffness)
@@ -176,8 +285,25 @@ def linear_law(factor: float, mean: float, largest: float, loss_time: float) -> 
 
 
 def law_table(approach: Array, factor: Array, damping: Array, exponent: float) -> ContactLawTable:
-    """Law from its factor [N/m^n] and damping [N s/m] at approaches even in their logarithm [m];
-    the energy is the force's integral.
+    """Law from its factor and damping at approaches even in their logarithm.
+
+    The energy is the force's integral.
+
+    Parameters
+    ----------
+    approach : Array
+        approaches, shape (n,) [m]
+    factor : Array
+        elastic force over approach^n, shape (n,) [N/m^n]
+    damping : Array
+        shape (n,) [N s/m]
+    exponent : float
+        n [-]
+
+    Returns
+    -------
+    ContactLawTable
+        law for the kernels
     """
     logs = np.log(approach)
     power = exponent + 1.0

@@ -19,8 +19,9 @@ from ..geometry import Race
 from ..operation import Operation
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.frequencies import Frequencies, kinematic_frequencies
-from .assembly import Assembled, mean_angle
+from .assembly import Assembled
 from .form import Place, SurfaceForm
+from .laws import mean_angle
 
 LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as one [-]
 HARMONICS = 3  # of what repeats with each ball, smoothly
@@ -40,7 +41,22 @@ class Line:
 def expected_lines(
     solution: QuasistaticSolution, equations: Assembled, form: SurfaceForm
 ) -> tuple[Line, ...]:
-    """Lines of all waves, defects and balls of a form, and of the passing balls [Hz]."""
+    """Lines of all waves, defects and balls of a form, and of the passing balls.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    equations : Assembled
+        equations with the simulated speeds
+    form : SurfaceForm
+        form of the surfaces
+
+    Returns
+    -------
+    tuple[Line, ...]
+        lines, each frequency once [Hz]
+    """
     speeds = np.asarray(equations.arrays.speeds) / (2.0 * pi)
     balls = solution.bearing.balls
     lines = []
@@ -69,7 +85,20 @@ def expected_lines(
 
 
 def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
-    """Frequencies [Hz] with the cage speed that is simulated."""
+    """Frequencies with the cage speed that is simulated.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    equations : Assembled
+        equations with the simulated speeds
+
+    Returns
+    -------
+    Frequencies
+        frequencies [Hz]
+    """
     inner, outer, cage, ball = np.asarray(equations.arrays.speeds) / (2.0 * pi)
     balls = solution.bearing.balls
     return Frequencies(
@@ -81,7 +110,18 @@ def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
 
 
 def kinematic(solution: QuasistaticSolution) -> Frequencies:
-    """Frequencies [Hz] of rolling at the mean contact angle of the inner race."""
+    """Frequencies of rolling at the mean contact angle of the inner race.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    Frequencies
+        frequencies [Hz]
+    """
     operation: Operation = solution.operation
     angle = mean_angle(solution, Race.INNER)
     return kinematic_frequencies(solution.bearing, operation, angle)
@@ -89,8 +129,8 @@ def kinematic(solution: QuasistaticSolution) -> Frequencies:
 
 def _ring_lines(place: Place, order: int, balls: int, speeds: tuple[float, float]) -> list[Line]:
     """Lines of a wave of a ring. speeds: of the ring and of the cage [Hz]."""
-    near = range(order // balls, order // balls + 2)
-    offsets = {k: order - k * balls for k in near}
+    numbers = range(order // balls, order // balls + 2)
+    offsets = {k: order - k * balls for k in numbers}
     seen = {k: m for k, m in offsets.items() if abs(m) <= 1}
     if not seen:
         k = min(offsets, key=lambda one: abs(offsets[one]))
@@ -110,12 +150,15 @@ def _ring_lines(place: Place, order: int, balls: int, speeds: tuple[float, float
 def _ball_lines(order: int, spin: float, cage: float) -> list[Line]:
     """Lines of a wave of the balls. spin: of a ball against the cage, cage: speeds [Hz]."""
     if order % 2:
-        places = {"none": [order * spin]}
+        by_direction = {"none": [order * spin]}
     else:
-        places = {"axial": [order * spin], "radial": [order * spin - cage, order * spin + cage]}
+        by_direction = {
+            "axial": [order * spin],
+            "radial": [order * spin - cage, order * spin + cage],
+        }
     return [
         Line(source="ball waviness", order=order, direction=direction, frequency=abs(frequency))
-        for direction, frequencies in places.items()
+        for direction, frequencies in by_direction.items()
         for frequency in frequencies
     ]
 

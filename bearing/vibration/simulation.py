@@ -14,7 +14,7 @@ from .assembly import Assembled
 from .inputs import VibrationModel
 
 OVERSAMPLED = 4  # rows kept for each sample of the record, against aliasing
-# of the fastest vibration, angular frequency times step: the phase of Runge and Kutta's method is
+# angular frequency of the fastest vibration times step: the phase of Runge and Kutta's method is
 # off by (0.35)^5/120 = 4e-5 a step, its stability ends at 2.8
 STEP = 0.35
 STIFFER = 1.3  # of contacts, by loads beyond those at rest
@@ -40,33 +40,53 @@ class VibrationRun:
 
     @property
     def samples(self) -> int:
-        """Of the record [-]."""
+        """Samples of the record [-]."""
         return round(self.model.options.duration * self.model.options.sample_rate)
 
     @property
     def settling_steps(self) -> int:
-        """Before the record [-]."""
+        """Steps before the record [-]."""
         return round(self.model.options.settling / self.step)
 
     @property
     def steps(self) -> int:
-        """In all [-]."""
+        """Steps in all [-]."""
         return self.settling_steps + self.samples * self.per_sample
 
     @property
     def energy_balance_error(self) -> float:
         """Largest imbalance of energy and works, over the mean energy and all works [-]."""
-        external, formed, lost = self.energy[:, 1:].T
+        external, formed, dissipated = self.energy[:, 1:].T
         energy = self.energy[:, 0]
-        balance = energy - energy[0] - external - formed + lost
-        size = energy.mean() + sum(float(np.ptp(work)) for work in (external, formed, lost))
+        balance = energy - energy[0] - external - formed + dissipated
+        size = energy.mean() + sum(float(np.ptp(work)) for work in (external, formed, dissipated))
         return float(abs(balance).max() / size) if size > 0.0 else 0.0
 
 
 def vibration_run(
     solution: QuasistaticSolution, model: VibrationModel, equations: Assembled
 ) -> VibrationRun:
-    """A run that starts at the equilibrium; ValueError where it would take too many steps [s]."""
+    """A run that starts at the equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    model : VibrationModel
+        form of the surfaces, supports and options
+    equations : Assembled
+        numbers of the equations
+
+    Returns
+    -------
+    VibrationRun
+        run at its start
+
+    Raises
+    ------
+    ValueError
+        if it would take too many steps
+    """
     rate = model.options.sample_rate
     fastest = fastest_vibration(equations)
     per_sample = OVERSAMPLED * ceil(max(fastest / STEP, 1.0) / (rate * OVERSAMPLED))
@@ -94,7 +114,18 @@ def vibration_run(
 
 
 def fastest_vibration(equations: Assembled) -> float:
-    """Largest angular frequency of the linear vibrations, estimated from above [rad/s]."""
+    """Largest angular frequency of the linear vibrations, estimated from above.
+
+    Parameters
+    ----------
+    equations : Assembled
+        numbers of the equations
+
+    Returns
+    -------
+    float
+        angular frequency [rad/s]
+    """
     arrays = equations.arrays
     stiffness = STIFFER * sum(equations.stiffness.values())
     squares = [stiffness / arrays.ball_mass]
@@ -112,8 +143,19 @@ def fastest_vibration(equations: Assembled) -> float:
 
 
 def slowest_vibration(run: VibrationRun) -> float:
-    """Of the rings on the balls in the stiffest direction, an angular frequency that damping in
-    the settling time is measured by [rad/s].
+    """Angular frequency of the rings on the balls in the stiffest direction.
+
+    The damping in the settling time is measured by it.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        run with its equations
+
+    Returns
+    -------
+    float
+        angular frequency [rad/s]
     """
     arrays = run.assembled.arrays
     largest = max(float(run.solution.stiffness[k, k]) for k in range(3))
@@ -122,7 +164,18 @@ def slowest_vibration(run: VibrationRun) -> float:
 
 
 def pieces(run: VibrationRun) -> Iterator[int]:
-    """Compute on, piece by piece; gives the steps done so far."""
+    """Compute a run piece by piece.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        run, changed
+
+    Yields
+    ------
+    Iterator[int]
+        steps done so far [-]
+    """
     settle = run.settling_steps
     damping = 0.5 * slowest_vibration(run)
     done = 0
@@ -169,7 +222,18 @@ def _recorded(run: VibrationRun, settle: int) -> Iterator[int]:
 
 
 def computed(run: VibrationRun) -> VibrationRun:
-    """The whole run, without a word on the way [s]."""
+    """Compute a whole run without a report of its progress.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        run at its start, changed
+
+    Returns
+    -------
+    VibrationRun
+        the same run at its end
+    """
     for _ in pieces(run):
         pass
     return run

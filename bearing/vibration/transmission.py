@@ -1,4 +1,4 @@
-r"""What of a wave on a surface enters the bearing: the contact is as long as a short wave.
+r"""Transmission of waves of a surface into the bearing: the contact is as long as a short wave.
 
 A small height g(x, y) under a contact moves the bodies apart, under the same load, by
 
@@ -40,7 +40,20 @@ class Transmission:
     parts: NDArray[np.complex128]  # [-]
 
     def of(self, orders: Array, radius: float) -> NDArray[np.complex128]:
-        """Of orders around a track of a radius [m], shape as the orders [-]."""
+        """Transmission of orders around a track.
+
+        Parameters
+        ----------
+        orders : Array
+            waves over a turn, shape (n,) [-]
+        radius : float
+            radius of the track [m]
+
+        Returns
+        -------
+        NDArray[np.complex128]
+            transmitted fraction, complex, shape (n,) [-]
+        """
         number = orders * self.semi_axis / radius
         dry: NDArray[np.complex128] = np.sinc(number / np.pi).astype(np.complex128)
         if self.numbers.size < 2:
@@ -48,13 +61,24 @@ class Transmission:
         spline = CubicSpline(self.numbers, self.parts)
         last = self.numbers[-1]
         inside = number <= last
-        found = dry.copy()
-        found[inside] = spline(number[inside])
-        return found
+        result = dry.copy()
+        result[inside] = spline(number[inside])
+        return result
 
 
 def dry_transmission(semi_axis: float) -> Transmission:
-    """Of Hertz' contact; semi_axis: along the rolling direction [m]."""
+    """Transmission of Hertz' contact.
+
+    Parameters
+    ----------
+    semi_axis : float
+        semi-axis along the rolling direction [m]
+
+    Returns
+    -------
+    Transmission
+        transmission without samples
+    """
     return Transmission(
         semi_axis=semi_axis, numbers=np.zeros(0), parts=np.zeros(0, dtype=np.complex128)
     )
@@ -63,9 +87,23 @@ def dry_transmission(semi_axis: float) -> Transmission:
 def film_transmission(
     conditions: ContactConditions, semi_axis: float, largest: float, options: SolverOptions
 ) -> Transmission:
-    """Of a lubricated contact, solved on the points of the options.
+    """Transmission of a lubricated contact, solved on the points of the options.
 
-    semi_axis: along the rolling direction [m]; largest: k a of the shortest wave [-].
+    Parameters
+    ----------
+    conditions : ContactConditions
+        conditions of the film
+    semi_axis : float
+        semi-axis along the rolling direction [m]
+    largest : float
+        k a of the shortest wave [-]
+    options : SolverOptions
+        mesh of the film
+
+    Returns
+    -------
+    Transmission
+        transmission with samples over k a
     """
     top = min(max(largest, STEP), FASTEST)
     numbers = np.linspace(0.0, top, max(int(np.ceil(top / STEP)), LEAST) + 1)
@@ -75,8 +113,23 @@ def film_transmission(
     )
 
 
-def filtered(profile: Array, part: Transmission, radius: float) -> Array:
-    """Heights over a turn [m] that enter the bearing, order by order; radius: of the track [m]."""
+def filtered(profile: Array, transmission: Transmission, radius: float) -> Array:
+    """Heights over a turn that enter the bearing, order by order.
+
+    Parameters
+    ----------
+    profile : Array
+        heights, shape (n,) [m]
+    transmission : Transmission
+        transmission of the contact
+    radius : float
+        radius of the track [m]
+
+    Returns
+    -------
+    Array
+        heights, shape (n,) [m]
+    """
     spectrum = np.fft.rfft(profile)
     orders = np.arange(spectrum.size, dtype=np.float64)
-    return np.asarray(np.fft.irfft(spectrum * part.of(orders, radius), profile.size))
+    return np.asarray(np.fft.irfft(spectrum * transmission.of(orders, radius), profile.size))

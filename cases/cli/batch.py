@@ -72,7 +72,7 @@ class _Wanted:
 
 @app.command()
 @guarded
-def batch(  # noqa: PLR0913
+def batch(
     sweep: Annotated[
         str, typer.Argument(metavar="SWEEP", help="A sweep file, or the name of a shipped one.")
     ],

@@ -13,11 +13,12 @@ import typer
 
 from ..format.problems import CaseError
 from ..runs.interrupt import print_message
+from ..runs.kernel_cache import compiled_ahead
 from .app import CaseName, Json, Output, Quiet, app
 from .cost import film_seconds, report_cost, run_cost, slip_cost, table_cost, temperatures_cost
 from .output import load_bearing, lock_output_file, report, results_directory, save, save_with
 from .progress import progress_bar
-from .terminal import guarded
+from .terminal import enter_context, guarded
 
 if TYPE_CHECKING:
     from ehl.traction.table.build import FilmSampler
@@ -47,6 +48,7 @@ def run(
     quiet: Quiet = False,
 ) -> int:
     """Run a bearing case: loads, film maps, pictures, VTK."""
+    enter_context(compiled_ahead("bearing"))
     from ..runs.drawing import drawing_processes
 
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
@@ -246,7 +248,7 @@ def temperatures(
 
 @app.command()
 @guarded
-def table(  # noqa: PLR0913
+def table(
     case: CaseName,
     output: TableFile = None,
     points: Annotated[

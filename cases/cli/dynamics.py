@@ -15,13 +15,14 @@ from bearing.files import is_disk_failure
 
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, print_message
+from ..runs.kernel_cache import compiled_ahead
 from ..runs.output_lock import TEMPORARY, home, scratch_folder
 from .app import CaseName, Json, Output, Quiet, app
 from .cost import dynamics_cost, report_cost
 from .output import load_bearing, report, results_directory, save_with
 from .over_time.vibration import run_and_report
 from .progress import progress_bar
-from .terminal import guarded
+from .terminal import enter_context, guarded
 
 if TYPE_CHECKING:
     from bearing.dynamics.simulation import Simulation
@@ -58,7 +59,7 @@ Window = Annotated[
 
 @app.command()
 @guarded
-def dynamics(  # noqa: PLR0913
+def dynamics(
     case: CaseName,
     output: Output = None,
     restart: Restart = None,
@@ -69,6 +70,7 @@ def dynamics(  # noqa: PLR0913
     quiet: Quiet = False,
 ) -> int:
     """Simulate a bearing over time: balls, cage and inner ring."""
+    enter_context(compiled_ahead("motion"))
     loaded = load_bearing(case, "a simulation needs a bearing")
     if loaded.file.form is not None or loaded.file.support is not None:
         if any(option is not None for option in (restart, table, animation)):

@@ -113,7 +113,7 @@ def _check(name: str) -> tuple[str, ...]:
 
 @app.command()
 @guarded
-def init(  # noqa: PLR0913
+def init(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the new case file.")],
     suffixes: Annotated[
         list[str] | None,

@@ -6,7 +6,7 @@ from math import isclose
 from pathlib import Path
 from typing import Any
 
-from bearing.friction.law import BallTraction, TractionLaw
+from bearing.friction.law import BallTraction, FrictionSource
 from bearing.friction.race_tables import Solids, Tables
 from bearing.friction.sources import (
     CoefficientTraction,
@@ -74,7 +74,7 @@ def ball_traction(
 
 
 def resisted_traction(
-    source: TractionLaw,
+    source: FrictionSource,
     friction: FrictionInput,
     bearing: Bearing,
     oil: Lubricant,
@@ -84,7 +84,7 @@ def resisted_traction(
 
     Parameters
     ----------
-    source : TractionLaw
+    source : FrictionSource
         The law.
     friction : FrictionInput
         Inputs of the friction models.
@@ -110,7 +110,7 @@ def resisted_traction(
 
 def _law(
     table: FrictionTable, bearing: Bearing, oil: Lubricant, films: FilmPhysics
-) -> TractionLaw | None:
+) -> FrictionSource | None:
     """The law that [friction] names; None where it takes films."""
     if table.traction == "coulomb":
         assert table.coefficient is not None  # checked before

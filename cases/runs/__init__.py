@@ -22,4 +22,5 @@
 | output_lock | one writer at a time, and what killed ones have left |
 | interrupt | messages, and work that an interrupt lets finish |
 | kernel_cache | where compiled kernels are kept |
+| verification | the short verification of an installation |
 """

@@ -27,7 +27,7 @@ from bearing.dynamics.model import (
 )
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
-from bearing.dynamics.starts import other_start, settled
+from bearing.dynamics.starts import other_start, simulated_statistics
 from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics
 from bearing.friction.sources import CoefficientTraction
 from bearing.geometry import Race
@@ -214,7 +214,9 @@ def _with_other_starts(case: Case, results: DynamicsResults) -> DynamicsResults:
     others: list[SimulationStatistics | None] = []
     try:
         for k in range(1, count):
-            others.append(interruptible(partial(settled, other_start(run, k / count))))
+            others.append(
+                interruptible(partial(simulated_statistics, other_start(run, k / count)))
+            )
     except KeyboardInterrupt:
         raise Interrupted(replace(results, others=tuple(others)), run) from None
     return replace(results, others=tuple(others))

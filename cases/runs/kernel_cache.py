@@ -4,8 +4,11 @@ import hashlib
 import os
 import platform
 import stat
+import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
@@ -13,8 +16,10 @@ from pathlib import Path
 from ehl.kernel_sources import kernel_digest
 
 from ..version import version
+from .processes import THREADS, own_packages
 
 VARIABLE = "NUMBA_CACHE_DIR"
+KINDS = ("bearing", "motion")  # of work that `warm_up` compiles kernels for
 
 
 def ensure_kernel_cache() -> None:
@@ -59,6 +64,45 @@ def compiled_stamp(kind: str) -> Path | None:
     numba = metadata.version("numba")
     whole = repr([kind, kernel_digest(), version(), sys.version, numba, platform.machine()])
     return folder / f".oilfilm-compiled-{hashlib.sha256(whole.encode()).hexdigest()[:16]}"
+
+
+@contextmanager
+def compiled_ahead(kind: str) -> Iterator[None]:
+    """Compile the kernels for a kind of work in a process of its own, beside what is done inside.
+
+    The process ends with what is done inside, finished or not. None is started where the kernels
+    are compiled already, or where this process has but one core.
+    """
+    stamp = compiled_stamp(f"ahead {kind}")
+    if stamp is None or stamp.exists() or (os.cpu_count() or 1) < 2:
+        yield
+        return
+    process = _warm_up(kind)
+    try:
+        yield
+    finally:
+        process.terminate()
+        process.wait()
+
+
+def compile_all() -> None:
+    """Compile the kernels for all kinds of work, side by side, and wait for them."""
+    stamps = {kind: compiled_stamp(f"ahead {kind}") for kind in KINDS}
+    missing = [kind for kind, stamp in stamps.items() if stamp is None or not stamp.exists()]
+    for process in [_warm_up(kind) for kind in missing]:
+        process.wait()
+
+
+def _warm_up(kind: str) -> "subprocess.Popen[bytes]":
+    """A process that compiles the kernels for a kind of work and prints nothing."""
+    nothing = subprocess.DEVNULL
+    return subprocess.Popen(
+        [sys.executable, "-m", f"{__package__}.warm_up", kind],
+        stdin=nothing,
+        stdout=nothing,
+        stderr=nothing,
+        env=os.environ | own_packages() | dict.fromkeys(THREADS, "1"),
+    )
 
 
 def _package() -> Path | None:

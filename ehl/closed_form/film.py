@@ -9,14 +9,24 @@ from math import exp, log, sqrt
 
 from ..conditions import ContactConditions, moes_groups, speed_load_material
 
-# a film thicker than this share of R_x lies in a gap that is no paraboloid: outside the model
+# a film thicker than this fraction of R_x lies in a gap that is no paraboloid: outside the model
 MAX_FILM_OVER_RADIUS = 0.02
 
 
 def film_hamrock_dowson_minimum(conditions: ContactConditions) -> float:
-    """Minimum film [m], 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k)), Hamrock and Dowson (1977).
+    """Minimum film 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k)), Hamrock and Dowson (1977).
 
     k = 1.03 (Ry/Rx)^0.64 is the ellipticity.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact, entrainment along x
+
+    Returns
+    -------
+    float
+        minimum film [m]
     """
     u, w, g = speed_load_material(conditions)
     k = 1.03 * (conditions.radius_y / conditions.radius_x) ** 0.64
@@ -24,7 +34,18 @@ def film_hamrock_dowson_minimum(conditions: ContactConditions) -> float:
 
 
 def film_hamrock_dowson_central(conditions: ContactConditions) -> float:
-    """Central film [m], 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)), Hamrock and Dowson."""
+    """Central film 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)), Hamrock and Dowson (1977).
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact, entrainment along x
+
+    Returns
+    -------
+    float
+        central film [m]
+    """
     u, w, g = speed_load_material(conditions)
     k = 1.03 * (conditions.radius_y / conditions.radius_x) ** 0.64
     side_flow = 1.0 - 0.61 * exp(-0.73 * k)
@@ -32,11 +53,21 @@ def film_hamrock_dowson_central(conditions: ContactConditions) -> float:
 
 
 def film_chittenden_central(conditions: ContactConditions) -> float:
-    """Central film [m], 4.30 U^0.68 G^0.49 W^-0.073 (1 - e^(-1.23 (Ry/Rx)^(2/3))), Chittenden et
-    al. (1985).
+    """Central film 4.30 U^0.68 G^0.49 W^-0.073 (1 - e^(-1.23 (Ry/Rx)^(2/3))), Chittenden et al.
+    (1985).
 
     Reprints of the paper give 4.30 or 4.31 and 1.23, 1.28 or 1.30 in the exponent; with Ry > 3 Rx
     all agree within 2 %.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact, entrainment along x
+
+    Returns
+    -------
+    float
+        central film [m]
     """
     u, w, g = speed_load_material(conditions)
     side_flow = 1.0 - exp(-1.23 * (conditions.radius_y / conditions.radius_x) ** (2 / 3))
@@ -44,7 +75,18 @@ def film_chittenden_central(conditions: ContactConditions) -> float:
 
 
 def film_nijenbanning_central(conditions: ContactConditions) -> float:
-    """Central film [m] of Nijenbanning, Venner and Moes (1994), see `moes_film_nijenbanning`."""
+    """Central film after Nijenbanning, Venner and Moes (1994), see `moes_film_nijenbanning`.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact, entrainment along x
+
+    Returns
+    -------
+    float
+        central film [m]
+    """
     u, _, _ = speed_load_material(conditions)
     m, l = moes_groups(conditions)
     ratio = conditions.radius_x / conditions.radius_y
@@ -54,9 +96,24 @@ def film_nijenbanning_central(conditions: ContactConditions) -> float:
 def moes_film_nijenbanning(
     load_parameter: float, lubricant_parameter: float, radius_ratio: float
 ) -> float:
-    """Central film (h/Rx) (2U)^(-1/2) of an elliptical contact in Moes' groups M and L, with 2U in
-    both, and Rx/Ry [-], Nijenbanning, Venner and Moes (1994); fitted for entrainment along x and
-    Rx/Ry <= 1.
+    """Central film (h/Rx) (2U)^(-1/2) of an elliptical contact, Nijenbanning, Venner and Moes
+    (1994).
+
+    Fitted for entrainment along x and Rx/Ry <= 1.
+
+    Parameters
+    ----------
+    load_parameter : float
+        Moes' M, with 2U [-]
+    lubricant_parameter : float
+        Moes' L, with 2U [-]
+    radius_ratio : float
+        Rx/Ry [-]
+
+    Returns
+    -------
+    float
+        central film over Rx sqrt(2U) [-]
     """
     m = load_parameter
     l = max(lubricant_parameter, 1e-12)
@@ -74,8 +131,22 @@ def moes_film_nijenbanning(
 
 
 def thermal_loading(conditions: ContactConditions) -> float:
-    """L_T = eta_0 beta u_m^2/k, k the oil's conductivity [-]; `ValueError` if the lubricant has no
-    thermal properties.
+    """Thermal loading parameter L_T = eta_0 beta u_m^2/k, k the oil's conductivity.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact; its lubricant has thermal properties
+
+    Returns
+    -------
+    float
+        L_T [-]
+
+    Raises
+    ------
+    ValueError
+        if the lubricant has no thermal properties
     """
     oil = conditions.lubricant
     if oil.thermal is None:
@@ -87,19 +158,24 @@ def thermal_loading(conditions: ContactConditions) -> float:
 
 
 def film_reduction_gupta(pressure_ratio: float, loading: float, slide_roll_ratio: float) -> float:
-    """Film heated by the shear in its inlet over the isothermal one [-], Gupta, Cheng, Zhu,
-    Forster and Schrand (1992); fitted to line contacts.
+    """Thermal reduction factor of a film, Gupta, Cheng, Zhu, Forster and Schrand (1992).
 
-    [1 - 13.2 (p_h/E') L_T^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L_T^0.64]
+    [1 - 13.2 (p_h/E') L_T^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L_T^0.64], the film heated by the
+    shear in its inlet over the isothermal one, fitted to line contacts.
 
     Parameters
     ----------
     pressure_ratio : float
-        Hertz pressure over reduced modulus, p_h/E' [-].
+        Hertz pressure over reduced modulus, p_h/E' [-]
     loading : float
-        L_T [-].
+        L_T [-]
     slide_roll_ratio : float
-        S, its sign does not matter [-].
+        S; its sign does not matter [-]
+
+    Returns
+    -------
+    float
+        factor on the isothermal film [-]
     """
     sliding = 1.0 + 2.23 * abs(slide_roll_ratio) ** 0.83
     return (1.0 - 13.2 * pressure_ratio * loading**0.42) / (1.0 + 0.213 * sliding * loading**0.64)

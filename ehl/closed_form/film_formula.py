@@ -42,27 +42,42 @@ def film_formula(
     pressure_viscosity: ArrayLike = BASE_ALPHA,
     roelands_z: ArrayLike = BASE_Z,
 ) -> tuple[Array, Array]:
-    """Central and minimum film h/Rx/sqrt(2U) of flooded elliptical contacts by a formula of fifty
-    coefficients, in the common shape of the inputs [-]; not a number outside `RANGE`.
+    """Central and minimum film of flooded elliptical contacts by a formula of fifty coefficients.
 
     Parameters
     ----------
-    load : array_like
+    load : ArrayLike
         A = a^2/(Rx^2 sqrt(2U)) = f(Rx/Ry)^2 M^(2/3) [-], a Hertz' semi-axis along the entrainment;
-        M and L after Moes (1992), with 2U in both.
-    lubricant_parameter, radius_ratio : array_like
-        L and Rx/Ry [-].
-    pressure_viscosity : array_like
-        At rest [1/Pa].
-    roelands_z : array_like
-        Exponent z of Roelands (1966) [-].
+        M and L after Moes (1992), with 2U in both
+    lubricant_parameter : ArrayLike
+        L [-]
+    radius_ratio : ArrayLike
+        Rx/Ry [-]
+    pressure_viscosity : ArrayLike, default BASE_ALPHA
+        at ambient pressure [1/Pa]
+    roelands_z : ArrayLike, default BASE_Z
+        exponent z of Roelands (1966) [-]
+
+    Returns
+    -------
+    central
+        h/(Rx sqrt(2U)) in the common shape of the inputs [-]; nan outside `RANGE`
+    minimum
+        likewise [-]
+
+    Examples
+    --------
+    >>> from oilfilm import film_formula
+    >>> central, minimum = film_formula(40.0, 10.0, 0.1)
+    >>> f"{float(central):.2f} {float(minimum):.2f}"
+    '4.42 3.77'
     """
-    given = (load, lubricant_parameter, radius_ratio, pressure_viscosity, roelands_z)
-    values = np.broadcast_arrays(*(np.asarray(v, dtype=float) for v in given))
+    inputs = (load, lubricant_parameter, radius_ratio, pressure_viscosity, roelands_z)
+    values = np.broadcast_arrays(*(np.asarray(v, dtype=float) for v in inputs))
     flat = [np.ravel(v) for v in values]
     inside = np.ones(flat[0].shape, dtype=bool)
-    for own, (low, high) in zip(flat, RANGE.values(), strict=True):
-        inside &= (own >= low * (1.0 - EDGE)) & (own <= high * (1.0 + EDGE))
+    for value, (low, high) in zip(flat, RANGE.values(), strict=True):
+        inside &= (value >= low * (1.0 - EDGE)) & (value <= high * (1.0 + EDGE))
     exponents, coefficients = _coefficients()
     films = np.full((flat[0].size, 2), nan)
     terms = monomials([v[inside] for v in flat], exponents)
@@ -71,11 +86,22 @@ def film_formula(
     return central, minimum
 
 
-def monomials(places: Sequence[Array], exponents: NDArray[np.int_]) -> Array:
-    """Terms of the formula at n contacts, of exponents of shape (m, 5), shape (n, m) [-]; places:
-    the inputs of `film_formula`, each of shape (n,).
+def monomials(inputs: Sequence[Array], exponents: NDArray[np.int_]) -> Array:
+    """Terms of the formula at n contacts.
+
+    Parameters
+    ----------
+    inputs : Sequence[Array]
+        the five inputs of `film_formula`, shape (n,) each
+    exponents : NDArray[np.int_]
+        of the terms, shape (m, 5)
+
+    Returns
+    -------
+    Array
+        terms, shape (n, m) [-]
     """
-    load, lubricant_parameter, radius_ratio, pressure_viscosity, roelands_z = places
+    load, lubricant_parameter, radius_ratio, pressure_viscosity, roelands_z = inputs
     low, high = RANGE["A"]
     thick = np.sqrt(lubricant_parameter / RANGE["L"][1])
     variables = (

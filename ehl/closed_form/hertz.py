@@ -44,10 +44,25 @@ class HertzContact:
 
 @lru_cache(maxsize=1024)
 def ellipse_ratio(radius_ratio: float) -> float:
-    """Ratio of the semi-axes of the contact ellipse, k = b/a, at a ratio of radii Rx/Ry [-], Hertz
-    (1882): 1 at 1, above 1 where Rx < Ry.
+    """Ratio of the semi-axes of the contact ellipse, k = b/a, Hertz (1882).
 
-    Solves Rx/Ry = R_D(0, 1, k^2)/R_D(0, k^2, 1) by Newton's method in ln k, kept inside a bracket.
+    1 at Rx = Ry, above 1 where Rx < Ry. Solves Rx/Ry = R_D(0, 1, k^2)/R_D(0, k^2, 1) by Newton's
+    method in ln k inside a bracket.
+
+    Parameters
+    ----------
+    radius_ratio : float
+        Rx/Ry, from 1e-8 to 1e8 [-]
+
+    Returns
+    -------
+    float
+        b/a, semi-axis along y over that along x [-]
+
+    Raises
+    ------
+    ValueError
+        if the ratio lies outside its range
     """
     require_positive({"radius_ratio": radius_ratio})
     if not 1.0 / RADIUS_RATIO_LIMIT <= radius_ratio <= RADIUS_RATIO_LIMIT:
@@ -76,6 +91,25 @@ def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
     With W = F/(E' Rx^2) [-]: a/Rx = f W^(1/3), p_h/E' = g W^(1/3), approach/Rx = d W^(2/3) [-].
     f^3 = (2/pi) R_D(0, k^2, 1), g = 3/(2 pi k f^2), d = (3/pi) R_F(0, 1, k^2)/f; 1.5, 3/(2 pi
     f^2), f^2 at D = 1.
+
+    Parameters
+    ----------
+    radius_ratio : float
+        Rx/Ry, from 1e-8 to 1e8 [-]
+
+    Returns
+    -------
+    f
+        size [-]
+    g
+        pressure [-]
+    d
+        approach [-]
+
+    Raises
+    ------
+    ValueError
+        if the ratio lies outside its range
     """
     k = ellipse_ratio(radius_ratio)
     f = cbrt(2.0 / pi * float(scipy.special.elliprd(0.0, k**2, 1.0)))
@@ -85,11 +119,24 @@ def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
 
 
 def hertz_deflection(x: float, y: float, ratio: float) -> float:
-    """Integral of P/r over the ellipse x^2 + (y/ratio)^2 < 1 under Hertz pressure of unit load,
-    seen from a place inside or outside it, both in units of the semi-axis along x [-].
+    """Integral of P/r over the ellipse x^2 + (y/ratio)^2 < 1 under Hertz pressure of unit load.
 
     3/4 integral from t of (1 - x^2/(1 + s) - y^2/(ratio^2 + s))/sqrt((1 + s)(ratio^2 + s) s) ds, t
     the confocal ellipse through (x, y), 0 inside (Hertz, 1882; Carlson's integrals).
+
+    Parameters
+    ----------
+    x : float
+        position inside or outside the ellipse, in semi-axes along x [-]
+    y : float
+        position in semi-axes along x [-]
+    ratio : float
+        b/a [-]
+
+    Returns
+    -------
+    float
+        integral [-]
     """
     b2 = ratio**2
     # x^2/(1 + t) + y^2/(b^2 + t) = 1
@@ -103,11 +150,30 @@ def hertz_deflection(x: float, y: float, ratio: float) -> float:
 
 
 def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) -> float:
-    """K = E' sqrt(Rx) d^(-3/2) in load = K approach^1.5 [N/m^1.5], Hertz (1882), d from
-    `hertz_coefficients`; reduced radii of curvature [m], E' [Pa].
+    """K = E' sqrt(Rx) d^(-3/2) in load = K approach^1.5, Hertz (1882), d from
+    `hertz_coefficients`.
+
+    Parameters
+    ----------
+    radius_x : float
+        reduced radius of curvature in x [m]
+    radius_y : float
+        reduced radius of curvature in y [m]
+    reduced_modulus : float
+        E' [Pa]
+
+    Returns
+    -------
+    float
+        K [N/m^1.5]
+
+    Raises
+    ------
+    ValueError
+        if a value is not positive
     """
-    given = {"radius_x": radius_x, "radius_y": radius_y, "reduced_modulus": reduced_modulus}
-    require_positive(given)
+    inputs = {"radius_x": radius_x, "radius_y": radius_y, "reduced_modulus": reduced_modulus}
+    require_positive(inputs)
     _, _, d = hertz_coefficients(radius_x / radius_y)
     return float(reduced_modulus * (radius_x / d**3) ** 0.5)
 
@@ -115,9 +181,37 @@ def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) 
 def hertz_contact(
     load: float, radius_x: float, radius_y: float, reduced_modulus: float
 ) -> HertzContact:
-    """Ellipse, pressure and approach at a load [N], Hertz (1882); radii [m], E' [Pa]."""
-    given = {"load": load, "radius_x": radius_x, "radius_y": radius_y}
-    require_positive(given | {"reduced_modulus": reduced_modulus})
+    """Ellipse, pressure and approach at a load, Hertz (1882).
+
+    Parameters
+    ----------
+    load : float
+        normal load [N]
+    radius_x : float
+        reduced radius of curvature in x [m]
+    radius_y : float
+        reduced radius of curvature in y [m]
+    reduced_modulus : float
+        E', 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 [Pa]
+
+    Returns
+    -------
+    HertzContact
+        the dry contact
+
+    Raises
+    ------
+    ValueError
+        if a value is not positive
+
+    Examples
+    --------
+    >>> contact = hertz_contact(50.0, 6e-3, 60e-3, 2.3e11)
+    >>> f"{contact.pressure / 1e9:.3f} GPa, {contact.semi_axis_y * 1e6:.0f} um"
+    '0.807 GPa, 365 um'
+    """
+    inputs = {"load": load, "radius_x": radius_x, "radius_y": radius_y}
+    require_positive(inputs | {"reduced_modulus": reduced_modulus})
     f, g, d = hertz_coefficients(radius_x / radius_y)
     size = cbrt(load / (reduced_modulus * radius_x**2))
     semi_axis_x = f * size * radius_x

@@ -31,7 +31,7 @@ ACROSS_POISSON = 0.25
 # depth of the largest shear in the smaller semi-axis, about [-]; where its search begins
 CIRCLE_DEPTH = 0.48
 LINE_DEPTH = 0.79
-SHEAR_STEPS = 30  # at most, of that search; 5 or 6 are taken
+SHEAR_STEPS = 30  # largest number of steps of that search; it needs 5 or 6
 SHEAR_ROUNDING = 1e-12  # step of the depth at which it ends [-]
 CUBIC_STEPS = 9  # to round-off, for any ellipse; 7 do
 SERIES = 1e-4  # e^2 of an ellipse below which its edge tension is expanded [-]
@@ -40,13 +40,27 @@ SERIES = 1e-4  # e^2 of an ellipse below which its edge tension is expanded [-]
 def hertz_axis_stress(
     semi_axes: tuple[float, float], pressure: float, depth: Array, poisson_ratio: float
 ) -> Array:
-    """Principal stresses sigma_x, sigma_y, sigma_z on the axis of a Hertz contact, shape (3, ...)
-    [Pa], Thomas and Hoersch (1930); semi-axes a along x and b along y [m], p_h [Pa], depth above
-    zero [m].
+    """Principal stresses on the axis of a Hertz contact, Thomas and Hoersch (1930).
 
     sigma_x = p_h a b [(1 - nu) z I_x - nu z I_z - (1 - 2 nu)/(A (A + B))], A^2 = a^2 + z^2, B^2 =
     b^2 + z^2, I_x = 2/3 R_D(B^2, z^2, A^2), I_z = 2/3 R_D(A^2, B^2, z^2), likewise sigma_y;
     sigma_z = -p_h a b/(A B).
+
+    Parameters
+    ----------
+    semi_axes : tuple[float, float]
+        a along x and b along y [m]
+    pressure : float
+        p_h [Pa]
+    depth : Array
+        above zero, any shape [m]
+    poisson_ratio : float
+        nu of the body [-]
+
+    Returns
+    -------
+    Array
+        sigma_x, sigma_y, sigma_z, shape (3, ...) [Pa]
     """
     a, b = semi_axes
     return np.asarray(pressure * a * b * np.stack(_axis_stress(a, b, depth, poisson_ratio)))
@@ -60,8 +74,8 @@ def _axis_stress(a: float, b: Any, depth: Any, nu: Any) -> tuple[Any, Any, Any]:
     along_z = 2.0 / 3.0 * elliprd(a2, b2, z2)
     surface = (1.0 - 2.0 * nu) / (root_a + root_b)
 
-    def along(own: Any, other: Any, root: Any) -> Any:
-        integral = (1.0 - nu) * 2.0 / 3.0 * elliprd(other, z2, own)
+    def along(axis: Any, other: Any, root: Any) -> Any:
+        integral = (1.0 - nu) * 2.0 / 3.0 * elliprd(other, z2, axis)
         return depth * (integral - nu * along_z) - surface / root
 
     stress_z = -1.0 / (root_a * root_b)
@@ -71,11 +85,26 @@ def _axis_stress(a: float, b: Any, depth: Any, nu: Any) -> tuple[Any, Any, Any]:
 def hertz_maximum_shear(
     semi_axes: tuple[ArrayLike, ArrayLike], pressure: ArrayLike, poisson_ratio: ArrayLike
 ) -> tuple[Array, Array]:
-    """Largest principal shear on the axis of Hertz contacts [Pa], half the difference of the
-    extreme stresses, and its depth [m]; semi-axes along x and y [m], p_h [Pa], numbers or arrays
-    of one shape.
+    """Largest principal shear on the axis of Hertz contacts, half the difference of the extreme
+    stresses.
 
     0.310 p_h for the circle and 0.300 p_h for the line with nu = 0.3.
+
+    Parameters
+    ----------
+    semi_axes : tuple[ArrayLike, ArrayLike]
+        along x and along y, numbers or arrays of one shape [m]
+    pressure : ArrayLike
+        p_h, likewise [Pa]
+    poisson_ratio : ArrayLike
+        nu, likewise [-]
+
+    Returns
+    -------
+    shear
+        largest shear stress, the common shape [Pa]
+    depth
+        its depth [m]
     """
     first, second, peak = (np.asarray(one, dtype=np.float64) for one in (*semi_axes, pressure))
     small = np.minimum(first, second)
@@ -106,9 +135,10 @@ def _searched_shear(ratio: float, nu: float) -> tuple[float, float]:
 
 
 def _shear_across(ratio: Array, nu: Array) -> tuple[Array, Array]:
-    """As `_searched_shear`, in arrays, where the stress across the shorter axis, here sigma_x, is
-    the largest at that depth: d(sigma_x - sigma_z)/dz = 0 with dI_x/dz = -2/(A^3 B) and dI_z/dz =
-    -2/(A B z^2), by secants.
+    """Largest shear and its depth, in arrays, by d(shear)/dz = 0.
+
+    The stress across the shorter axis, here sigma_x, is the largest at that depth: d(sigma_x -
+    sigma_z)/dz = 0 with dI_x/dz = -2/(A^3 B) and dI_z/dz = -2/(A B z^2), by secants.
     """
     last = CIRCLE_DEPTH + (LINE_DEPTH - CIRCLE_DEPTH) * (1.0 - 1.0 / ratio)
     depth = 1.01 * last
@@ -145,15 +175,30 @@ def _shear_slope(ratio: Any, depth: Any, nu: Any) -> Any:
 def hertz_orthogonal_shear(
     semi_axis_rolling: ArrayLike, semi_axis_transverse: ArrayLike, pressure: ArrayLike
 ) -> tuple[Array, Array]:
-    """Amplitude tau_0 [Pa] of the shear stress tau_xz of a point that the contact rolls over, and
-    its depth z_0 [m], Lundberg and Palmgren (1947); semi-axes a along the rolling direction and b
-    [m], p_h [Pa], numbers or arrays of one shape.
+    """Amplitude and depth of the orthogonal shear stress tau_xz in rolling, Lundberg and Palmgren
+    (1947).
 
     tau_0 = p_h sqrt(2 t - 1)/(2 t (t + 1)), z_0 = a/[(t + 1) sqrt(2 t - 1)], (t^2 - 1)(2 t - 1) =
-    (a/b)^2. It swings between -tau_0 and +tau_0, whatever Poisson's ratio.
+    (a/b)^2. It oscillates between -tau_0 and +tau_0, whatever Poisson's ratio.
+
+    Parameters
+    ----------
+    semi_axis_rolling : ArrayLike
+        a along the rolling direction, a number or an array [m]
+    semi_axis_transverse : ArrayLike
+        b, of the same shape [m]
+    pressure : ArrayLike
+        p_h, of the same shape [Pa]
+
+    Returns
+    -------
+    amplitude
+        tau_0 [Pa]
+    depth
+        z_0 [m]
     """
-    given = (semi_axis_rolling, semi_axis_transverse, pressure)
-    along, across, peak = (np.asarray(one, dtype=np.float64) for one in given)
+    inputs = (semi_axis_rolling, semi_axis_transverse, pressure)
+    along, across, peak = (np.asarray(value, dtype=np.float64) for value in inputs)
     ratio = (along / across) ** 2
     t = 2.0 + np.cbrt(ratio)
     for _ in range(CUBIC_STEPS):  # Newton's, from above: the cubic is convex beyond its root
@@ -166,12 +211,27 @@ def hertz_orthogonal_shear(
 def hertz_edge_tension(
     semi_axes: tuple[float, float], pressure: float, poisson_ratio: float
 ) -> tuple[float, float]:
-    """Radial tension in the surface at the ends of the x and of the y semi-axis of a Hertz contact
-    without friction [Pa], Johnson (1985), section 4.2; semi-axes along x and y [m], p_h [Pa].
+    """Radial tension in the surface at the ends of the semi-axes, Johnson (1985), section 4.2.
 
-    With a the longer and b the shorter one, e^2 = 1 - b^2/a^2: (1 - 2 nu) p_h b/(a e^2) times
-    artanh(e)/e - 1 at the end of the longer, and 1 - b/(a e) arctan(e a/b) at that of the shorter
-    axis; (1 - 2 nu) p_h/3 on the rim of a circle.
+    Without friction. With a the longer and b the shorter semi-axis, e^2 = 1 - b^2/a^2: (1 - 2 nu)
+    p_h b/(a e^2) times artanh(e)/e - 1 at the end of the longer, and 1 - b/(a e) arctan(e a/b) at
+    that of the shorter axis; (1 - 2 nu) p_h/3 on the rim of a circle.
+
+    Parameters
+    ----------
+    semi_axes : tuple[float, float]
+        along x and along y [m]
+    pressure : float
+        p_h [Pa]
+    poisson_ratio : float
+        nu of the body [-]
+
+    Returns
+    -------
+    end_x
+        tension at the end of the x semi-axis [Pa]
+    end_y
+        tension at the end of the y semi-axis [Pa]
     """
     a, b = max(semi_axes), min(semi_axes)
     ratio = b / a

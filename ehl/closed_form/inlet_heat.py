@@ -1,6 +1,6 @@
-"""What the heat of the shear in its inlet leaves of a film, without a solve with heat.
+"""Thermal reduction factor: film with the heat of its inlet over the isothermal film.
 
-A film in pure rolling over the isothermal one is taken as
+In pure rolling, without a solve with heat, it is
 
     s = 1/(1 + a L_T^b (p_h/E')^c/[1 + (M_0/M)^d]),    L_T = eta_0 beta u_m^2/k.
 
@@ -9,7 +9,7 @@ catalogue bearings drawn at random and 92 light ones (`benchmarks/inlet_heat.py`
 p_h/E' 0.0005 to 0.012, M 2 to 30 000). `SPREAD` holds 95 % of their losses 1 - s with M above 20;
 minimum films lose up to a quarter less. Films of lighter contacts carry their load far ahead of
 the contact, also outside the solved box, where nothing is heated: the low end of the range leaves
-the bracket out. Bodies are steel and silicon nitride; sliding is left out. The formula of Gupta
+the bracket out. Bodies are steel and silicon nitride; sliding is neglected. The formula of Gupta
 et al. (`film_reduction_gupta`), a fit to line contacts, takes a third more.
 """
 
@@ -28,7 +28,7 @@ SPREAD = 0.2  # of the loss 1 - s [-]
 # L_T beyond which no film was solved; the spread is twice as wide there [-]
 LARGEST_LOADING = 12.0
 
-# Of an oil whose heat properties are not given, those of a mineral oil. Conductivity: Larsson and
+# Heat properties of a mineral oil, for oils without their own. Conductivity: Larsson and
 # Andersson (2000), paraffinic mineral oil, second-hand [W/(m K)].
 MINERAL_CONDUCTIVITY = 0.137
 # beta = 0.110 (eta/Pa s)^0.282 [1/K], fitted to ISO VG 10 to 220 of the library from 40 to 100
@@ -39,7 +39,7 @@ ASSUMED_SPREAD = 0.35  # of the loss, more, of such an oil (0.51^0.55 to 1.31^0.
 
 
 class HeatShare(NamedTuple):
-    """Of an isothermal film that the heat of its inlet leaves [-]."""
+    """Thermal reduction factor of a film: film with inlet heat over the isothermal film."""
 
     value: float
     low: float
@@ -53,8 +53,19 @@ class HeatShare(NamedTuple):
         return max(self.value - self.low, self.high - self.value)
 
     def at(self, inlet: float) -> "HeatShare":
-        """Of a film behind a layer that leaves a share of the rolling moment [-], which stands for
-        its inlet: s to this power (assumed).
+        """Thermal reduction factor of a film behind a layer.
+
+        The factor on the rolling moment stands for its inlet: s to this power (assumed).
+
+        Parameters
+        ----------
+        inlet : float
+            starvation factor of the rolling moment [-]
+
+        Returns
+        -------
+        HeatShare
+            factor of the starved film
         """
         if inlet == 1.0:
             return self
@@ -63,7 +74,20 @@ class HeatShare(NamedTuple):
 
 
 def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
-    """Share of the flooded film that heat leaves [-], with its spread; `pressure`: Hertz' [Pa]."""
+    """Thermal reduction factor of a flooded film, with its range.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact; without thermal properties its oil counts as a mineral oil
+    pressure : float
+        Hertz pressure [Pa]
+
+    Returns
+    -------
+    HeatShare
+        factor and its range [-]
+    """
     oil = conditions.lubricant
     assumed = oil.thermal is None
     if oil.thermal is None:
@@ -85,7 +109,22 @@ def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
 
 
 def heat_loss(loading: float, pressure_ratio: float, moes_load: float = inf) -> float:
-    """1 - s of L_T, p_h/E' and M [-]."""
+    """Loss of film by the heat of the inlet, 1 - s.
+
+    Parameters
+    ----------
+    loading : float
+        L_T [-]
+    pressure_ratio : float
+        p_h/E' [-]
+    moes_load : float, default inf
+        M; infinite without the reduction in light contacts [-]
+
+    Returns
+    -------
+    float
+        1 - s [-]
+    """
     if not loading > 0.0:
         return 0.0
     rise = LOSS_FACTOR * loading**LOSS_BY_LOADING * pressure_ratio**LOSS_BY_PRESSURE

@@ -3,7 +3,7 @@
 These are x = (ln H_c, ln(1 + L/3), ln(Rx/Ry), ln r). H_c is the flooded film by the formula of
 Nijenbanning, Venner and Moes (1994) over a^2/Rx, which says how far the inlet's gap is that of the
 undeformed bodies. Each function is a trend of second degree and a sum of radial functions around
-the solved places, fitted to solutions by `tools/starvation/fit.py`:
+the solved contacts, fitted to solutions by `tools/starvation/fit.py`:
 
     f(x) = trend(x) + sum_i w_i k(|(x - x_i)/l|),   k(d) = (1 + t + t^2/3) e^-t,  t = sqrt(5) d
 
@@ -15,8 +15,8 @@ the solved places, fitted to solutions by `tools/starvation/fit.py`:
     damping            f_4, at an angular frequency of 0.3 u_m/a
 
 Chevalier's form (1998) with an exponent that depends on all four keeps R below r and 1, and leaves
-the limits of little and of much oil exact. Where a fitted curve falls over r, which it does by the
-errors of light contacts alone, the law stays at what it was before.
+the limits of little and of much oil exact. A fitted curve that falls over r, which is an error in
+light contacts alone, is replaced by its largest value so far.
 """
 
 from functools import cache, lru_cache
@@ -43,16 +43,16 @@ PAIRS = np.triu_indices(4)
 
 
 class Function(NamedTuple):
-    """One of the four."""
+    """One of the four functions: trend and radial terms."""
 
-    places: Array  # (n, 4) x_i
+    centres: Array  # (n, 4) x_i
     scales: Array  # (4,) l
     trend: Array  # (15,) of 1, x_j, x_j x_k
     weights: Array  # (n,) w
 
 
 class Table(NamedTuple):
-    """What the files hold [-]."""
+    """Contents of the files of the law [-]."""
 
     functions: tuple[Function, ...]
     lower: Array  # (4,) of x
@@ -62,7 +62,7 @@ class Table(NamedTuple):
     largest: Array
     error_films: Array  # (k,) ln H_c
     error_ratios: Array  # (m,) ln r
-    errors: Array  # (4, k, m) of R and R_min over themselves, of T/T_0 and the damping's share
+    errors: Array  # (4, k, m) of R and R_min over themselves, of T/T_0 and the damping's factor
 
 
 class Curves(NamedTuple):
@@ -72,7 +72,7 @@ class Curves(NamedTuple):
     exponent: Array  # ln g
     gain: Array  # c
     moment: Array  # s
-    damping: Array  # share
+    damping: Array  # factor of the damping
     errors: Array  # (4, m) over `Table.error_ratios`
     inside: bool
 
@@ -81,9 +81,9 @@ class Curves(NamedTuple):
 def table() -> Table:
     """The table, read once [-]."""
     with np.load(FILE) as file, np.load(DAMPING_FILE) as damping:
-        places = file["places"].astype(float)
+        centres = file["places"].astype(float)
         functions = [
-            Function(places, file["scales"][k], file["trends"][k], file["weights"][k])
+            Function(centres, file["scales"][k], file["trends"][k], file["weights"][k])
             for k in range(3)
         ]
         of_damping = [damping[name] for name in ("scales", "trend", "weights")]
@@ -101,92 +101,172 @@ def table() -> Table:
 
 
 def place_of_contact(load: float, lubricant: float, radius_ratio: float) -> Array:
-    """ln H_c, ln(1 + L/3) and ln(Rx/Ry) of Moes' M and L and Rx/Ry, shape (3,) [-]."""
+    """Coordinates of a contact in the table: ln H_c, ln(1 + L/3) and ln(Rx/Ry).
+
+    Parameters
+    ----------
+    load : float
+        Moes' M [-]
+    lubricant : float
+        Moes' L [-]
+    radius_ratio : float
+        Rx/Ry [-]
+
+    Returns
+    -------
+    Array
+        coordinates, shape (3,) [-]
+    """
     f = hertz_coefficients(radius_ratio)[0]
     film = moes_film_nijenbanning(load, lubricant, radius_ratio) / (f**2 * load ** (2.0 / 3.0))
     return np.array([log(film), log1p(lubricant / STRETCH), log(radius_ratio)])
 
 
 def trend_terms(x: Array) -> Array:
-    """1, x_j and x_j x_k of places of shape (..., 4), shape (..., 15) [-]."""
+    """Terms of the trend: 1, x_j and x_j x_k.
+
+    Parameters
+    ----------
+    x : Array
+        coordinates, shape (..., 4) [-]
+
+    Returns
+    -------
+    Array
+        terms, shape (..., 15) [-]
+    """
     first, second = PAIRS
     ones = np.ones((*x.shape[:-1], 1))
     return np.concatenate([ones, x, x[..., first] * x[..., second]], axis=-1)
 
 
 def kernel(squared: Array) -> Array:
-    """Matern's of 5/2 with unit variance, of squared distances [-]."""
+    """Matern's kernel of 5/2 with unit variance.
+
+    Parameters
+    ----------
+    squared : Array
+        squared distances, any shape [-]
+
+    Returns
+    -------
+    Array
+        kernel, shape of `squared` [-]
+    """
     t = np.sqrt(5.0 * squared)
     return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
 
 
-def radial(x: Array, places: Array, scales: Array) -> Array:
-    """Radial functions of places (n, 4) at x of shape (m, 4), shape (m, n) [-]."""
-    steps = (x[:, None, :] - places[None, :, :]) / scales
+def radial(x: Array, centres: Array, scales: Array) -> Array:
+    """Radial functions around the solved contacts.
+
+    Parameters
+    ----------
+    x : Array
+        coordinates, shape (m, 4) [-]
+    centres : Array
+        coordinates of the solved contacts, shape (n, 4) [-]
+    scales : Array
+        length of the kernel in each coordinate, shape (4,) [-]
+
+    Returns
+    -------
+    Array
+        values, shape (m, n) [-]
+    """
+    steps = (x[:, None, :] - centres[None, :, :]) / scales
     return kernel(np.einsum("ijk,ijk->ij", steps, steps))
 
 
 @lru_cache(maxsize=1024)
 def curves(load: float, lubricant: float, radius_ratio: float) -> Curves:
-    """The functions of the contact of Moes' M and L and Rx/Ry [-]."""
-    known = table()
-    wanted = place_of_contact(load, lubricant, radius_ratio)
-    log_ratios = np.linspace(known.lower[3], known.upper[3], NODES)
+    """The four functions of one contact over ln r.
+
+    Parameters
+    ----------
+    load : float
+        Moes' M [-]
+    lubricant : float
+        Moes' L [-]
+    radius_ratio : float
+        Rx/Ry [-]
+
+    Returns
+    -------
+    Curves
+        functions, their errors, and if the contact lies among the solved ones
+    """
+    tabulated = table()
+    contact_point = place_of_contact(load, lubricant, radius_ratio)
+    log_ratios = np.linspace(tabulated.lower[3], tabulated.upper[3], NODES)
     x = np.empty((NODES, 4))
-    x[:, :3] = np.clip(wanted, known.lower[:3], known.upper[:3])
+    x[:, :3] = np.clip(contact_point, tabulated.lower[:3], tabulated.upper[:3])
     x[:, 3] = log_ratios
     exponent, gain, moment, damping = (
-        trend_terms(x) @ f.trend + radial(x, f.places, f.scales) @ f.weights
-        for f in known.functions
+        trend_terms(x) @ f.trend + radial(x, f.centres, f.scales) @ f.weights
+        for f in tabulated.functions
     )
-    log_share = _rising(log_shares(exponent, log_ratios))
-    exponent = _exponents(log_share, log_ratios, exponent)
-    missing = -np.expm1(log_share)
-    log_minimum = _rising(np.minimum(log_share + missing * gain, 0.0))
+    log_factor = _rising(log_film_factor(exponent, log_ratios))
+    exponent = _exponents(log_factor, log_ratios, exponent)
+    missing = -np.expm1(log_factor)
+    log_minimum = _rising(np.minimum(log_factor + missing * gain, 0.0))
     pressure = hertz_coefficients(radius_ratio)[1] * lubricant * load ** (1.0 / 3.0)
     contact = np.array([load, radius_ratio, pressure])
     return Curves(
         log_ratios=log_ratios,
         exponent=exponent,
-        gain=(log_minimum - log_share) / missing,
+        gain=(log_minimum - log_factor) / missing,
         moment=_rising(moment),
         damping=damping,
-        errors=_errors(known, x[0, 0]),
-        inside=bool(np.all(known.least <= contact) and np.all(contact <= known.largest)),
+        errors=_errors(tabulated, x[0, 0]),
+        inside=bool(np.all(tabulated.least <= contact) and np.all(contact <= tabulated.largest)),
     )
 
 
-def log_shares(exponent: Array, log_ratio: Array) -> Array:
-    """ln R of ln g and ln r, arrays of one shape [-]."""
+def log_film_factor(exponent: Array, log_ratio: Array) -> Array:
+    """ln R of the starvation factor R = r/(1 + r^g)^(1/g).
+
+    Parameters
+    ----------
+    exponent : Array
+        ln g, any shape [-]
+    log_ratio : Array
+        ln r, of the same shape [-]
+
+    Returns
+    -------
+    Array
+        ln R [-]
+    """
     g = np.exp(exponent)
     return np.minimum(log_ratio, 0.0) - np.log1p(np.exp(-g * np.abs(log_ratio))) / g
 
 
 def _rising(values: Array) -> Array:
-    """The values where they rise, what was reached before where they fall."""
+    """Largest value so far, plus a small slope: a rising function."""
     slope = LEAST_RISE * np.arange(len(values))
     return np.asarray(np.maximum.accumulate(values - slope) + slope)
 
 
-def _exponents(log_share: Array, log_ratio: Array, before: Array) -> Array:
+def _exponents(log_factor: Array, log_ratio: Array, before: Array) -> Array:
     """ln g that give ln R at ln r; those before where they do so."""
-    raised = log_share > log_shares(before, log_ratio) + 0.5 * LEAST_RISE
+    raised = log_factor > log_film_factor(before, log_ratio) + 0.5 * LEAST_RISE
     if not raised.any():
         return before
     low = before[raised]
     high = np.full(len(low), LARGEST_LOG_EXPONENT)
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        less = log_shares(middle, log_ratio[raised]) < log_share[raised]
+        less = log_film_factor(middle, log_ratio[raised]) < log_factor[raised]
         low, high = np.where(less, middle, low), np.where(less, high, middle)
-    found = before.copy()
-    found[raised] = low
-    return found
+    exponents = before.copy()
+    exponents[raised] = low
+    return exponents
 
 
-def _errors(known: Table, log_film: float) -> Array:
+def _errors(tabulated: Table, log_film: float) -> Array:
     """Uncertainties of a contact by its ln H_c, shape (4, m) [-]."""
-    flat = known.errors.transpose(0, 2, 1)
+    flat = tabulated.errors.transpose(0, 2, 1)
     return np.array(
-        [[np.interp(log_film, known.error_films, row) for row in rows] for rows in flat]
+        [[np.interp(log_film, tabulated.error_films, row) for row in rows] for rows in flat]
     )

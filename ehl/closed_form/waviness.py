@@ -1,4 +1,4 @@
-r"""What a film leaves of a small waviness, in closed form.
+r"""Amplitude of a small waviness in a lubricated contact, in closed form.
 
 A waviness r = Re r_a exp(i omega_x (x - u_b t) + i omega_y y) on a body of speed u_b, in a flat
 film h of uniform high pressure. Hooke (2006); as printed in Morales-Espejel and Brizmer, Tribology
@@ -38,11 +38,26 @@ class FlatFilm:
 def waviness_moving_with_body(
     film: FlatFilm, wave_numbers: tuple[float, float], slide: float
 ) -> tuple[complex, complex]:
-    """Pressure [Pa/m] and film [-] of the wave that moves with its body, over the amplitude of the
-    gap that the waviness makes.
+    """Complex amplitudes of pressure and film of the wave that moves with its body.
 
-    wave_numbers: omega_x along the entrainment and omega_y [1/m]; slide: u_b - u_m [m/s]. The
-    factors are those of exp(i omega_x (x - u_b t)).
+    Both over the amplitude of the waviness in the gap, factors of exp(i omega_x (x - u_b t));
+    Hooke (2006).
+
+    Parameters
+    ----------
+    film : FlatFilm
+        the flat film and its oil
+    wave_numbers : tuple[float, float]
+        omega_x along the entrainment and omega_y [1/m]
+    slide : float
+        u_b - u_m [m/s]
+
+    Returns
+    -------
+    pressure
+        p_a/r_a [Pa/m]
+    film
+        h_a/r_a [-]
     """
     x, y = wave_numbers
     kappa = hypot(x, y)
@@ -55,11 +70,24 @@ def waviness_moving_with_body(
 
 
 def amplitude_left(wavelengths: tuple[float, float], load: float, lubricant: float) -> float:
-    """A_d/A_i of a waviness in pure rolling, Venner's fit for circular contacts [-].
+    """Amplitude ratio A_d/A_i of a waviness in pure rolling, Venner's fit for circular contacts.
 
-    wavelengths: along and across the entrainment over the Hertz radius, infinite without waves;
-    load, lubricant: M and L of Moes. Solutions of this program lie within 20 % of it at L of 10
-    and more, and x of 0.8 to 7; below L 10 one variable x does not hold.
+    Solutions of this program lie within 20 % of it at L of 10 and more, and x of 0.8 to 7; below L
+    10 one variable x does not hold.
+
+    Parameters
+    ----------
+    wavelengths : tuple[float, float]
+        along and across the entrainment over the Hertz radius; infinite without waves [-]
+    load : float
+        Moes' M [-]
+    lubricant : float
+        Moes' L [-]
+
+    Returns
+    -------
+    float
+        amplitude in the film over that of the undeformed waviness [-]
     """
     along, across = wavelengths
     ratio = along / across

@@ -22,20 +22,37 @@ REACH = (3, 0)
 # 0.35 change the films of the 6208's inner race on 65 lines by less than 0.1 %
 FINEST = 0.1  # over the length of the inlet
 INSIDE = 1 / 16  # largest inside the contact
-OUTLET = (0.0, 1.2)  # ends of the finest part, through which the exit constriction runs
-# across the half contact: over the length of the inlet, largest inside, ends of the finest part.
+OUTLET = (0.0, 1.2)  # ends of the finest region, through which the exit constriction runs
+# across the half contact: over the length of the inlet, largest inside, ends of the finest region.
 # The minimum film of M 2000, L 0 on 257 lines is within 4 % so, 8.7 % off with even cells of 1/40
 SIDE_FINEST = 0.05
 SIDE_INSIDE = 1 / 20
 SIDE = (0.75, 1.0)
 GROWTH = 0.12  # of the cells before and inside the contact, over the distance from the finest
-OUTER_GROWTH = 0.25  # of those behind and beside it
+OUTER_GROWTH = 0.25  # of those behind and at the side of it
 
 
 def lattices(
     contact: ScaledContact, domain: tuple[float, float, float], cells: int, levels: int
 ) -> list[Lattice]:
-    """Meshes from coarsest to finest, which has about `cells` along x."""
+    """Meshes from coarsest to finest, each with half the cells of the next.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+    domain : tuple[float, float, float]
+        x_in, x_out, y_half in Hertz half extents [-]
+    cells : int
+        approximate number of cells along x on the finest mesh
+    levels : int
+        number of meshes
+
+    Returns
+    -------
+    list[Lattice]
+        the meshes, the finest last
+    """
     x_in, x_out, y_half = domain
     coarsest = cells // 2 ** (levels - 1)
     inlet = inlet_length(contact)
@@ -57,16 +74,38 @@ def lattices(
 
 
 def inlet_length(contact: ScaledContact) -> float:
-    """Length in half extents over which the gap before the Hertz contact, which grows with the
-    power 3/2 of the distance, reaches the film: (Hc/(S A^2))^(2/3) [-].
+    """Length over which the gap before the Hertz contact reaches the film, (Hc/(S A^2))^(2/3).
+
+    The gap grows with the power 3/2 of the distance.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+
+    Returns
+    -------
+    float
+        length in half extents of the Hertz ellipse [-]
     """
     height = contact.curvature_x * contact.half_extent_x**2
     return float((contact.film_guess / height) ** (2 / 3))
 
 
 def cell_along(s: Array, inlet: float) -> Array:
-    """Cell along x, up to a factor, at `s` half extents of the Hertz ellipse [-]: finest at the
-    end of the inlet, of the length `inlet`, and at the outlet.
+    """Cell along x up to a factor: finest at the end of the inlet and at the outlet.
+
+    Parameters
+    ----------
+    s : Array
+        positions in half extents of the Hertz ellipse, any shape [-]
+    inlet : float
+        length of the inlet, likewise [-]
+
+    Returns
+    -------
+    Array
+        cell size, shape of `s` [-]
     """
     finest = min(FINEST * inlet, INSIDE)
     before = np.maximum(0.0, -1.0 - inlet - s)
@@ -77,8 +116,19 @@ def cell_along(s: Array, inlet: float) -> Array:
 
 
 def cell_across(s: Array, inlet: float) -> Array:
-    """Cell across the half contact, up to a factor [-]: finest at the side of the ellipse, where
-    the film is thinnest.
+    """Cell across the half contact up to a factor: finest at the side, where the film is thinnest.
+
+    Parameters
+    ----------
+    s : Array
+        positions in half extents of the Hertz ellipse, any shape [-]
+    inlet : float
+        length of the inlet, likewise [-]
+
+    Returns
+    -------
+    Array
+        cell size, shape of `s` [-]
     """
     finest = min(SIDE_FINEST * inlet, SIDE_INSIDE / 2.0)
     inside = np.maximum(0.0, SIDE[0] - s)
@@ -88,7 +138,24 @@ def cell_across(s: Array, inlet: float) -> Array:
 
 
 def level_on(contact: ScaledContact, mesh: Lattice, is_open: bool, start: Start) -> Level:
-    """One mesh with everything that does not change in the iteration."""
+    """One mesh with everything that does not change in the iteration.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+    mesh : Lattice
+        lines of the mesh
+    is_open : bool
+        the pressure on the edge of the box is that of the flow outside
+    start : Start
+        initial pressure and film
+
+    Returns
+    -------
+    Level
+        mesh, operators and initial state
+    """
     X, Y = mesh.x, mesh.y
     areas = np.outer(dual_lengths(X), dual_lengths(Y)).ravel()
     x, y = (values.ravel() for values in np.meshgrid(X, Y, indexing="ij"))
@@ -102,7 +169,7 @@ def level_on(contact: ScaledContact, mesh: Lattice, is_open: bool, start: Start)
         Y=Y,
         flow=flow_on(X, Y, contact),
         compliance=operator,
-        near=near_field(mesh, REACH, contact.deformation, contact.coating),
+        near_compliance=near_field(mesh, REACH, contact.deformation, contact.coating),
         elimination=nested_dissection((len(X), len(Y)), (REACH[0] + 1, REACH[1] + 1)),
         gap=gap,
         areas=areas,

@@ -28,14 +28,14 @@ from .reynolds import (
 
 ADVICE = "try more points"
 STEPS = 100  # of Newton on each mesh
-# change of pressure at a node [-] above which a step is not made but tried again over a shorter
+# change of pressure at a node [-] above which a step is refused and computed again over a shorter
 # time. Of 28 contacts on 257 points none takes more than 23 steps on a mesh that converges so,
 # M 1000, L 25, R_x/R_y 0.05 67 at 0.5, M 2000, L 28 52 where the time grows after 0.7 of it
 PRESSURE_STEP = 0.3
 LARGEST_FILM_LOSS = 0.7  # of the film at a node in a step
 TOLERANCE = 1e-5  # of the last change of pressure [-]
 # likewise where a node at the edge of the cavity alternates, so that changes fall no more, at M 5,
-# L 10 from 2.7e-5 on; what the film changes by then is part of its error bar
+# L 10 from 2.7e-5 on; what the film changes by then belongs to its error bar
 ALTERNATING = 5e-4
 LINEAR_TOLERANCE = 1e-3  # of each Newton step
 # Time steps, in units of a/u_m, of the transient through which the steady film is reached where a
@@ -44,10 +44,12 @@ TIME_STEP = 0.1  # the first
 SMALLEST_TIME_STEP = 1e-4  # of one that is tried again
 SHORTER = 3.0  # of the time step before over the next, where that one was too long
 LONGER = 2.0  # of the next over the time step before, after half of `PRESSURE_STEP` at most
-NEAR = 0.03  # change of pressure [-] below which the steady equations are solved
-OTHER_DEFLECTIONS = 3  # of a step beside those of GMRES: film, given pressures, change
-# share of a change that the next takes back, above which only half of that is made: at M 31, L 31,
-# R_x/R_y 0.05 all of it was taken back, for ever
+STEADY_STEP = 0.03  # change of pressure [-] below which the steady equations are solved
+OTHER_DEFLECTIONS = (
+    3  # of a step, in addition to those of GMRES: film, prescribed pressures, change
+)
+# fraction of a change that the next one reverses, above which only half of that is applied: at
+# M 31, L 31, R_x/R_y 0.05 all of it was reversed, without end
 REVERSED = 0.9
 STALLED = 4  # steps at rest with a film that does not follow the pressure
 
@@ -61,7 +63,7 @@ class Level:
     Y: Array
     flow: Flow
     compliance: Compliance
-    near: sparse.csr_matrix  # of the compliance, for the preconditioner
+    near_compliance: sparse.csr_matrix  # of neighbouring nodes, for the preconditioner
     elimination: NDArray[np.intp]  # order of the nodes in it
     gap: Array
     weights: Array  # integral of P = weights @ P, both halves
@@ -90,7 +92,7 @@ class Level:
 
 @dataclass(slots=True)
 class Progress:
-    """What each Newton step did [-]."""
+    """History of the Newton steps [-]."""
 
     residual: list[float] = field(default_factory=list)
     load: list[float] = field(default_factory=list)
@@ -110,10 +112,24 @@ class _Change:
 
 
 def newton(level: Level, progress: Progress) -> tuple[bool, str]:
-    """Newton's method on one mesh, in place; whether it converged, and a message.
+    """Newton's method on one mesh, in place.
 
     Film and pressure are both unknowns, so that a film may stay positive where the start is not a
     solution of the film equation, which holds after one full step.
+
+    Parameters
+    ----------
+    level : Level
+        mesh and state; P, H and H0 are changed
+    progress : Progress
+        history of the steps, extended
+
+    Returns
+    -------
+    converged
+        the last change of pressure is below the tolerance
+    message
+        outcome in words
     """
     time_step = inf
     at_rest = 0
@@ -127,8 +143,8 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
         except LinearSolverError as error:
             return False, f"the linear system was not solved: {error}; {ADVICE} or a smaller load"
         last, size = size, step.size
-        share = share_of_step(before, step.pressure)
-        _advance(level, share * step.pressure, share * step.approach, miss, progress)
+        fraction = step_fraction(before, step.pressure)
+        _advance(level, fraction * step.pressure, fraction * step.approach, miss, progress)
         before = step.pressure
         time_step = next_time_step(step.time, size)
         tolerance = ALTERNATING if size > 0.5 * last else TOLERANCE
@@ -144,13 +160,13 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
 
 
 def _short_enough(level: Level, miss: Array, progress: Progress, time_step: float) -> _Change:
-    """Where a step would change a pressure by more than `PRESSURE_STEP`, it is tried again as one
-    of a transient (backward Euler), so short that it does not; the transient grows into the steady
-    state. Where a shorter time makes the change larger, as one of films that the bodies do not
-    allow, a part of the longer step is made.
+    """Newton step that changes no pressure by more than `PRESSURE_STEP`.
 
-    Such parts made straight away lead astray: at M 50, L 28 the spike of a coarser mesh, a cell
-    from its place, grew to 8 p_h in 100 steps; the transient takes 23.
+    A larger step is computed again as one of a transient (backward Euler), so short that it is
+    not; the transient grows into the steady state. If a shorter time makes the change larger, as
+    with films that the bodies do not allow, the longer step is applied in part. Such a damping
+    from the beginning fails: at M 50, L 28 the spike of a coarser mesh, a cell from its position,
+    grew to 8 p_h in 100 steps; the transient needs 23.
     """
     step = _step(level, miss, progress, time_step)
     while step.size > PRESSURE_STEP and step.time > SMALLEST_TIME_STEP:
@@ -161,19 +177,43 @@ def _short_enough(level: Level, miss: Array, progress: Progress, time_step: floa
     return step
 
 
-def share_of_step(before: Array, change: Array) -> float:
-    """Half of a change that takes back the one before, else all of it: between two sets of wet
-    nodes that lead to each other, the solution lies on neither [-].
+def step_fraction(before: Array, change: Array) -> float:
+    """Fraction of a Newton step to apply: half where it reverses the one before, else all of it.
+
+    Between two sets of wet nodes that lead to each other, the solution lies on neither.
+
+    Parameters
+    ----------
+    before : Array
+        change of pressure in the step before, shape (nodes,) [-]
+    change : Array
+        change of pressure, shape (nodes,) [-]
+
+    Returns
+    -------
+    float
+        0.5 or 1 [-]
     """
     back = -float(before @ change)
     return 0.5 if back > REVERSED * float(before @ before) else 1.0
 
 
 def next_time_step(time_step: float, size: float) -> float:
-    """After a step that changed the pressure by `size` [-]: longer after a small change, infinite
-    from `NEAR` on.
+    """Time step of the transient after a step: longer after a small change of pressure.
+
+    Parameters
+    ----------
+    time_step : float
+        of the step, in units of a/u_m [-]
+    size : float
+        largest change of pressure at a node [-]
+
+    Returns
+    -------
+    float
+        next time step, infinite for changes below `STEADY_STEP` [-]
     """
-    if size < NEAR:
+    if size < STEADY_STEP:
         return inf
     return LONGER * time_step if size < 0.5 * PRESSURE_STEP else time_step
 
@@ -202,8 +242,8 @@ def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _C
     wedge = level.flow.wedge - squeeze
     by_pressure = poiseuille_by_pressure(level.flow, k) + wedge @ sparse.diags(k.q_P)
     by_film = poiseuille_by_film(level.flow, k) + wedge @ sparse.diags(k.q_H)
-    # 2. nodes that keep or take a given pressure: edge and cavitation
-    by_deflection = by_film.diagonal() * level.compliance.own
+    # 2. nodes with a prescribed pressure: edge and cavitation
+    by_deflection = by_film.diagonal() * level.compliance.diagonal
     scale = np.abs(by_pressure.diagonal()) + np.abs(by_deflection)
     fixed = level.edge | (level.P + residual / scale <= 0.0)
     target, exterior = edge_pressure(level)
@@ -211,9 +251,9 @@ def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _C
     error = load - float(level.weights @ level.P)
     progress.residual.append(float(np.abs(np.where(fixed, 0.0, residual / scale)).max()))
     progress.load.append(abs(error) / load)
-    given = np.where(fixed, target - level.P, 0.0)
-    moved = by_pressure @ given + by_film @ (level.compliance @ given + miss)
-    # 3. the free ones answer, with H0 and the load
+    change = np.where(fixed, target - level.P, 0.0)
+    shifted = by_pressure @ change + by_film @ (level.compliance @ change + miss)
+    # 3. solve for the free nodes, H0 and the load
     free = ~fixed
 
     calls = 0
@@ -226,23 +266,23 @@ def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _C
         deflection = level.compliance.in_single_precision(spread)
         return (by_pressure @ spread + by_film @ deflection)[free]
 
-    near = _near(level, k, by_pressure, by_film)[free][:, free]
+    nearby = _near_matrix(level, k, by_pressure, by_film)[free][:, free]
     border = Border(column=np.asarray(by_film.sum(axis=1)).ravel()[free], row=level.weights[free])
-    factors = factor_bordered(near, border, _elimination(level, free))
-    right = (-(residual + moved)[free], error - float(level.weights @ given))
-    given[free], rise = solve_bordered(operator, border, factors, right, LINEAR_TOLERANCE)
+    factors = factor_bordered(nearby, border, _elimination(level, free))
+    right = (-(residual + shifted)[free], error - float(level.weights @ change))
+    change[free], rise = solve_bordered(operator, border, factors, right, LINEAR_TOLERANCE)
     progress.iterations.append(calls)
     progress.deflected_nodes += (calls + OTHER_DEFLECTIONS) * len(level.P)
-    return _Change(given, rise, float(np.abs(given).max()), time_step)
+    return _Change(change, rise, float(np.abs(change).max()), time_step)
 
 
-def _near(
+def _near_matrix(
     level: Level, k: Coefficients, by_pressure: sparse.csr_matrix, by_film: sparse.csr_matrix
 ) -> sparse.csr_matrix:
     """Newton's matrix with the near fields of deflection and wedge, for the preconditioner [-]."""
     nearer = level.flow.near_wedge - level.flow.wedge
     near_film = by_film + nearer @ sparse.diags(k.q_H)
-    return by_pressure + nearer @ sparse.diags(k.q_P) + near_film @ level.near
+    return by_pressure + nearer @ sparse.diags(k.q_P) + near_film @ level.near_compliance
 
 
 def _elimination(level: Level, free: NDArray[np.bool_]) -> NDArray[np.intp]:
@@ -252,9 +292,22 @@ def _elimination(level: Level, free: NDArray[np.bool_]) -> NDArray[np.intp]:
 
 
 def balance(level: Level) -> tuple[float, float]:
-    """sum |R| and sum R over the nodes that are neither cavitated nor on the edge, both over the
-    sum of |integral of rho H U grad phi| there: how far the discrete equations are from holding,
-    and the oil lost or gained [-].
+    """Equation error and mass imbalance of the discrete equations.
+
+    sum |R| and sum R over the nodes that are neither cavitated nor on the edge, both over the
+    sum of |integral of rho H U grad phi| there.
+
+    Parameters
+    ----------
+    level : Level
+        mesh and state
+
+    Returns
+    -------
+    equation_error
+        sum |R| over the flow [-]
+    imbalance
+        sum R over the flow, oil lost or gained [-]
     """
     k = coefficients(level.contact, level.P, level.film)
     fluid = ~level.edge & (level.P > 0.0)
@@ -264,7 +317,20 @@ def balance(level: Level) -> tuple[float, float]:
 
 
 def edge_pressure(level: Level) -> tuple[Array, float]:
-    """Kapitza's (1955) pressure -(k X)/H^2 on the edge of an open box, and its load [-]."""
+    """Pressure -(k X)/H^2 on the edge of an open box, Kapitza (1955), and its load.
+
+    Parameters
+    ----------
+    level : Level
+        mesh and state
+
+    Returns
+    -------
+    pressure
+        at the nodes, zero inside, shape (nodes,) [-]
+    load
+        integral of P outside the box [-]
+    """
     H = level.H
     target = np.zeros_like(H)
     if level.far is None:

@@ -7,7 +7,8 @@ import numpy as np
 from scipy.interpolate import make_interp_spline
 
 from ..arrays import Array
-from ..oil.lubricant import Lubricant, density, log_viscosity_ratio, roelands_rise
+from ..oil import _kernels
+from ..oil.lubricant import Lubricant, density, log_viscosity_ratio
 from ..scaling import ScaledContact
 
 # of the laws without closed form: pressures over p_h up to which they are tabulated, beyond which
@@ -23,7 +24,18 @@ OilLaws = Callable[[Array], Laws]  # of P
 
 
 def oil_laws(contact: ScaledContact) -> OilLaws:
-    """Density and viscosity as functions of the pressure P = p/p_h >= 0 [-]."""
+    """Density and viscosity as functions of the pressure P = p/p_h >= 0.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+
+    Returns
+    -------
+    OilLaws
+        function of P; it returns rho/rho_0, its derivative by P and ln(eta/eta_0) [-]
+    """
     if contact.oil is None:
         return lambda P: _closed_forms(contact, P)
     return tabulated_laws(contact.oil, contact.hertz_pressure)
@@ -33,16 +45,28 @@ def _closed_forms(contact: ScaledContact, P: Array) -> Laws:
     """1 + d1 P/(1 + d2 P), Dowson and Higginson (1966); s [(1 + q P)^z - 1], Roelands (1966),
     Barus z = 1, isoviscous s = 0.
     """
-    n = contact.density_numerator
-    base = 1.0 + contact.density_denominator * P
-    rise = roelands_rise(contact.viscosity_pressure * P, contact.viscosity_exponent)
-    return 1.0 + n * P / base, n / base**2, contact.viscosity_slope * (rise - 1.0)
+    constants = contact.density_numerator, contact.density_denominator
+    rho = _kernels.dowson_higginson(P, *constants)
+    rho_P = _kernels.dowson_higginson_slope(P, *constants)
+    rise = _kernels.roelands_rise(contact.viscosity_pressure * P, contact.viscosity_exponent)
+    return rho, rho_P, contact.viscosity_slope * (rise - 1.0)
 
 
 @lru_cache(maxsize=16)
 def tabulated_laws(oil: Lubricant, hertz_pressure: float) -> OilLaws:
-    """The laws of any oil, interpolated by splines of order 5 with continuous curvature; the
-    pressure is p over `hertz_pressure` [Pa].
+    """The laws of any oil, interpolated by splines of order 5 with continuous curvature.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        the lubricant
+    hertz_pressure : float
+        p_h [Pa]
+
+    Returns
+    -------
+    OilLaws
+        function of P; it returns rho/rho_0, its derivative by P and ln(eta/eta_0) [-]
     """
     P = np.linspace(0.0, LARGEST_PRESSURE, SAMPLES)
     pressure = hertz_pressure * P
@@ -59,7 +83,18 @@ def tabulated_laws(oil: Lubricant, hertz_pressure: float) -> OilLaws:
 
 @lru_cache(maxsize=16)
 def reduced_pressure(contact: ScaledContact) -> Callable[[Array], Array]:
-    """Integral of rho/eta over the pressure P >= 0, ambient values one [-]: spline of order 5."""
+    """Integral of rho/eta over the pressure P >= 0, both over ambient values: spline of order 5.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+
+    Returns
+    -------
+    Callable[[Array], Array]
+        function of P, Q of P [-]
+    """
     P = np.linspace(0.0, LARGEST_PRESSURE, REDUCED_SAMPLES)
     rho, _, log_eta = oil_laws(contact)(P)
     spline = make_interp_spline(P, rho * np.exp(-log_eta), k=5)

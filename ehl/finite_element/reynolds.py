@@ -31,7 +31,7 @@ NEAR_DIFFUSION = 0.75
 
 @dataclass(frozen=True, slots=True)
 class Flow:
-    """What of the equation depends on mesh and entrainment alone."""
+    """Matrices of the equation that depend on mesh and entrainment alone."""
 
     edges: tuple[Edges, Edges]
     wedge: sparse.csr_matrix  # of q, shape (nodes, nodes)
@@ -52,7 +52,22 @@ class Coefficients:
 
 
 def flow_on(x: Array, y: Array, contact: ScaledContact) -> Flow:
-    """Edges and wedge of the mesh with the lines `x` and `y` [-]."""
+    """Edges and wedge of a rectangle mesh.
+
+    Parameters
+    ----------
+    x : Array
+        lines of nodes along x, shape (nx,) [-]
+    y : Array
+        lines of nodes along y, shape (ny,) [-]
+    contact : ScaledContact
+        the dimensionless contact
+
+    Returns
+    -------
+    Flow
+        matrices that depend on mesh and entrainment alone
+    """
     both = edges(x, y)
     X, Y = (values.ravel() for values in np.meshgrid(x, y, indexing="ij"))
     speeds = (
@@ -75,7 +90,22 @@ def _wedge(k: Edges, speed: Array) -> tuple[sparse.csr_matrix, sparse.csr_matrix
 
 
 def coefficients(contact: ScaledContact, P: Array, H: Array) -> Coefficients:
-    """At the nodes, of pressure P >= 0 and film H > 0, shape (nodes,) [-]."""
+    """Reduced pressure and q = rho H with their derivatives at the nodes.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+    P : Array
+        pressure, shape (nodes,) [-]; negative values count as zero
+    H : Array
+        film, positive, shape (nodes,) [-]
+
+    Returns
+    -------
+    Coefficients
+        coefficients of the equation
+    """
     P = np.maximum(P, 0.0)
     rho, rho_P, log_eta = oil_laws(contact)(P)
     return Coefficients(
@@ -90,19 +120,58 @@ def coefficients(contact: ScaledContact, P: Array, H: Array) -> Coefficients:
 
 
 def reynolds_residual(flow: Flow, k: Coefficients) -> Array:
-    """R of every hat function, shape (nodes,) [-]."""
+    """Residual R of every hat function.
+
+    Parameters
+    ----------
+    flow : Flow
+        matrices of the mesh
+    k : Coefficients
+        coefficients at the nodes
+
+    Returns
+    -------
+    Array
+        R, shape (nodes,) [-]
+    """
     poiseuille = sum(e.balance @ (_conductance(e, k) * (e.slope @ k.Q)) for e in flow.edges)
     return np.asarray(flow.wedge @ k.q - poiseuille)
 
 
 def poiseuille_by_pressure(flow: Flow, k: Coefficients) -> sparse.csr_matrix:
-    """Derivative of the Poiseuille term by the pressure, shape (nodes, nodes) [-]."""
+    """Derivative of the Poiseuille term by the pressure.
+
+    Parameters
+    ----------
+    flow : Flow
+        matrices of the mesh
+    k : Coefficients
+        coefficients at the nodes
+
+    Returns
+    -------
+    sparse.csr_matrix
+        matrix, shape (nodes, nodes) [-]
+    """
     term = sum(e.balance @ sparse.diags(_conductance(e, k)) @ e.slope for e in flow.edges)
     return (-term @ sparse.diags(k.Q_P)).tocsr()
 
 
 def poiseuille_by_film(flow: Flow, k: Coefficients) -> sparse.csr_matrix:
-    """Derivative of the Poiseuille term by the film, shape (nodes, nodes) [-]."""
+    """Derivative of the Poiseuille term by the film.
+
+    Parameters
+    ----------
+    flow : Flow
+        matrices of the mesh
+    k : Coefficients
+        coefficients at the nodes
+
+    Returns
+    -------
+    sparse.csr_matrix
+        matrix, shape (nodes, nodes) [-]
+    """
     return -sum(e.balance @ _conductance_by_film(e, k) for e in flow.edges).tocsr()
 
 

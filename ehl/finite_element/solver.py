@@ -21,7 +21,7 @@ from ..multigrid.open_box import choose_domain
 from ..options import SolverOptions
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution, ConvergenceRecord
-from ..solver import at_load, judged
+from ..solver import at_load, with_status
 from .levels import lattices, level_on
 from .newton import Level, Progress, balance, newton
 from .start import Start, hertz_start, start_from_level, start_from_solution
@@ -32,7 +32,7 @@ LEVELS = 3
 POINTS = 257  # where the options leave them open
 MAX_CELLS = 512  # along x
 MAX_CELLS_SKEWED = 256  # of both halves
-# loads through which a contact is reached where no solution is given to start from: M of the
+# loads through which a contact is reached without another solution to start from: M of the
 # first, and the ratio of each to the one before
 FIRST_LOAD = 50.0
 LOAD_RATIO = 3.0
@@ -55,24 +55,38 @@ def solve_contact_finite_element(
     start: ContactSolution | None = None,
 ) -> ContactSolution:
     """Pressure and film of a steady, isothermal, flooded elliptical point contact by finite
-    elements, on the nodes of the finest mesh, which are not equidistant; cycles are Newton steps
-    on all meshes.
+    elements.
 
-    Newton's method starts from the pressure and film of `start`, another solution of the same
-    contact, else from Hertz, through lighter loads where the contact is heavy; neither enters the
-    discrete equations. `points` of the options asks for about (points + 1)/2 nodes along x, at
-    most 513 (257 over both halves): the mesh is graded. Without `domain` the open box is that of
-    `choose_domain`; `tolerance` and `max_cycles` are not used.
+    The nodes of the finest mesh are not equidistant; cycles are Newton steps on all meshes.
+    Newton's method starts from the pressure and film of `start`, else from Hertz, through lighter
+    loads where the contact is heavy; neither enters the discrete equations. `points` asks for
+    about (points + 1)/2 nodes along x, at most 513 (257 over both halves): the mesh is graded.
+    Without `domain` the open box is that of `choose_domain`; `tolerance` and `max_cycles`
+    are not used.
+
+    Parameters
+    ----------
+    conditions : Conditions
+        the contact, in SI or by Moes' groups
+    options : SolverOptions | None, optional
+        mesh; None: the defaults
+    start : ContactSolution | None, optional
+        another solution of the same contact; None: from Hertz
+
+    Returns
+    -------
+    ContactSolution
+        pressure and film with error bars; see `converged` and `message`
 
     Raises
     ------
     ValueError
-        If conditions give an inlet layer: mass is not conserved behind one here.
+        if conditions contain an inlet layer: mass is not conserved behind one here
     """
     options = options or SolverOptions()
     if conditions.inlet_layer is not None:
         raise ValueError("inlet_layer: the finite elements solve flooded films only")
-    began = time.perf_counter()
+    start_time = time.perf_counter()
     contact = scale_contact(conditions, along_entrainment=True)
     domain = options.domain or choose_domain(contact)
     is_open = options.domain is None
@@ -84,7 +98,7 @@ def solve_contact_finite_element(
     else:
         initial = _through_loads(conditions, domain, is_open, progress)
     attempt = _refine(contact, domain, cells, is_open, initial, progress)
-    wall_time = time.perf_counter() - began
+    wall_time = time.perf_counter() - start_time
     return _solution(conditions, options, attempt, domain, _record(attempt, progress, wall_time))
 
 
@@ -93,14 +107,14 @@ def _through_loads(
 ) -> Start:
     """Start from the next lighter load on a coarse mesh, itself reached in steps from Hertz."""
     heavy = scale_contact(conditions, along_entrainment=True)
-    shares = []
+    fractions = []
     load = FIRST_LOAD
     while load < heavy.moes_load:
-        shares.append(load / heavy.moes_load)
+        fractions.append(load / heavy.moes_load)
         load *= LOAD_RATIO
     initial = None
-    for share in shares:
-        lighter = scale_contact(at_load(conditions, share), along_entrainment=True)
+    for fraction in fractions:
+        lighter = scale_contact(at_load(conditions, fraction), along_entrainment=True)
         initial = initial or hertz_start(lighter)
         attempt = _refine(lighter, domain, COARSEST, is_open, initial, progress, levels=1)
         if attempt.converged:
@@ -117,8 +131,9 @@ def _refine(
     progress: Progress,
     levels: int = LEVELS,
 ) -> Attempt:
-    """Solve on each mesh; one that does not converge is left out, and the next starts as it did,
-    but on the finest.
+    """Solve on each mesh.
+
+    After a mesh that does not converge the next one starts from the same state.
     """
     films: list[tuple[float, float, float]] = []
     for mesh in lattices(contact, domain, cells, levels):
@@ -163,15 +178,15 @@ def _minimum(level: Level) -> float:
     rows, columns = slice(i - 1, i + 2), slice(j - 1, j + 2)
     along = (X[rows] - X[i]) / (X[i + 1] - X[i - 1])
     across = (Y[columns] - Y[j]) / (Y[j + 1] - Y[j - 1])
-    u, v = (part.ravel() for part in np.meshgrid(along, across, indexing="ij"))
+    u, v = (offset.ravel() for offset in np.meshgrid(along, across, indexing="ij"))
     terms = np.stack((u**2, v**2, u * v, u, v), axis=1)
     fit = np.linalg.lstsq(terms, H[rows, columns].ravel() - least, rcond=None)[0]
     hessian = np.array([[2 * fit[0], fit[2]], [fit[2], 2 * fit[1]]])
     slope = fit[3:]
     if fit[0] <= 0.0 or np.linalg.det(hessian) <= 0.0:
         return least
-    place = -np.linalg.solve(hessian, slope)
-    return least + 0.5 * float(slope @ place) if np.abs(place).max() <= 0.5 else least
+    offset = -np.linalg.solve(hessian, slope)
+    return least + 0.5 * float(slope @ offset) if np.abs(offset).max() <= 0.5 else least
 
 
 def _whole_box(level: Level, values: Array) -> tuple[Array, Array, Array]:
@@ -224,7 +239,7 @@ def _solution(
         message=message,
         record=record,
     )
-    return judged(solution)
+    return with_status(solution)
 
 
 def _fineness(X: Array, H: Array, minimum: float, contact: ScaledContact) -> float:

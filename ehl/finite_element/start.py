@@ -1,4 +1,4 @@
-"""What Newton's method starts from: pressure and film of another solution, or Hertz."""
+"""Initial state of Newton's method: pressure and film of another solution, or Hertz."""
 
 from collections.abc import Callable
 from math import cos, sin
@@ -17,7 +17,18 @@ SMALLEST_FILM = 0.05  # of the film guess, where the start has none
 
 
 def hertz_start(contact: ScaledContact) -> Start:
-    """Hertz pressure, and a film of the guessed thickness where the bodies would touch."""
+    """Initial state by Hertz: his pressure, and a film of the guessed thickness in the ellipse.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+
+    Returns
+    -------
+    Start
+        function of X and Y; it returns P and H [-]
+    """
 
     def start(x: Array, y: Array) -> tuple[Array, Array]:
         P = contact.dry_pressure(x, y)
@@ -29,14 +40,39 @@ def hertz_start(contact: ScaledContact) -> Start:
 
 
 def start_from_level(level: Level) -> Start:
-    """The solution on another mesh in the same frame, bilinear between its nodes."""
+    """Initial state from the solution on another mesh in the same frame, bilinear between its
+    nodes.
+
+    Parameters
+    ----------
+    level : Level
+        the other mesh and its state
+
+    Returns
+    -------
+    Start
+        function of X and Y; it returns P and H [-]
+    """
     P, H = (_bilinear(level.X, level.Y, f.reshape(level.shape)) for f in (level.P, level.H))
     return lambda x, y: (P(x, y), H(x, y))
 
 
 def start_from_solution(contact: ScaledContact, solution: ContactSolution) -> Start:
-    """Pressure and film of a solution whose frame may be turned, bilinear between its nodes; the
-    pressure outside its box is zero.
+    """Initial state from a solution whose frame may be rotated, bilinear between its nodes.
+
+    The pressure outside its box is zero.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact
+    solution : ContactSolution
+        another solution of the same contact
+
+    Returns
+    -------
+    Start
+        function of X and Y; it returns P and H [-]
     """
     turn = contact.frame_angle - solution.frame_angle
     c, s = cos(turn), sin(turn)

@@ -4,9 +4,9 @@ With an oil whose viscosity falls a millionfold under shear, cycles with frozen 
 diverge from a pressure that is far from the solution and converge from one that is close to it.
 
 1. Solve the Newtonian film.
-2. On the finest grid, raise the share of rheology and heat (`flow.Continuation`) from zero to one;
-   a step whose cycles diverge is undone and halved, and so is the damping, twice at most.
-3. At the full share, accelerate the cycles once the temperatures have settled.
+2. On the finest grid, raise the fraction of rheology and heat (`flow.Continuation`) from zero
+   to one; a step whose cycles diverge is undone and halved, and so is the damping, twice at most.
+3. At the full fraction, accelerate the cycles once the temperatures have settled.
 
 Where the pressure falls steeply at the outlet, decompression cools the oil by tens of kelvins
 within a few nodes, and the pressure responds to the viscosity there. Temperatures of single
@@ -26,7 +26,7 @@ from ..multigrid.full_multigrid import ATTEMPTS, Attempt, AttemptResult, contact
 from ..multigrid.history import CENTRAL, MINIMUM, start_history
 from ..multigrid.levels import Multigrid
 from ..multigrid.settling import DIVERGED, PLAIN_CYCLES, guarded_cycle, restore, snapshot
-from ..multigrid.verdict import judged, resolution_message
+from ..multigrid.verdict import resolution_message, with_status
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution, FilmValue
@@ -40,34 +40,51 @@ SMALLER_STEP = "rheology and heat raised in smaller steps"
 # Beside each number the cycles that half and double of it add to 24, 26 and 46, measured on 65
 # points for Eyring films of 5 MPa at 2.3 GPa, without and with heat, and at 3.6 GPa with a factor
 # that follows the pressure. All converge, central films to 0.1 %; "none" are bounds not reached.
-FIRST_SHARE = 0.1  # of rheology and heat; +4, -5
-STEP_GROWTH = 2.0  # of the share from step to step; +4 to +12 (1.4), 0 to -8
-STEP_CYCLES = 4  # at each share below the full one, and the first ones at that; -22, +44
-# largest step of the share where the factor follows the pressure; +32, -20
+FIRST_FRACTION = 0.1  # of rheology and heat; +4, -5
+STEP_GROWTH = 2.0  # of the fraction from step to step; +4 to +12 (1.4), 0 to -8
+STEP_CYCLES = 4  # at each fraction below the full one, and the first ones at that; -22, +44
+# largest step of the fraction where the factor follows the pressure; +32, -20
 FOLLOWING_STEP = 0.1
-FOLLOWING_CYCLES = 15  # most cycles at each share until the flow has settled, there; none
-SMALLEST_STEP = 0.01  # of the share, below which the continuation gives up; none
+FOLLOWING_CYCLES = 15  # most cycles at each fraction until the flow has settled, there; none
+SMALLEST_STEP = 0.01  # of the fraction, below which the continuation gives up; none
 HALVINGS = 2  # of the damping, at most; none
-CYCLES_FACTOR = 3  # on the cycles of the options, at the full share; none
+CYCLES_FACTOR = 3  # on the cycles of the options, at the full fraction; none
 # change of the logarithm of the Poiseuille factor in a cycle, weighted with the pressure's flow,
 # up to which the flow counts as settled; none
 FLOW_TOLERANCE = 0.03
 TEMPERATURE_RELAXATION = 0.3  # +8, -4 with heat
-# of the change from the Newtonian film, in the error bar: what the mesh does to shear and heat. On
-# 129 points it was 0.03 at most where the bar in proportion alone missed (100 N at 20 m/s: 3.8 %)
-CHANGE_SHARE = 0.05
+# fraction of the change from the Newtonian film in the error bar: effect of the mesh on shear and
+# heat. On 129 points it was 0.03 at most where the bar in proportion alone missed (100 N at 20
+# m/s: 3.8 %)
+CHANGE_FRACTION = 0.05
 # largest change in a cycle [K] at which cycles are accelerated; none
-SETTLED_TEMPERATURE = 1.0
+REST_TEMPERATURE_CHANGE = 1.0
 
 
 def solve_by_continuation(
     flow: GeneralizedFlow, options: SolverOptions, newtonian: ContactSolution | None = None
 ) -> tuple[ContactSolution, FlowState | None]:
-    """The contact reached from its Newtonian film, not converged if that did not or if no step
-    succeeded, and the flow of its last cycle; options without a tolerance.
+    """Solve a contact with shear and heat from its Newtonian film.
 
-    Film values keep the extrapolation and the error bar of the Newtonian film, in proportion; the
-    bar has a share of what shear and heat take, too.
+    It has not converged if the Newtonian film did not or if no step succeeded. Film values keep
+    the extrapolation and the error bar of the Newtonian film, in proportion; the bar includes a
+    fraction of what shear and heat take.
+
+    Parameters
+    ----------
+    flow : GeneralizedFlow
+        flow model at its full fraction
+    options : SolverOptions
+        options of the solver, without a tolerance
+    newtonian : ContactSolution | None, optional
+        Newtonian solution of the contact; None: it is solved first
+
+    Returns
+    -------
+    solution
+        contact with shear and heat
+    state
+        flow of the last cycle; None without one
     """
     # 1. Newtonian film
     plain = newtonian or solve_contact(flow.conditions, options)
@@ -76,39 +93,66 @@ def solve_by_continuation(
     if not plain.converged:
         message = f"the Newtonian film is {plain.message}"
         return with_fallbacks(replace(plain, message=message), fallbacks), None
-    # 2. share of rheology and heat
+    # 2. fraction of rheology and heat
     start, attempt = _start(plain, options, flow)
-    state, share, halvings = _raise_share(start, flow)
+    state, fraction, halvings = _raise_fraction(start, flow)
     fallbacks += halvings * (SMALLER_STEP,)
-    # 3. cycles at the full share
+    # 3. cycles at the full fraction
     result = AttemptResult(state=state, attempt=attempt)
-    if share == 1.0:
+    if fraction == 1.0:
         _finish(result, CYCLES_FACTOR * options.max_cycles)
     if result.levels:
         solution = _solution(plain, result)
     else:
-        where = f"from the Newtonian film at {share:.0%} of rheology and heat"
+        where = f"from the Newtonian film at {fraction:.0%} of rheology and heat"
         message = f"not converged: diverged {where}; try more points"
         solution = replace(plain, converged=False, message=message)
     return with_fallbacks(solution, fallbacks), last_flow(flow, state, solution)
 
 
 def with_fallbacks(solution: ContactSolution, fallbacks: tuple[str, ...]) -> ContactSolution:
-    """The solution whose record names these fallbacks."""
+    """Replace the fallbacks in the record of a solution.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    fallbacks : tuple[str, ...]
+        names of the fallbacks
+
+    Returns
+    -------
+    ContactSolution
+        solution with this record
+    """
     return replace(solution, record=replace(solution.record, fallbacks=fallbacks))
 
 
 def last_flow(
     flow: GeneralizedFlow, state: Multigrid, solution: ContactSolution
 ) -> FlowState | None:
-    """Flow of the last cycle on the finest grid, with heat and stress at rest where the solution
-    converged; None without one.
+    """Give the flow of the last cycle on the finest grid; where the solution converged, with heat
+    and stress at rest.
+
+    Parameters
+    ----------
+    flow : GeneralizedFlow
+        flow model
+    state : Multigrid
+        levels of the contact
+    solution : ContactSolution
+        solution of these levels
+
+    Returns
+    -------
+    FlowState | None
+        flow; None without one
     """
     level = state.levels[-1]
     last: FlowState | None = level.flow_state
     if last is None or not solution.converged:
         return last
-    return flow.rested(state.contact, level.grid, level.P, level.H, last)
+    return flow.with_converged_heat(state.contact, level.grid, level.P, level.H, last)
 
 
 def _start(
@@ -130,41 +174,41 @@ def _start(
     return state, attempt
 
 
-def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, float, int]:
-    """Raise the share to 1 [-], the first cycles there included; the levels with the flow of the
-    last step, the share reached, below 1 if even the smallest step diverged, and the number of
-    steps halved.
+def _raise_fraction(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, float, int]:
+    """Raise the fraction to 1 [-], the first cycles there included. Give the levels with the flow
+    of the last step, the fraction reached, below 1 if even the smallest step diverged, and the
+    number of steps halved.
     """
     follows = flow.continuation.follow_pressure
     damped = Continuation(relaxation=TEMPERATURE_RELAXATION, follow_pressure=follows)
     largest = FOLLOWING_STEP if follows else 1.0
     reached = 0.0
-    share = FIRST_SHARE
+    fraction = FIRST_FRACTION
     halvings = 0
     index = len(state.levels) - 1
     while reached < 1.0:
         before = snapshot(state, index)
         flow_before = state.levels[index].flow_state
-        at_share = replace(flow, continuation=replace(damped, share=share))
-        step = replace(state, flow_model=at_share)
-        if _settles(step, FOLLOWING_CYCLES if follows else STEP_CYCLES):
+        at_fraction = replace(flow, continuation=replace(damped, fraction=fraction))
+        step = replace(state, flow_model=at_fraction)
+        if _cycles_to_rest(step, FOLLOWING_CYCLES if follows else STEP_CYCLES):
             state = step
-            reached = share
-            share = min(STEP_GROWTH * share, 1.0, reached + largest)
+            reached = fraction
+            fraction = min(STEP_GROWTH * fraction, 1.0, reached + largest)
             continue
         restore(state, index, before)
         state.levels[index].flow_state = flow_before
-        share = 0.5 * (reached + share)
+        fraction = 0.5 * (reached + fraction)
         halvings += 1
         if halvings <= HALVINGS:
             state = replace(state, damping=state.damping.halved())
-        if share - reached < SMALLEST_STEP:
+        if fraction - reached < SMALLEST_STEP:
             break
     return state, reached, halvings
 
 
-def _settles(state: Multigrid, cycles: int) -> bool:
-    """Cycle at a share until the flow has settled; False if a cycle diverged."""
+def _cycles_to_rest(state: Multigrid, cycles: int) -> bool:
+    """Cycle at a fraction until the flow has settled; False if a cycle diverged."""
     level = state.levels[-1]
     for count in range(1, cycles + 1):
         if guarded_cycle(state, len(state.levels) - 1) == DIVERGED:
@@ -175,7 +219,7 @@ def _settles(state: Multigrid, cycles: int) -> bool:
 
 
 def _finish(result: AttemptResult, cycles: int) -> None:
-    """Accelerated cycles at the full share to convergence; no history if one diverges."""
+    """Accelerated cycles at the full fraction to convergence; no history if one diverges."""
     state = result.state
     index = len(state.levels) - 1
     level = state.levels[index]
@@ -192,8 +236,8 @@ def _finish(result: AttemptResult, cycles: int) -> None:
         flow: FlowState = level.flow_state
         if history.finished(None) and flow.change <= FLOW_TOLERANCE:
             break
-        settled = flow.heat is None or flow.heat.change < SETTLED_TEMPERATURE
-        if settled and PLAIN_CYCLES < len(history.residual) < cycles:
+        at_rest = flow.heat is None or flow.heat.change < REST_TEMPERATURE_CHANGE
+        if at_rest and PLAIN_CYCLES < len(history.residual) < cycles:
             level.P, state.approach = acceleration.next(before, (level.P, state.approach))
             update_film(state, index)
     result.levels = [history]
@@ -216,16 +260,16 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
         H=H,
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
-        approach_dimensionless=_moved(plain, result),
+        approach_dimensionless=_shifted_approach(plain, result),
         resolved=resolved,
         converged=result.converged,
         message=message,
         record=record,
     )
-    return judged(solution)
+    return with_status(solution)
 
 
-def _moved(plain: ContactSolution, result: AttemptResult) -> FilmValue:
+def _shifted_approach(plain: ContactSolution, result: AttemptResult) -> FilmValue:
     """H0, extrapolated by the step of the Newtonian one."""
     history = result.levels[-1]
     before = plain.approach_dimensionless
@@ -242,5 +286,5 @@ def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmVa
     finest = history.film[-1][kind]
     ratio = finest / plain.finest
     uncertainty = abs(ratio) * plain.uncertainty + history.noise(kind) * abs(finest)
-    uncertainty += CHANGE_SHARE * abs(1.0 - ratio) * plain.finest
+    uncertainty += CHANGE_FRACTION * abs(1.0 - ratio) * plain.finest
     return FilmValue(value=ratio * plain.value, uncertainty=uncertainty, finest=finest)

@@ -10,8 +10,7 @@ from ..arrays import Array
 from ..conditions import ContactConditions
 from ..grid import Grid
 from ..multigrid.transfer import interpolate_linear
-from ..oil.lubricant import viscosity
-from ..oil.numbers import oil_numbers
+from ..oil.lubricant import oil_numbers, viscosity
 from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor
@@ -21,7 +20,7 @@ from .section import FilmFields, Section, wall_slopes
 Mask = NDArray[np.bool_]
 
 # [K]. Films of 19 contacts within 2.5e-4 of those with all columns in each sweep (0.15 K: 1e-3)
-LEAST_UNSEEN = 0.05
+SMALLEST_PENDING_CHANGE = 0.05
 SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
 
 
@@ -29,18 +28,18 @@ SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
 class HeatState:
     """Heat of one grid, SI; n nodes across the film."""
 
-    # of the oil, walls included, of second order and upwind, shape (ny, nx, n) [K]
+    # temperature of the oil, walls included, of second order and upwind, shape (ny, nx, n) [K]
     temperature: Array
-    upwind_temperature: Array
+    upwind_temperature: Array  # likewise, upwind [K]
     mass: Array  # int_0^z rho u dz/rho_0, shape (ny, nx, n) [m^2/s]
     # into body 1 and body 2, of second order and upwind, shape (2, ny, nx) [W/m^2]
     flux: Array
-    upwind_flux: Array
+    upwind_flux: Array  # likewise, upwind [W/m^2]
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
     recirculates: Mask  # whether oil of a column flows against the entrainment, shape (ny, nx)
-    # what the temperatures of a column do not follow yet, infinite: any, shape (ny, nx) [K]
-    unseen: Array
-    least: float = LEAST_UNSEEN  # unseen from which on a column is solved [K]
+    # change that the temperatures of a column do not follow yet, infinite: any, shape (ny, nx) [K]
+    pending_change: Array
+    least: float = SMALLEST_PENDING_CHANGE  # unseen from which on a column is solved [K]
     fields: FilmFields | None = None  # of the last cycle on this grid
     change: float = 0.0  # largest change of a temperature in the last cycle [K]
     unsolved_columns: int = 0  # that did not converge in the last sweep [-]
@@ -57,7 +56,7 @@ class HeatState:
             upwind_flux=np.stack([fine(part) for part in self.upwind_flux]),
             dissipation=fine(self.dissipation),
             recirculates=fine(self.recirculates.astype(np.float64)) > 0.0,
-            unseen=np.full_like(fine(self.unseen), np.inf),
+            pending_change=np.full_like(fine(self.pending_change), np.inf),
             fields=None,
         )
 
@@ -66,7 +65,7 @@ class HeatState:
 class FilmHeat:
     """A contact whose film is solved with heat; the lubricant has thermal properties."""
 
-    conditions: ContactConditions
+    conditions: ContactConditions  # of the contact
     solids: tuple[SolidThermal, SolidThermal]  # body 1 and body 2
     oil_temperature: float | None = None  # of the inflow [K]; None: the temperature of operation
 
@@ -97,12 +96,32 @@ class FilmHeat:
         across: tuple[Section, Rheology],
         last: HeatState | None,
     ) -> HeatState:
-        """Heat after one more sweep against and one along the flow; that against it moves heat up
-        the recirculation of the inlet. With none against it after the first two cycles of a grid
-        the 7014C at 20000 r/min fell back on continuation, in eight times the time.
+        """Sweep the heat of a film once more against and once along the flow.
 
-        middle: stress in the middle of the film, shape (2, ny, nx), a first guess that the
-        solution replaces [Pa]; last: of the last cycle on this grid, None in its first.
+        The sweep against it moves heat up the recirculation of the inlet. With none against it
+        after the first two cycles of a grid the 7014C at 20000 r/min fell back on continuation, in
+        eight times the time.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+        grid : Grid
+            grid of the level
+        fields : FilmFields
+            pressure, film and velocities in SI
+        middle : Array
+            stress in the middle of the film, shape (2, ny, nx), a first guess that the solution
+            replaces [Pa]
+        across : tuple[Section, Rheology]
+            nodes across the film, and the rheology
+        last : HeatState | None
+            heat of the last cycle on this grid; None in its first
+
+        Returns
+        -------
+        HeatState
+            heat after the sweeps
         """
         oil = self.conditions.lubricant
         section, rheology = across
@@ -118,7 +137,7 @@ class FilmHeat:
         shape = fields.p.shape
         state = deepcopy(replace(last, fields=None)) if last else self._initial(shape, section)
         if last and last.fields:
-            state.unseen[:] += self._unfollowed(last.temperature, last.fields, fields)
+            state.pending_change[:] += self._unfollowed(last.temperature, last.fields, fields)
         before = state.temperature.copy()
         rooms = _kernels.column_rooms(section.nodes.size)
         unsolved = 0
@@ -131,23 +150,23 @@ class FilmHeat:
                 *(self.inlet, self.bulk, np.stack(response), weights),
                 *(state.upwind_temperature, state.upwind_flux, state.temperature, state.flux),
                 *(middle, state.mass, state.dissipation),
-                *(state.recirculates, state.unseen, state.least, rooms),
+                *(state.recirculates, state.pending_change, state.least, rooms),
             )
         change = float(np.abs(state.temperature - before).max())
         return replace(state, fields=fields, change=change, unsolved_columns=int(unsolved))
 
     def _unfollowed(self, temperature: Array, before: FilmFields, now: FilmFields) -> Array:
-        """How much, in order of magnitude, a change of film and pressure changes the temperatures
-        of each column, shape (ny, nx) [K]: what shear and conduction have brought it, in
-        proportion to those of h^2, of the viscosity and of the velocities.
+        """Estimate by how much a change of film and pressure changes the temperatures of each
+        column, shape (ny, nx) [K]. It is the effect of shear and conduction, in proportion to the
+        changes of h^2, of the viscosity and of the velocities.
         """
         oil = self.conditions.lubricant
         h = np.maximum(now.h, SMALLEST_FILM)
         per_gradient = h**2 / (12.0 * viscosity(now.p, oil) * self.conditions.entrainment_speed)
-        share = 2.0 * np.abs(now.h - before.h) / h
-        share += oil.pressure_viscosity * np.abs(now.p - before.p)
-        share += per_gradient * np.abs(now.gradient - before.gradient).sum(axis=0)
-        return np.abs(temperature - self.inlet).max(axis=-1) * share
+        fraction = 2.0 * np.abs(now.h - before.h) / h
+        fraction += oil.pressure_viscosity * np.abs(now.p - before.p)
+        fraction += per_gradient * np.abs(now.gradient - before.gradient).sum(axis=0)
+        return np.abs(temperature - self.inlet).max(axis=-1) * fraction
 
     def _initial(self, shape: tuple[int, ...], section: Section) -> HeatState:
         """Oil at the temperature of the inflow between walls at those of the bodies."""
@@ -161,5 +180,5 @@ class FilmHeat:
             upwind_flux=np.zeros((2, *shape)),
             dissipation=np.zeros(shape),
             recirculates=np.zeros(shape, dtype=np.bool_),
-            unseen=np.full(shape, np.inf),
+            pending_change=np.full(shape, np.inf),
         )

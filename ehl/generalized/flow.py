@@ -19,7 +19,7 @@ that is solved at convergence.
    the gradient does: at a given flux the gradient answers a change of ln(eta) with its m-th power,
    so that 1/(1 + m) of the change remains. A frozen factor passes all of it within a cycle, and
    the pressure at the outlet oscillates or diverges however strong the damping. A factor that
-   follows the pressure takes back (k + m)/(1 + m) of a change of ln(eta), k the share that the
+   follows the pressure takes back (k + m)/(1 + m) of a change of ln(eta), k the fraction that the
    thinned oil leaves out by itself, and is relaxed from its value at the new pressure.
 """
 
@@ -35,13 +35,12 @@ from ..kinematics import contact_kinematics
 from ..multigrid.cycle import log_viscosity
 from ..multigrid.flow_model import FlowFactors, entrainment_factors
 from ..multigrid.transfer import interpolate_linear
-from ..oil.lubricant import log_viscosity_ratio, viscosity
-from ..oil.numbers import oil_numbers
+from ..oil.lubricant import log_viscosity_ratio, oil_numbers, viscosity
 from ..oil.rheology import Rheology, divide_stresses, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact
 from . import _kernels
 from ._stress_kernels import LIMIT_EXCESS, ROWS
-from .film_heat import LEAST_UNSEEN, FilmHeat, HeatState
+from .film_heat import SMALLEST_PENDING_CHANGE, FilmHeat, HeatState
 from .section import FilmFields, Section, film_section
 
 # change of ln(eta) by pressure, for a difference quotient
@@ -49,17 +48,18 @@ STEP = 0.02
 SMALLEST_WEIGHT = 1e-300  # keeps a quotient finite
 # change of the flow in a cycle up to which k, which only speeds the cycles, is kept
 SETTLED_FLOW = 2e-2
-# of the temperature towards its new value: oil that flows back from a thicker film heats the inlet
-# more, and films that follow all of it overshoot. 12 contacts with heat took 13 to 14 s of
-# processor with 0.5 and 0.6, 15 with 0.8
+# relaxation of the temperature towards its new value: oil that flows back from a thicker film
+# heats the inlet more, and films that follow all of it overshoot. 12 contacts with heat took 13 to
+# 14 s of processor with 0.5 and 0.6, 15 with 0.8
 RELAXATION = 0.6
-# of the heat of a film at rest, for its traction: that of a 6208 under 50 N at a slide-roll ratio
-# of 0.002 was 5 % too high without
-MOST_SWEEPS = 4
-# of the largest rise of temperature, unseen from which on a column is solved at rest [-]: the heat
-# of 18 films within 1e-3 of that with all columns, 4e-2 with LEAST_UNSEEN where it rises by 0.4 K
-RESTED_SHARE = 2e-3
-RESTED_TEMPERATURE = 0.5  # largest change in a cycle up to which heat is at rest [K]
+# sweeps of the heat of a film at rest, for its traction: that of a 6208 under 50 N at a slide-roll
+# ratio of 0.002 was 5 % too high without
+MAX_SWEEPS = 4
+# pending change over the largest rise of temperature from which on a column is solved at rest [-]:
+# the heat of 18 films within 1e-3 of that with all columns, 4e-2 with LEAST_UNSEEN where it rises
+# by 0.4 K
+CONVERGED_HEAT_FRACTION = 2e-3
+CONVERGED_HEAT_TEMPERATURE = 0.5  # largest change in a cycle up to which heat is at rest [K]
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
 
 
@@ -67,9 +67,9 @@ SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as i
 class Continuation:
     """How far rheology and heat act in a cycle, from the Newtonian film to the full problem."""
 
-    # of rheology and heat, in (0, 1]: stresses of the rheology are divided by it, the rise of
-    # temperature is multiplied by it [-]
-    share: float = 1.0
+    # fraction of rheology and heat, in (0, 1]: stresses of the rheology are divided by it, the
+    # rise of temperature is multiplied by it [-]
+    fraction: float = 1.0
     relaxation: float = RELAXATION  # of the temperature towards its new value, in (0, 1] [-]
     follow_pressure: bool = True  # whether the Poiseuille factor follows the pressure (3. above)
 
@@ -82,7 +82,8 @@ class FlowState:
     pressure: Array  # [Pa]
     poiseuille: Array  # relaxed factor at that pressure [-]
     thinning: Array  # k [-]
-    # share of a change of ln(eta) by pressure that the factor takes back, k or (k + m)/(1 + m) [-]
+    # fraction of a change of ln(eta) by pressure that the factor takes back, k or
+    # (k + m)/(1 + m) [-]
     taken_back: Array
     temperature: Array  # relaxed, as the flow used it, shape (ny, nx, n) [K]
     heat: HeatState | None  # None: uniform temperature
@@ -115,21 +116,43 @@ class _Linearised:
 class GeneralizedFlow:
     """Flow model of an oil with any rheology, with heat or at uniform temperature."""
 
-    conditions: ContactConditions
-    rheology: Rheology
+    conditions: ContactConditions  # of the contact
+    rheology: Rheology  # shear law of the oil
     heat: FilmHeat | None = None  # None: uniform temperature
-    section: Section = field(default_factory=film_section)
-    continuation: Continuation = Continuation()
+    section: Section = field(default_factory=film_section)  # nodes across the film
+    continuation: Continuation = Continuation()  # fraction of shear and heat
 
     @property
     def symmetric(self) -> bool:
-        """Whether no surface slides across the entrainment."""
+        """True if no surface slides across the entrainment."""
         return self.conditions.lateral_slide_ratio == 0.0 and self.conditions.spin == 0.0
 
     def factors(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: FlowState | None = None
     ) -> tuple[FlowFactors, FlowState]:
-        """Factors at pressure and film [-], and the state for the grid's next cycle."""
+        """Evaluate the factors on the flow at pressure and film, with the state for the next
+        cycle.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+        grid : Grid
+            grid of the level
+        P : Array
+            pressure, shape (ny, nx) [-]
+        H : Array
+            film, shape (ny, nx) [-]
+        last : FlowState | None, optional
+            state of the last cycle on this grid; None in its first
+
+        Returns
+        -------
+        factors
+            factors on the flow [-]
+        state
+            state for the grid's next cycle
+        """
         speed = self.conditions.entrainment_speed
         fields = film_fields(contact, grid, P, H, self.conditions)
         # 1. temperature across the film, with the stress in its middle of the last cycle
@@ -171,35 +194,78 @@ class GeneralizedFlow:
             over_limit_columns=self._over_limit_columns(fields, temperature),
         )
 
-    def rested(
+    def with_converged_heat(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: FlowState
     ) -> FlowState:
-        """The state of a film at rest with its heat swept on until that rests, too, and the stress
-        of these temperatures: the eddy ahead of the contact, which hardly touches the film, takes
-        longer than pressure and film.
+        """Sweep the heat of a film at rest until it converges, and evaluate the stress at its
+        temperatures.
+
+        The eddy ahead of the contact, which hardly touches the film, takes longer than pressure
+        and film.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+        grid : Grid
+            grid of the level
+        P : Array
+            pressure, shape (ny, nx) [-]
+        H : Array
+            film, shape (ny, nx) [-]
+        last : FlowState
+            state of the last cycle on this grid
+
+        Returns
+        -------
+        FlowState
+            state with converged heat
         """
         if self.heat is None or last.heat is None:
             return last
         fields = film_fields(contact, grid, P, H, self.conditions)
         rise = float(np.abs(last.heat.temperature - self.heat.inlet).max())
-        heat = replace(last.heat, least=min(RESTED_SHARE * rise, LEAST_UNSEEN))
+        heat = replace(
+            last.heat, least=min(CONVERGED_HEAT_FRACTION * rise, SMALLEST_PENDING_CHANGE)
+        )
         middle = last.mid_stress.copy()
-        for _ in range(MOST_SWEEPS):
+        for _ in range(MAX_SWEEPS):
             heat = self.heat.advance(
                 contact, grid, fields, middle, (self.section, self.rheology), heat
             )
-            if heat.change < RESTED_TEMPERATURE:
+            if heat.change < CONVERGED_HEAT_TEMPERATURE:
                 break
         unsolved = self._evaluate(fields, middle, heat.temperature)[-1]
         return replace(last, mid_stress=middle, heat=heat, unsolved_stresses=unsolved)
 
     def change(self, state: FlowState) -> float:
-        """Of ln(Poiseuille factor) before the last cycle, weighted with the flow [-]."""
+        """Measure the change of ln(Poiseuille factor) before the last cycle, weighted with the
+        flow.
+
+        Parameters
+        ----------
+        state : FlowState
+            state after that cycle
+
+        Returns
+        -------
+        float
+            change [-]
+        """
         return state.change
 
     def refined(self, state: FlowState) -> FlowState | None:
-        """Heat and stress of a grid on the next finer one, for its first cycle there; None where
-        some are not numbers.
+        """Interpolate heat and stress to the next finer grid, for its first cycle.
+
+        Parameters
+        ----------
+        state : FlowState
+            state of the coarser grid
+
+        Returns
+        -------
+        FlowState | None
+            state of the finer grid; None where some values are not numbers
         """
         fine = interpolate_linear
         heat = state.heat
@@ -231,11 +297,11 @@ class GeneralizedFlow:
         across = (self.section, self.rheology)
         before = None if last is None else last.heat
         heat = self.heat.advance(contact, grid, fields, middle, across, before)
-        share = self.continuation.share
+        fraction = self.continuation.fraction
         relaxation = self.continuation.relaxation
         temperature = heat.temperature
-        if share < 1.0:
-            temperature = operation + share * (temperature - operation)
+        if fraction < 1.0:
+            temperature = operation + fraction * (temperature - operation)
         if last is not None and relaxation < 1.0:
             temperature = last.temperature + relaxation * (temperature - last.temperature)
         return middle, heat, temperature
@@ -275,8 +341,8 @@ class GeneralizedFlow:
         higher = replace(fields, p=fields.p + rise)
         pressed = self._evaluate(higher, middle.copy(), temperature)[0]
         thicker = log_viscosity_ratio(higher.p, oil) - log_viscosity_ratio(fields.p, oil)
-        share = np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE)
-        return np.clip(share, 0.0, 1.0)
+        fraction = np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE)
+        return np.clip(fraction, 0.0, 1.0)
 
     def _last_factor(self, p: Array, last: FlowState) -> Array:
         """Poiseuille factor of the last cycle, at the new pressure if it follows it [-]."""
@@ -297,8 +363,8 @@ class GeneralizedFlow:
 
     @property
     def _rheology(self) -> Rheology:
-        """The rheology at the continuation's share."""
-        return divide_stresses(self.rheology, self.continuation.share)
+        """The rheology at the continuation's fraction."""
+        return divide_stresses(self.rheology, self.continuation.fraction)
 
     def _evaluate(
         self, fields: FilmFields, middle: Array, temperature: Array
@@ -323,8 +389,25 @@ class GeneralizedFlow:
 def film_fields(
     contact: ScaledContact, grid: Grid, P: Array, H: Array, conditions: ContactConditions
 ) -> FilmFields:
-    """Pressure and film of a grid [-] in SI, with the entrainment of the solver and the sliding of
-    the conditions; the contact has a length scale.
+    """Convert pressure and film of a grid to SI, with entrainment and sliding of the conditions.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact with a length scale
+    grid : Grid
+        grid of the level
+    P : Array
+        pressure, shape (ny, nx) [-]
+    H : Array
+        film, shape (ny, nx) [-]
+    conditions : ContactConditions
+        conditions with the sliding
+
+    Returns
+    -------
+    FilmFields
+        fields in SI
     """
     a = contact.semi_axis_x
     film_scale = contact.film_scale

@@ -38,7 +38,18 @@ class FilmFields:
 
 
 def film_section(count: int = NODES) -> Section:
-    """Legendre-Gauss-Lobatto nodes on [0, 1], at least 3, and their matrices [-]."""
+    """Build the Legendre-Gauss-Lobatto nodes on [0, 1] across the film, and their matrices.
+
+    Parameters
+    ----------
+    count : int, default NODES
+        number of nodes, at least 3 [-]
+
+    Returns
+    -------
+    Section
+        nodes, weights and matrices [-]
+    """
     if count < 3:
         raise ValueError(f"count must be at least 3, got {count}")
     highest = np.zeros(count)
@@ -57,7 +68,20 @@ def film_section(count: int = NODES) -> Section:
 
 
 def wall_slopes(section: Section) -> tuple[Array, Array]:
-    """Weights of dT/d(z/h) at both walls on the three nodes next to each, shape (n,) [-]."""
+    """Give the weights of dT/d(z/h) at both walls on the three nodes next to each.
+
+    Parameters
+    ----------
+    section : Section
+        nodes across the film
+
+    Returns
+    -------
+    first
+        weights at the wall of body 1, shape (n,) [-]
+    second
+        weights at the wall of body 2, shape (n,) [-]
+    """
     z = section.nodes
     below, above = np.zeros((2, z.size))
     a, b = z[1], z[2]

@@ -11,7 +11,7 @@ from ..closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_contact
 from ..conditions import ContactConditions
 from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
-from ..multigrid.verdict import judged, tolerance_judged, tolerance_reached
+from ..multigrid.verdict import tolerance_judged, tolerance_reached, with_status
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology, contact_rheology
 from ..options import GENERALIZED_POINTS, SolverOptions
@@ -23,17 +23,17 @@ from .film_heat import FilmHeat
 from .flow import Continuation, FlowState, GeneralizedFlow
 from .section import film_section
 
-# of the columns that may stay unsolved or over the limiting stress, measured: they lie at the edge
-# of the cavity, where hardly anything flows
-UNSOLVED_SHARE = 0.005
-# of the film, in its error bar, for what twelve nodes across it leave: a share, and one times the
-# fourth power of what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power
-# thicker than on 36 nodes, on which up to a fifth as much is left
-SECTION_SHARE = 5e-4
+# fraction of the columns that may stay unsolved or over the limiting stress, measured: they lie at
+# the edge of the cavity, where hardly anything flows
+UNSOLVED_FRACTION = 0.005
+# error bar of the film by twelve nodes across it: a fraction, and one times the fourth power of
+# what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power thicker than on
+# 36 nodes, on which up to a fifth as much is left
+SECTION_FRACTION = 5e-4
 SECTION_ERROR = 0.55
-# of the film, in its error bar, for each kelvin by which the heat of a film at rest still changes:
-# where the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
-RESTLESS_ERROR = 3e-4
+# error bar of the film for each kelvin by which the heat of a film at rest still changes: where
+# the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
+UNCONVERGED_HEAT_ERROR = 3e-4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,16 +41,17 @@ class GeneralizedSolution:
     """One contact with its oil's rheology and heat; fields on the grid of `contact`."""
 
     contact: ContactSolution  # `converged` and `message` include shear and heat
-    rheology: Rheology
+    rheology: Rheology  # shear law of the oil
     nodes: Array  # z/h across the film, from body 1 to body 2, shape (n,) [-]
     # in the middle of the film along x and y, shape (2, nx, ny) [Pa]; None: Newtonian, isothermal
     mid_stress: Array | None = None
-    # of the oil at the nodes, walls included, shape (nx, ny, n) [K]; None: solved without heat
+    # temperature of the oil at the nodes, walls included, shape (nx, ny, n) [K]; None: solved
+    # without heat
     temperature: Array | None = None
     heat_flux: Array | None = None  # into body 1 and body 2, shape (2, nx, ny) [W/m^2]
     dissipation: Array | None = None  # heat of shear over the film, shape (nx, ny) [W/m^2]
-    # of the logarithm of the Poiseuille factor in the last cycle, weighted with the pressure's
-    # flow [-]
+    # change of the logarithm of the Poiseuille factor in the last cycle, weighted with the
+    # pressure's flow [-]
     change: float = 0.0
     heat_change: float = 0.0  # largest change of a temperature in the last sweeps of the heat [K]
     unsolved_columns: int = 0  # in the last cycle [-]
@@ -58,7 +59,7 @@ class GeneralizedSolution:
 
     @property
     def mean_temperature(self) -> Array | None:
-        """Of the oil over the film thickness, shape (nx, ny) [K]."""
+        """Mean temperature of the oil over the film thickness, shape (nx, ny) [K]."""
         if self.temperature is None:
             return None
         return np.asarray(np.trapezoid(self.temperature, self.nodes, axis=-1))
@@ -72,17 +73,38 @@ def solve_generalized(
     oil_temperature: float | None = None,
     options: SolverOptions | None = None,
 ) -> GeneralizedSolution:
-    """Pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen
-    (1990). Newtonian and of uniform temperature it is that of `solve_contact`; otherwise it is
-    solved on 257 points where the options have neither points nor a tolerance.
+    """Solve pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen
+    (1990).
 
-    solids: body 1 and body 2, None: uniform temperature; oil_temperature: of the oil that flows in
-    [K], None: the lubricant's temperature of operation. ValueError where the lubricant has no
-    temperature or thermal properties that heat needs, or where conditions give an inlet layer.
+    Newtonian and of uniform temperature it is that of `solve_contact`; otherwise it is solved on
+    257 points where the options have neither points nor a tolerance. Shear and heat are two
+    multigrid cycles behind pressure and film. The time of the record covers all methods that were
+    tried; its FFTs are those of the last one, with those of the Newtonian film that it started
+    from.
 
-    Shear and heat are two multigrid cycles behind pressure and film. The time of the record covers
-    all methods that were tried; its FFTs are those of the last one, with those of the Newtonian
-    film that it started from.
+    Parameters
+    ----------
+    conditions : ContactConditions
+        flooded contact with its sliding
+    rheology : Rheology
+        shear law of the oil
+    solids : tuple[SolidThermal, SolidThermal] | None, optional
+        thermal properties of body 1 and body 2; None: uniform temperature
+    oil_temperature : float | None, optional
+        temperature of the oil that flows in; None: that of the lubricant's operation [K]
+    options : SolverOptions | None, optional
+        options of the solver; None: its defaults
+
+    Returns
+    -------
+    GeneralizedSolution
+        contact, stress and temperature
+
+    Raises
+    ------
+    ValueError
+        if the lubricant lacks a temperature or thermal properties that heat needs, or conditions
+        have an inlet film
     """
     options = options or SolverOptions()
     if rheology.newtonian and solids is None:
@@ -124,12 +146,16 @@ def _with_heat_error(
     pressure_ratio = hertz_pressure / conditions.reduced_modulus
     loading = thermal_loading(conditions)
     left = film_reduction_gupta(pressure_ratio, loading, conditions.slide_roll_ratio)
-    error = SECTION_SHARE + SECTION_ERROR * (1.0 - max(left, 0.0)) ** 4 + RESTLESS_ERROR * change
+    error = (
+        SECTION_FRACTION
+        + SECTION_ERROR * (1.0 - max(left, 0.0)) ** 4
+        + UNCONVERGED_HEAT_ERROR * change
+    )
     central, minimum = (
         replace(film, uncertainty=film.uncertainty + error * abs(film.finest))
         for film in (contact.film_central_dimensionless, contact.film_minimum_dimensionless)
     )
-    wider = judged(
+    wider = with_status(
         replace(contact, film_central_dimensionless=central, film_minimum_dimensionless=minimum)
     )
     if tolerance is None or not tolerance_reached(contact, tolerance):  # which its message says
@@ -222,7 +248,7 @@ def _checked(
     """
     if state is None:
         return contact, state
-    few = UNSOLVED_SHARE * contact.P.size
+    few = UNSOLVED_FRACTION * contact.P.size
     over = f"the limiting stress is below h/2 grad p at {state.over_limit_columns} columns"
     if not contact.converged:
         if state.over_limit_columns:

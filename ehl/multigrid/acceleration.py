@@ -26,8 +26,19 @@ class Acceleration:
     weight: float = 1.0  # of the approach, which moves the film of every node
 
     def next(self, before: tuple[Array, float], after: tuple[Array, float]) -> tuple[Array, float]:
-        """Pressure, shape (ny, nx), and approach to start the next cycle from, from those before
-        and after the last cycle [-].
+        """Combine the last cycles to the iterate that starts the next one, Walker and Ni (2011).
+
+        Parameters
+        ----------
+        before : tuple[Array, float]
+            pressure, shape (ny, nx), and approach H0 before the last cycle [-]
+        after : tuple[Array, float]
+            pressure, shape (ny, nx), and approach H0 after it [-]
+
+        Returns
+        -------
+        tuple[Array, float]
+            pressure, shape (ny, nx), and approach H0 to start the next cycle from [-]
         """
         if not self.ends:
             self.weight = float(np.sqrt(np.count_nonzero(after[0]) + 1.0))

@@ -16,7 +16,7 @@ from scipy.sparse import linalg
 
 from ..arrays import Array
 
-# of GMRES
+# GMRES: Krylov vectors before a restart, and restarts
 RESTART = 80
 RESTARTS = 3
 PIVOT = 0.01  # of an ordering that is given: smallest diagonal taken as a pivot, over its column
@@ -31,23 +31,34 @@ class LinearSolverError(Exception):
 class Border:
     """Column b and row w, shape (n,), and corner c of a bordered system [-]."""
 
-    column: Array
-    row: Array
-    corner: float = 0.0
+    column: Array  # b, shape (n,) [-]
+    row: Array  # w, shape (n,) [-]
+    corner: float = 0.0  # c [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Preconditioner:
     """Factors of the near field, and its response to the border's column [-]."""
 
-    factors: Any
+    factors: Any  # sparse factors of SuperLU
     order: NDArray[np.intp] | None  # in which the unknowns were eliminated; None: SuperLU's own
-    border: Border
-    response: Array
-    schur: float
+    border: Border  # column, row and corner of the system
+    response: Array  # of the near field to the column, shape (n,) [-]
+    schur: float  # complement of the load [-]
 
     def solve(self, right: Array) -> Array:
-        """Pressure and approach, shape (n + 1,), for f and g in one array [-]."""
+        """Solve the bordered system with the near field in place of A.
+
+        Parameters
+        ----------
+        right : Array
+            f and g in one array, shape (n + 1,) [-]
+
+        Returns
+        -------
+        Array
+            pressure p and approach h in one array, shape (n + 1,) [-]
+        """
         p = _solve(self.factors, self.order, right[:-1])
         h = (self.border.row @ p - right[-1]) / self.schur
         return np.append(p - h * self.response, h)
@@ -56,10 +67,29 @@ class Preconditioner:
 def factor_bordered(
     near: sparse.csr_matrix, border: Border, order: NDArray[np.intp] | None = None
 ) -> Preconditioner:
-    """Factors of the near field of a system: in single precision where the order of elimination is
-    given (three quarters of the time, half the memory and as many iterations), else in double.
+    """Factor the near field of a bordered system.
 
-    LinearSolverError where it is singular.
+    Factors are in single precision where the order of elimination is given (three quarters of
+    the time, half the memory and as many iterations), else in double precision.
+
+    Parameters
+    ----------
+    near : sparse.csr_matrix
+        near field of A, sparse, shape (n, n) [-]
+    border : Border
+        column, row and corner of the system [-]
+    order : NDArray[np.intp] | None, optional
+        order in which the unknowns are eliminated, shape (n,); None: that of SuperLU [-]
+
+    Returns
+    -------
+    Preconditioner
+        factors, and their response to the column of the border [-]
+
+    Raises
+    ------
+    LinearSolverError
+        if the near field is singular, or no node carries pressure
     """
     try:
         if order is None:
@@ -100,12 +130,34 @@ def solve_bordered(
     right: tuple[Array, float],
     tolerance: float,
 ) -> tuple[Array, float]:
-    """p, shape (n,), and h of [A b; w^T c] [p; h] = [f; g], A by its action `operator` [-].
+    """Solve [A b; w^T c] [p; h] = [f; g] by GMRES (Saad and Schultz, 1986), A by its action.
 
-    Both are complex where b is.
+    Both unknowns are complex where b is.
 
-    right: f and g; tolerance: relative residual of the preconditioned system. LinearSolverError
-    where the iteration does not reach it.
+    Parameters
+    ----------
+    operator : Callable[[Array], Array]
+        action of A on a pressure, from shape (n,) to shape (n,) [-]
+    border : Border
+        column b, row w and corner c [-]
+    preconditioner : Preconditioner
+        factors of the near field [-]
+    right : tuple[Array, float]
+        f, shape (n,), and g [-]
+    tolerance : float
+        relative residual of the preconditioned system [-]
+
+    Returns
+    -------
+    p
+        pressure, shape (n,) [-]
+    h
+        approach [-]
+
+    Raises
+    ------
+    LinearSolverError
+        if the iteration does not reach the tolerance
     """
     size = len(border.column) + 1
     kind = border.column.dtype
@@ -132,10 +184,21 @@ def solve_bordered(
 
 
 def nested_dissection(shape: tuple[int, int], separator: tuple[int, int]) -> NDArray[np.intp]:
-    """Order of elimination of the nodes j nx + i of a rectangle (ny, nx): halves first, the lines
-    that separate them last, George (1973).
+    """Order the nodes j nx + i of a rectangle for elimination, George (1973).
 
-    separator: lines and columns of a separator, as many as the stencil reaches to one side.
+    Halves come first, the lines that separate them last.
+
+    Parameters
+    ----------
+    shape : tuple[int, int]
+        ny and nx, nodes of the rectangle [-]
+    separator : tuple[int, int]
+        lines and columns of a separator, as many as the stencil reaches to one side [-]
+
+    Returns
+    -------
+    NDArray[np.intp]
+        numbers of the nodes in the order of elimination, shape (ny nx,) [-]
     """
     number = np.arange(shape[0] * shape[1]).reshape(shape)
     parts: list[NDArray[np.intp]] = []

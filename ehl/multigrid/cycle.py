@@ -21,14 +21,20 @@ from numpy.typing import NDArray
 
 from ..grid import Grid
 from ..oil import _kernels as properties
-from ..oil.lubricant import log_viscosity_ratio, roelands_rise
-from ..oil.numbers import oil_numbers
+from ..oil.lubricant import log_viscosity_ratio, oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import deflect
 from .far_field import edge_pressure, exterior_load
 from .kernels import _kernels, _relaxation_kernels
 from .levels import Damping, Level, Multigrid, TimeStep
-from .starved import Fields, flux_operator, march, march_all, oil_lost, restrict_flux
+from .starved import (
+    Fields,
+    flux_operator,
+    march_all_film_content,
+    march_film_content,
+    oil_imbalance,
+    restrict_flux,
+)
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 Array = NDArray[np.float64]
@@ -42,23 +48,40 @@ SINGLE_VISITS = (2, 2)
 
 
 def start_level(state: Multigrid, index: int, pressure: Array) -> None:
-    """Make level `index` the one being solved, from a first guess of the pressure."""
+    """Make a level the one being solved, from an initial guess of the pressure.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    pressure : Array
+        initial guess, shape (ny, nx) [-]
+    """
     level = state.levels[index]
     level.P = np.maximum(pressure, 0.0)
     level.f = np.zeros_like(level.P)
     level.s = level.gap
     level.start = None
-    level.load = carried_load(state) - state.exterior
+    level.load = required_load(state) - state.exterior
     if state.far_field is None:
         _zero_edge(level.P, level.grid)
     update_film(state, index)
 
 
 def update_film(state: Multigrid, index: int) -> None:
-    """H = H0 + s + deflection; on the level being solved an open edge takes its pressure from the
-    new film.
+    """Set H = H0 + s + deflection on a level.
 
-    Below it s holds the film injected from above, and only the change of pressure is deflected.
+    On the level being solved an open edge takes its pressure from the new film. Below it s holds
+    the film injected from above, and only the change of pressure is deflected.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
     """
     level = state.levels[index]
     pressure = level.P if level.start is None else level.P - level.start
@@ -66,14 +89,24 @@ def update_film(state: Multigrid, index: int) -> None:
     level.H += level.s
     level.H += state.approach
     state.deflections[index] = state.deflections.get(index, 0) + 1
-    edge = state.on_edge(level) if level.s is level.gap else None
+    edge = state.edge_field(level) if level.s is level.gap else None
     if edge is not None:
-        layer = None if level.fill is None else level.fill.layer
-        edge_pressure(edge, level.H, level.P, layer)
+        inlet_film_thickness = (
+            None if level.film_content is None else level.film_content.inlet_film_thickness
+        )
+        edge_pressure(edge, level.H, level.P, inlet_film_thickness)
 
 
 def refresh_factors(state: Multigrid, index: int) -> None:
-    """New factors of the flow model on level `index`, injected into the coarser levels."""
+    """Evaluate the flow model on a level, and inject its factors into the coarser levels.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    """
     if state.flow_model is None:
         return
     level = state.levels[index]
@@ -90,7 +123,15 @@ def refresh_factors(state: Multigrid, index: int) -> None:
 
 
 def flow(state: Multigrid, level: Level) -> None:
-    """Flow coefficient, and density times velocity, of a level from its pressure and film."""
+    """Set flow coefficient, and density times velocity, of a level from its pressure and film.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, with flow model and step in time
+    level : Level
+        level whose flow is set in place
+    """
     factors = level.factors
     _oil(state, level)
     if state.time_step is not None:
@@ -106,8 +147,8 @@ def flow(state: Multigrid, level: Level) -> None:
 
 
 def _store(step: TimeStep, level: Level) -> None:
-    """What the nodes of a level store over a step, from density and its slope in place of the
-    flow, and the flow that the step leaves.
+    """Set the storage of the nodes over a step from density and its slope in place of the flow,
+    and the flow that the step leaves.
     """
     if not level.storage.size:
         level.storage = np.zeros((2, *level.P.shape))
@@ -133,30 +174,51 @@ def _oil(state: Multigrid, level: Level) -> None:
 
 
 def log_viscosity(contact: ScaledContact, P: Array) -> Array:
-    """ln(eta/eta_0) at a pressure P, shape of `P` [-]."""
+    """Evaluate ln(eta/eta_0) at a pressure.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    P : Array
+        pressure over Hertz' pressure, any shape [-]
+
+    Returns
+    -------
+    Array
+        logarithm of the viscosity ratio, shape of `P` [-]
+    """
     c = contact
     if c.oil is not None:
         return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
     ratio = c.viscosity_pressure * np.maximum(P, 0.0)
-    return c.viscosity_slope * (roelands_rise(ratio, c.viscosity_exponent) - 1.0)
+    return c.viscosity_slope * (properties.roelands_rise(ratio, c.viscosity_exponent) - 1.0)
 
 
 def relax(state: Multigrid, index: int) -> None:
-    """One line sweep, even lines before odd ones, and the film that belongs to it."""
+    """Relax a level by one line sweep, even lines before odd ones, and update its film.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    """
     level = state.levels[index]
     grid = level.grid
     flow(state, level)
     lines = _line_sweep(level, state.damping)
     first = 0 if grid.symmetric else 1
     for colour in (first, first + 1):
-        if level.fill is not None:
-            march(level.fill, _fields(level), grid, state.threads, colour)
+        if level.film_content is not None:
+            march_film_content(level.film_content, _fields(level), grid, state.threads, colour)
         state.threads.run(lines, range(colour, grid.ny - 1, 2), level.P.size)
     mesh = (grid.hx, grid.hy)
     changes = partial(
         _relaxation_kernels.spread_changes,
         level.P,
-        level.kinds,
+        level.node_types,
         level.scratch,
         *mesh,
         state.damping.jacobi,
@@ -168,39 +230,57 @@ def relax(state: Multigrid, index: int) -> None:
 def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     """Relaxation of every second line of a range, the changes left to `spread_changes`."""
     grid = level.grid
-    fill = level.fill
-    couette = (level.flow_x, level.slope_x, level.flow_y, level.slope_y)
+    film_content = level.film_content
     lateral = level.factors.couette_y is not None
-    oil = (level.scratch, level.kinds, level.scratch)  # in place of those of a layer
-    if fill is not None:
-        oil = (fill.residual, fill.empty, fill.share)
+    across = (level.flow_y, level.slope_y) if lateral else (None, None)
+    stored = level.storage.size > 0
+    reversing = True if stored or level.factors.couette_x is not None else None
+    oil = (None, None, None)
+    if film_content is not None:
+        oil = (film_content.residual, film_content.empty, film_content.fraction_along)
     return partial(
         _relaxation_kernels.relax_lines,
         level.P,
         level.H,
         level.eps,
-        *couette,
-        lateral,
+        level.flow_x,
+        level.slope_x,
+        *across,
+        reversing,
         level.f,
-        level.storage,
+        level.storage if stored else None,
         level.kernel.near,
         grid.hx,
         grid.hy,
         grid.symmetric,
-        fill is not None,
         *oil,
         damping.gauss_seidel,
         damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5,
-        level.kinds,
+        level.node_types,
         level.scratch,
     )
 
 
+def _flow_across(level: Level) -> Array | None:
+    """Density times the velocity across the lines; None where nothing flows there."""
+    return None if level.factors.couette_y is None else level.flow_y
+
+
 def reynolds_operator(level: Level) -> Array:
-    """L(P) of a level whose flow is up to date, shape (ny, nx); the level's own scratch [-]."""
+    """Evaluate L(P) of a level whose flow is up to date.
+
+    Parameters
+    ----------
+    level : Level
+        level with pressure, film and flow
+
+    Returns
+    -------
+    Array
+        L(P), shape (ny, nx), in the scratch array of the level [-]
+    """
     grid = level.grid
-    lateral = level.factors.couette_y is not None
-    couette = (level.flow_x, level.flow_y, lateral)
+    couette = (level.flow_x, _flow_across(level))
     _kernels.reynolds_operator(
         level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch
     )
@@ -211,14 +291,28 @@ def reynolds_operator(level: Level) -> Array:
 
 
 def reynolds_residual(state: Multigrid, index: int) -> Array:
-    """f - L(P), shape (ny, nx); zero on the edge and at cavitated nodes that obey L(P) <= f, or
-    whose oil does not fill the gap.
+    """Evaluate the residual f - L(P) of Reynolds' equation.
+
+    It is zero on the edge and at cavitated nodes that obey L(P) <= f, or whose oil does not fill
+    the gap.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    Array
+        residual, shape (ny, nx) [-]
     """
     level = state.levels[index]
     flow(state, level)
-    if level.fill is not None:
-        march_all(level.fill, _fields(level), level.grid, state.threads)
-        residual = np.where(level.fill.empty, 0.0, level.fill.residual)
+    if level.film_content is not None:
+        march_all_film_content(level.film_content, _fields(level), level.grid, state.threads)
+        residual = np.where(level.film_content.empty, 0.0, level.film_content.residual)
         _zero_edge(residual, level.grid)
         return residual
     residual = level.f - reynolds_operator(level)
@@ -228,36 +322,71 @@ def reynolds_residual(state: Multigrid, index: int) -> Array:
 
 
 def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
-    """Sum of |f - L(P)|, and that of f - L(P) over the fluid nodes, both over the sum of |div(rho
-    u H)| there: how far the equations are from holding, and the oil that appears or is lost; of a
-    layer at the inlet that over what enters [-].
+    """Relate the residual of a level to its flow.
+
+    Sums over the fluid nodes are taken over the sum of |div(rho u H)| there; behind an inlet
+    film the imbalance is taken over the oil that enters.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    residual
+        sum of |f - L(P)| over that of the flow [-]
+    imbalance
+        oil that appears or is lost, signed [-]
     """
     level = state.levels[index]
     residual = reynolds_residual(state, index)
-    couette = (level.flow_x, level.flow_y, level.factors.couette_y is not None)
+    couette = (level.flow_x, _flow_across(level))
     size, balance, divergence = _kernels.residual_sums(
         level.P, level.H, residual, *couette, level.grid.hx, level.grid.hy
     )
     if not divergence > 0.0:
         return inf, inf
-    if level.fill is not None:
-        return size / divergence, oil_lost(level.fill, residual, level.grid)
+    if level.film_content is not None:
+        return size / divergence, oil_imbalance(level.film_content, residual, level.grid)
     return size / divergence, balance / divergence
 
 
 def load_error(state: Multigrid, index: int) -> float:
-    """(integral of P - load)/load of the contact [-]."""
+    """Evaluate (integral of P - load)/load of the contact.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    float
+        relative error of the load balance [-]
+    """
     level = state.levels[index]
     return (level.grid.integral(level.P) - level.load) / state.contact.load
 
 
 def cycle(state: Multigrid, index: int) -> None:
-    """One cycle from level `index` down; the coarsest level also moves H0 towards the load
-    balance, Venner and Lubrecht (2000), chapters 3 and 6.
+    """Run one cycle from a level down, Venner and Lubrecht (2000), chapters 3 and 6.
 
-    W between the levels of `SINGLE_VISITS`, V above and below; V alone where cycles swing: thick
-    films near the edge of the box press there the more the thinner they are, which the coarser
-    levels do not know, and two visits overshoot twice as far.
+    The coarsest level also moves H0 towards the load balance. W between the levels of
+    `SINGLE_VISITS`, V above and below; V alone where cycles oscillate: thick films near the edge
+    of the box press there the more the thinner they are, which the coarser levels do not know,
+    and two visits overshoot twice as far.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
     """
     if index == 0:
         _solve_coarsest(state)
@@ -270,7 +399,7 @@ def cycle(state: Multigrid, index: int) -> None:
         approach = state.approach
         # 3. its solution by cycles of the levels below
         lowest, highest = SINGLE_VISITS
-        twice = lowest < index < len(state.levels) - highest and not state.swings
+        twice = lowest < index < len(state.levels) - highest and not state.oscillates
         for _ in range(2 if twice else 1):
             cycle(state, index - 1)
         # 4. correction of pressure and film
@@ -310,9 +439,9 @@ def _restrict(state: Multigrid, index: int) -> Array:
     coarse.s = coarse.H - state.approach
     coarse.load = coarse.grid.integral(start) + fine.load - fine.grid.integral(fine.P)
     flow(state, coarse)
-    if fine.fill is not None and coarse.fill is not None:
-        restrict_flux(fine.fill, coarse.fill, _fields(coarse), coarse.grid)
-        operator = flux_operator(coarse.fill, _fields(coarse), coarse.grid, coarse.scratch)
+    if fine.film_content is not None and coarse.film_content is not None:
+        restrict_flux(fine.film_content, coarse.film_content, _fields(coarse), coarse.grid)
+        operator = flux_operator(coarse.film_content, _fields(coarse), coarse.grid, coarse.scratch)
     else:
         operator = reynolds_operator(coarse)
     coarse.f = operator + full_weighting(residual, coarse.grid.symmetric)
@@ -328,42 +457,72 @@ def _correct(state: Multigrid, index: int, start: Array, approach: float) -> Non
     """
     fine = state.levels[index]
     coarse = state.levels[index - 1]
-    share = state.damping.correction
+    fraction = state.damping.correction
     correction = interpolate_linear(coarse.P - start)
-    if fine.factors.couette_y is None and fine.fill is None:
+    if fine.factors.couette_y is None and fine.film_content is None:
         empty = (coarse.P <= 0.0) | (start <= 0.0)
         correction[interpolate_linear(empty.astype(np.float64)) > 0.0] = 0.0
-    fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + share * correction, 0.0), 0.0)
+    fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + fraction * correction, 0.0), 0.0)
     deflection = coarse.H - coarse.s - state.approach
-    fine.H += share * interpolate_cubic(deflection, fine.grid.symmetric)
+    fine.H += fraction * interpolate_cubic(deflection, fine.grid.symmetric)
     fine.H += state.approach - approach
 
 
 def update_exterior(state: Multigrid, index: int) -> None:
-    """Load outside an open box by the film of the level being solved, and what it leaves for the
-    box; a closed box carries the whole load.
+    """Set the load outside an open box by the film of a level, and the load that the box carries.
+
+    A closed box carries the whole load.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level being solved [-]
     """
     if state.far_field is None:
         return
     level = state.levels[index]
-    central = layer_at_centre(state)
+    central = inlet_film_at_centre(state)
     state.exterior = exterior_load(state.far_field, level.grid, level.H, central)
-    level.load = carried_load(state) - state.exterior
+    level.load = required_load(state) - state.exterior
 
 
-def carried_load(state: Multigrid) -> float:
-    """Integral of P that the contact carries, at the time of the step; inertia aside [-]."""
+def required_load(state: Multigrid) -> float:
+    """Give the integral of P that the contact carries at the time of the step, without inertia.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+
+    Returns
+    -------
+    float
+        load [-]
+    """
     return state.contact.load if state.time_step is None else state.time_step.load
 
 
-def layer_at_centre(state: Multigrid) -> float:
-    """Of the oil at the inlet; without end in a flooded contact [-]."""
-    layer = state.contact.inlet_layer
-    return inf if layer is None else layer.central
+def inlet_film_at_centre(state: Multigrid) -> float:
+    """Give the inlet film thickness on the line y = 0.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+
+    Returns
+    -------
+    float
+        inlet film thickness; infinite in a flooded contact [-]
+    """
+    inlet_film_thickness = state.contact.inlet_layer
+    return inf if inlet_film_thickness is None else inlet_film_thickness.central
 
 
 def _fields(level: Level) -> Fields:
-    """What the flux of a level follows from."""
+    """Gather the fields that the flux of a level follows from."""
     flow_y = level.flow_y if level.factors.couette_y is not None else level.flow_x
     return Fields(
         P=level.P, H=level.H, eps=level.eps, flow_x=level.flow_x, flow_y=flow_y, f=level.f

@@ -10,36 +10,36 @@ ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two leve
 # Error bars, in steps of the extrapolation, chosen on 125 random contacts so that they cover 97 %
 # and judged on others, see docs/theory/contact.md: of the central and of the minimum film, with
 # the entrainment along a principal direction, and at an angle to them or turning
-STEP_SHARES = ((0.12, 0.35), (0.25, 0.7))
+STEP_FRACTIONS = ((0.12, 0.35), (0.25, 0.7))
 # Minimum films at an angle: ratio of two steps of one sign up to which they are of second order
-# (4), and the share of a step that no step bears out. Of ten errors beyond the bar in 1000 random
-# contacts nine stood behind the one or the other (docs/theory/contact.md).
+# (4), and the fraction of a step that no step bears out. Of ten errors beyond the bar in 1000
+# random contacts nine stood behind the one or the other (docs/theory/contact.md).
 EVEN_STEPS = 5.0
-ALONE_SHARE = 1.6
-APPROACH_SHARE = 0.35  # of the approach, likewise; on 100 random contacts
+SINGLE_STEP_FRACTION = 1.6
+APPROACH_FRACTION = 0.35  # of the approach, likewise; on 100 random contacts
 SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not resolved
 LARGE_STEP = 0.05  # of the minimum film, above which the bar there is
-OF_LARGE_STEP = 1.1  # of it: two skewed contacts needed 0.75 and 1.07
+LARGE_STEP_FRACTION = 1.1  # of it: two skewed contacts needed 0.75 and 1.07
 UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
 LARGEST_FALL = 0.25  # over the film, beyond which none is extrapolated: the finest value stands
 # relative error by cycles and equations above which a level below says nothing: a third of it
 # alone passes the bar of a resolved film (`verdict.LARGEST_BAR`)
-UNKNOWN = 0.45
-ALONE = 4.0  # over Hmin/(S hx^2): relative bar of a level alone
+UNKNOWN_ORDER_FRACTION = 0.45
+SINGLE_LEVEL_ERROR = 4.0  # over Hmin/(S hx^2): relative bar of a level alone
 
 
 def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = False) -> FilmValue:
     """Central (0) or minimum (1) film by Richardson extrapolation of second order from the two
     finest levels, and its error bar; not a number without levels.
 
-    The bar is a share of the last step or of a quarter of the one before, which a step of second
-    order is, or what a sequence of the order that both show has its limit away from that of second
-    order, and what the cycles left. A step down by more than a quarter of the film is not
-    made, and is the bar at least. A level whose film cycles and equations leave open by half of
-    it is left out, with those below. Minimum films at an angle sit on a narrow ridge across the
-    mesh, and their sequence may turn late: steps that change sign or fall too fast count the whole
-    step before.
+    The bar is a fraction of the last step or of a quarter of the one before, which a step of
+    second order is, or what a sequence of the order that both show has its limit away from that of
+    second order, and what the cycles left. A step down by more than a quarter of the film is not
+    made, and is the bar at least. A level whose film cycles and equations leave open by half of it
+    is left out, with those below. Minimum films at an angle sit on a narrow ridge across the mesh,
+    and their sequence may turn late: steps that change sign or fall too fast count the whole step
+    before.
 
     Parameters
     ----------
@@ -56,12 +56,12 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     finest = levels[-1].film[-1][kind]
     noise = levels[-1].noise(kind)
     if len(levels) < 2:
-        bar = min(ALONE / max(levels[-1].fineness, 1e-9), 1.0) + noise
+        bar = min(SINGLE_LEVEL_ERROR / max(levels[-1].fineness, 1e-9), 1.0) + noise
         return FilmValue(value=finest, uncertainty=bar * abs(finest), finest=finest)
     noise = (4.0 * noise + levels[-2].noise(kind)) / 3.0
     films = [level.film[-1][kind] for level in levels]
     late = oblique and kind == MINIMUM
-    step, bar = _step(levels, films, STEP_SHARES[oblique][kind], late=late)
+    step, bar = _step(levels, films, STEP_FRACTIONS[oblique][kind], late=late)
     if -step > LARGEST_FALL * abs(finest):  # of meshes that are all too coarse
         bar = max(bar, abs(step))
         step = 0.0
@@ -70,8 +70,18 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
 
 
 def extrapolate_approach(levels: Sequence[LevelHistory]) -> FilmValue:
-    """H0 as the films, with an error bar that is no share of it: H0 passes zero; not a number
+    """H0 as the films, with an error bar that is no fraction of it: H0 passes zero; not a number
     without levels. Coarsest level first.
+
+    Parameters
+    ----------
+    levels : Sequence[LevelHistory]
+        histories of the levels, coarsest first
+
+    Returns
+    -------
+    FilmValue
+        H0 with its error bar [-]
     """
     if not levels:
         return FilmValue(value=nan, uncertainty=nan, finest=nan)
@@ -79,41 +89,46 @@ def extrapolate_approach(levels: Sequence[LevelHistory]) -> FilmValue:
     finest = levels[-1].approach[-1]
     noise = levels[-1].approach_noise
     if len(levels) < 2:
-        bar = min(ALONE / max(levels[-1].fineness, 1e-9), 1.0) * levels[-1].film[-1][CENTRAL]
+        bar = (
+            min(SINGLE_LEVEL_ERROR / max(levels[-1].fineness, 1e-9), 1.0)
+            * levels[-1].film[-1][CENTRAL]
+        )
         return FilmValue(value=finest, uncertainty=bar + noise, finest=finest)
     noise = (4.0 * noise + levels[-2].approach_noise) / 3.0
-    step, bar = _step(levels, [level.approach[-1] for level in levels], APPROACH_SHARE)
+    step, bar = _step(levels, [level.approach[-1] for level in levels], APPROACH_FRACTION)
     return FilmValue(value=finest + step, uncertainty=bar + noise, finest=finest)
 
 
 def _step(
-    levels: Sequence[LevelHistory], values: Sequence[float], share: float, *, late: bool = False
+    levels: Sequence[LevelHistory], values: Sequence[float], fraction: float, *, late: bool = False
 ) -> tuple[float, float]:
-    """Step of second order from the value of the finest of two levels or more to the limit, and
-    its error bar by the mesh: that share of the step at least; `late`: of sequences that may turn.
+    """Extrapolate with order two from the finest of two levels or more to the limit. The error bar
+    is that fraction of the step at least; `late`: of sequences that may turn.
     """
     step = (values[-1] - values[-2]) / ORDER_STEP
     if not levels[-2].resolved:
-        return step, max(share, UNRESOLVED_BELOW) * abs(step)
+        return step, max(fraction, UNRESOLVED_BELOW) * abs(step)
     if len(values) < 3 or not levels[-3].resolved:
         large = abs(step) > LARGE_STEP * abs(levels[-1].film[-1][MINIMUM])
-        alone = ALONE_SHARE if late else OF_LARGE_STEP if large else SHORT_SEQUENCE
-        return step, max(share, alone) * abs(step)
+        alone = SINGLE_STEP_FRACTION if late else LARGE_STEP_FRACTION if large else SHORT_SEQUENCE
+        return step, max(fraction, alone) * abs(step)
     before = (values[-2] - values[-3]) / ORDER_STEP
     even = step * before > 0.0 and abs(before) <= EVEN_STEPS * abs(step)
     part = 1.0 if late and not even else 0.25
-    return step, max(share * max(abs(step), part * abs(before)), _departure(step, before))
+    return step, max(fraction * max(abs(step), part * abs(before)), _departure(step, before))
 
 
 def _known(levels: Sequence[LevelHistory], kind: int) -> Sequence[LevelHistory]:
     """The finest level and those below it down to the first that says nothing."""
-    unknown = [n for n, level in enumerate(levels[:-1]) if level.noise(kind) > UNKNOWN]
+    unknown = [
+        n for n, level in enumerate(levels[:-1]) if level.noise(kind) > UNKNOWN_ORDER_FRACTION
+    ]
     return levels[unknown[-1] + 1 :] if unknown else levels
 
 
 def _departure(step: float, before: float) -> float:
-    """How far from step to the limit of second order a sequence of the order seen ends: with steps
-    in the ratio r = 2^p, |step - before/4| * 4/(r - 1), p one at least.
+    """Measure how far from the limit of second order a sequence of the observed order ends. With
+    steps in the ratio r = 2^p it is |step - before/4| * 4/(r - 1), p one at least.
     """
     ratio = max(abs(before / step), LOWEST_RATIO) if step else LOWEST_RATIO
     return 4.0 / (ratio - 1.0) * abs(step - 0.25 * before)
@@ -123,6 +138,18 @@ def second_order(films: Sequence[float], noise: float) -> FilmValue:
     """A film of the last two of several meshes, each twice as fine as the one before, by
     Richardson extrapolation of second order; the bar is the whole difference and a relative noise
     [-].
+
+    Parameters
+    ----------
+    films : Sequence[float]
+        films of the levels, coarsest first [-]
+    noise : float
+        relative errors by which the cycles of each level are off [-]
+
+    Returns
+    -------
+    FilmValue
+        extrapolated film with its error bar [-]
     """
     finest = float(films[-1])
     if len(films) < 2:

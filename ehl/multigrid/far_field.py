@@ -29,12 +29,12 @@ from ..grid import Grid
 from ..scaling import ALIGNMENT_TOLERANCE, ScaledContact
 
 Array = NDArray[np.float64]
-# of the profile s and of the quadrature of the exterior load, and where the search for the place
-# at which the oil breaks begins
+# directions of the profile s and of the quadrature of the exterior load, and of the first search
+# for the position at which the oil breaks begins
 DIRECTIONS = 720
 FIRST_DIRECTIONS = 45
-MOST_PASSES = 100  # of that search on one set of directions
-KEPT = 64  # profiles of the last contacts
+MAX_PASSES = 100  # of that search on one set of directions
+CACHED_PROFILES = 64  # profiles of the last contacts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,13 +46,27 @@ class FarField:
     pressure_y: float  # k_y
     pressure_xy: float  # k_xy
     curvature_x: float  # S, T, C of the gap
-    curvature_y: float
-    curvature_xy: float
-    squeeze: float = 0.0  # P H^2 by bodies that close in, see `over_time`
+    curvature_y: float  # T [-]
+    curvature_xy: float  # C, mixed [-]
+    squeeze: float = 0.0  # P H^2 by bodies that close in, see `transient_far_field`
 
     def strength(self, X: Array, Y: Array) -> Array:
-        """P H^2 = s r; with the rotation, or bodies that close in with k_V, max(K - k_xy X Y +
-        k_V, 0) + s r - max(K, 0), K of Kapitza's solution without [-].
+        """Evaluate P H^2 of the far field.
+
+        s r without rotation; with it, or with bodies that approach with k_V, max(K - k_xy X Y +
+        k_V, 0) + s r - max(K, 0), K that of Kapitza's solution.
+
+        Parameters
+        ----------
+        X : Array
+            position along the grid, any shape [-]
+        Y : Array
+            position across, of a shape that fits [-]
+
+        Returns
+        -------
+        Array
+            P H^2, of the common shape [-]
         """
         X, Y = np.broadcast_arrays(X, Y)
         straight = np.interp(
@@ -67,14 +81,23 @@ class FarField:
 
 
 def far_field(contact: ScaledContact) -> FarField:
-    """The solution for a contact's gap and entrainment.
+    """Solve the far field of a contact's gap and entrainment, Kapitza (1955).
 
-    Kapitza's (1955):
     div(H^3 grad P) = lambda dH/dX' holds for P = -lambda X'/((3 + 2 D) H^2) with principal
     curvatures 1 and D; the entrainment along y has 1 and D exchanged, and both superpose. In the
     principal directions the rotation u = -Omega Y, v = Omega X has div(H^3 grad P) = lambda Omega
-    (T - S) X Y, and P = -k_xy X Y/H^2 with k_xy = lambda Omega (T - S)/(3 (S + T)); in others that
-    part is left out. All quantities [-].
+    (T - S) X Y, and P = -k_xy X Y/H^2 with k_xy = lambda Omega (T - S)/(3 (S + T)); in other
+    directions that term is left out.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    FarField
+        far field of its gap [-]
     """
     c = cos(contact.frame_angle)
     s = sin(contact.frame_angle)
@@ -98,14 +121,29 @@ def far_field(contact: ScaledContact) -> FarField:
     )
 
 
-def over_time(
+def transient_far_field(
     field: FarField, contact: ScaledContact, speed: float, approach_rate: float
 ) -> FarField:
-    """The solution for an entrainment along a direction, at its share of u_m, and with bodies that
-    part.
+    """Scale a far field to an entrainment speed, and add the squeeze of bodies that part.
 
     div(H^3 grad P) = lambda dH0/dT holds for P = -lambda dH0/dT/(2 (S + T) H^2) in the gap of a
-    paraboloid, in any directions; it is added to Kapitza's solution. approach_rate: dH0/dT [-].
+    paraboloid, in any directions; it is added to Kapitza's solution.
+
+    Parameters
+    ----------
+    field : FarField
+        far field at the speed u_m
+    contact : ScaledContact
+        scaled contact
+    speed : float
+        entrainment speed over u_m [-]
+    approach_rate : float
+        dH0/dT [-]
+
+    Returns
+    -------
+    FarField
+        far field at the time [-]
     """
     kappa = contact.speed / (2.0 * (contact.curvature_x + contact.curvature_y))
     return replace(
@@ -136,7 +174,7 @@ def _directions(count: int) -> tuple[Array, Array]:
 
 
 class _Wedge(NamedTuple):
-    """What the profile depends on, as in `ScaledContact`, all [-]."""
+    """Numbers that the profile depends on, as in `ScaledContact`, all [-]."""
 
     curvature_x: float
     curvature_y: float
@@ -146,7 +184,7 @@ class _Wedge(NamedTuple):
     speed: float
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHED_PROFILES)
 def _profile(contact: _Wedge) -> Array:
     """s = f (q/2)^2 by Reynolds' condition, shape (DIRECTIONS,) [-], not to be written to: finite
     volumes over the angle, wet directions from half as many at a time. Kept, for a contact is
@@ -155,7 +193,7 @@ def _profile(contact: _Wedge) -> Array:
     count = FIRST_DIRECTIONS
     wet = _source(contact, count) < 0.0
     while True:
-        f, wet = _broken(contact, wet)
+        f, wet = _reynolds_condition(contact, wet)
         if count == DIRECTIONS:
             profile = f * (0.5 * _curvature(contact, _angles(count))) ** 2
             profile.setflags(write=False)
@@ -164,7 +202,9 @@ def _profile(contact: _Wedge) -> Array:
         wet = np.repeat(wet, 2)
 
 
-def _broken(contact: _Wedge, wet: NDArray[np.bool_]) -> tuple[Array, NDArray[np.bool_]]:
+def _reynolds_condition(
+    contact: _Wedge, wet: NDArray[np.bool_]
+) -> tuple[Array, NDArray[np.bool_]]:
     """f over the angle, zero outside the wet directions and not negative in them, and those
     directions; to start from.
     """
@@ -182,7 +222,7 @@ def _broken(contact: _Wedge, wet: NDArray[np.bool_]) -> tuple[Array, NDArray[np.
     before = np.roll(after, 1)
     middle = -(before + after) - 9.0 * g
     f = np.zeros(count)
-    for _ in range(MOST_PASSES):
+    for _ in range(MAX_PASSES):
         # 3. the equation in wet directions, f = 0 in others
         bands = np.ones((3, count))
         bands[0, 1:] = np.where(wet, after, 0.0)[:-1]
@@ -217,13 +257,26 @@ def _source(contact: _Wedge, count: int) -> Array:
 class EdgeField:
     """A far field on the edge of a grid's box, whatever the film: P H^2 [-]."""
 
-    field: FarField
+    field: FarField  # far field that was evaluated
     rows: dict[int, Array]  # by the number of the row, shape (nx,)
     columns: dict[int, Array]  # by the number of the column, shape (ny,)
 
 
-def on_edge(field: FarField, grid: Grid) -> EdgeField:
-    """The far field on the edge of a grid's box."""
+def edge_field(field: FarField, grid: Grid) -> EdgeField:
+    """Evaluate a far field on the edge of a grid's box.
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    grid : Grid
+        grid of the box
+
+    Returns
+    -------
+    EdgeField
+        P H^2 on the edge [-]
+    """
     X, Y = grid.X, grid.Y
     rows = (-1,) if grid.symmetric else (0, -1)
     return EdgeField(
@@ -233,61 +286,126 @@ def on_edge(field: FarField, grid: Grid) -> EdgeField:
     )
 
 
-def edge_pressure(edge: EdgeField, H: Array, P: Array, layer: Array | None = None) -> None:
-    """Set the far field on the edge of the box, in place; zero where the gap is wider than a
-    layer, shape (ny,).
+def edge_pressure(
+    edge: EdgeField, H: Array, P: Array, inlet_film_thickness: Array | None = None
+) -> None:
+    """Set the pressure of the far field on the edge of the box, in place.
+
+    Parameters
+    ----------
+    edge : EdgeField
+        far field on the edge
+    H : Array
+        film, shape (ny, nx) [-]
+    P : Array
+        pressure, shape (ny, nx), of which the edge is set [-]
+    inlet_film_thickness : Array | None, optional
+        shape (ny,); zero pressure where the gap is wider; None: flooded [-]
     """
     for row, strength in edge.rows.items():
         P[row] = strength / H[row] ** 2
-        if layer is not None:
-            P[row, H[row] > layer[row]] = 0.0
+        if inlet_film_thickness is not None:
+            P[row, H[row] > inlet_film_thickness[row]] = 0.0
     for column, strength in edge.columns.items():
         P[:, column] = strength / H[:, column] ** 2
-        if layer is not None:
-            P[H[:, column] > layer, column] = 0.0
+        if inlet_film_thickness is not None:
+            P[H[:, column] > inlet_film_thickness, column] = 0.0
 
 
-def exterior_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
-    """Integral of the far field outside the box of a grid, from the film on its inlet edge, up to
-    where the gap is as wide as a layer [-].
+def exterior_load(
+    field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
+) -> float:
+    """Integrate the far field outside the box of a grid, from the film on its inlet edge.
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    grid : Grid
+        grid of the box
+    H : Array
+        film, shape (ny, nx) [-]
+    inlet_film_thickness : float, default inf
+        gap up to which oil carries load; infinite: flooded [-]
+
+    Returns
+    -------
+    float
+        load outside the box [-]
     """
-    load = load_outside(field, *_box_and_level(field, grid, H), layer)
+    load = load_outside(field, *_box_and_level(field, grid, H), inlet_film_thickness)
     if field.squeeze != 0.0:
-        load += field.squeeze * squeeze_load(field, grid, H, layer)
+        load += field.squeeze * squeeze_load(field, grid, H, inlet_film_thickness)
     return max(load, 0.0)  # bodies that part leave a cavity there
 
 
-def deflection_outside(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
-    """Double integral of P/r at the origin, of the far field outside the box of a grid up to where
-    the gap is as wide as a layer [-].
+def deflection_outside(
+    field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
+) -> float:
+    """Integrate P/r of the far field outside the box of a grid, for the deflection at the origin.
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    grid : Grid
+        grid of the box
+    H : Array
+        film, shape (ny, nx) [-]
+    inlet_film_thickness : float, default inf
+        gap up to which oil carries load; infinite: flooded [-]
+
+    Returns
+    -------
+    float
+        double integral of P/r at the origin [-]
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
-    rings = _inverse_square(rays, level, layer)
+    rings = _inverse_square(rays, level, inlet_film_thickness)
     return float(np.sum(rays.strength * rings)) * 2.0 * np.pi / DIRECTIONS
 
 
-def squeeze_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
-    """Integral of 1/H^2 outside the box of a grid where the far field carries pressure, all around
-    without entrainment, up to where the gap is as wide as a layer [-]: of the pressure that bodies
-    parting or closing in set up in a paraboloid.
+def squeeze_load(
+    field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
+) -> float:
+    """Integrate 1/H^2 outside the box of a grid where the far field carries pressure.
+
+    It is the load of the pressure that bodies parting or approaching set up in a paraboloid, all
+    around without entrainment.
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    grid : Grid
+        grid of the box
+    H : Array
+        film, shape (ny, nx) [-]
+    inlet_film_thickness : float, default inf
+        gap up to which oil carries load; infinite: flooded [-]
+
+    Returns
+    -------
+    float
+        integral of 1/H^2 [-]
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
-    rings = _inverse_square(rays, level, layer)
+    rings = _inverse_square(rays, level, inlet_film_thickness)
     wet = rays.strength > 0.0
     if not rays.strength.any():
         wet[:] = True
     return float(np.sum(rings[wet])) * 2.0 * np.pi / DIRECTIONS
 
 
-def _inverse_square(rays: "_Rays", level: float, layer: float) -> Array:
+def _inverse_square(rays: "_Rays", level: float, inlet_film_thickness: float) -> Array:
     """Integral from R of r/(h + q r^2/2)^2 dr = 1/(q (h + q R^2/2)) along each ray, up to where
     the gap is as wide as a layer [-].
     """
     outside = 2.0 / (rays.curvature**2 * (_distance(rays, level) + rays.radius**2))
-    if isfinite(layer):  # from the layer's gap on
-        outside = np.maximum(outside - 1.0 / (rays.curvature * layer), 0.0)
+    if isfinite(inlet_film_thickness):  # from the layer's gap on
+        outside = np.maximum(outside - 1.0 / (rays.curvature * inlet_film_thickness), 0.0)
     return np.asarray(outside)
 
 
@@ -302,15 +420,33 @@ def _box_and_level(
 
 
 def load_outside(
-    field: FarField, box: tuple[float, float, float], level: float, layer: float = inf
+    field: FarField,
+    box: tuple[float, float, float],
+    level: float,
+    inlet_film_thickness: float = inf,
 ) -> float:
-    """Integral of the far field outside a box (x_in, x_out, y_half), up to where the gap is as
-    wide as a layer [-].
+    """Integrate the far field outside a box.
 
     In polar coordinates the gap is h + q r^2/2 with the level h seen on the inlet edge (negative
     where the Hertz approach outweighs the deflection), and with c = 2h/q each ray carries integral
     from R of r^2/(h + q r^2/2)^2 dr = (4/q^2) [R/(2(R^2 + c)) + tail], tail = atan(sqrt(c)/R)/(2
     sqrt(c)).
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    box : tuple[float, float, float]
+        x_in, x_out and y_half [-]
+    level : float
+        gap h at the origin that the inlet edge sees [-]
+    inlet_film_thickness : float, default inf
+        gap up to which oil carries load; infinite: flooded [-]
+
+    Returns
+    -------
+    float
+        load outside the box [-]
     """
     # 1. rays from the origin to the edge of the box
     directions = _rays(field, box)
@@ -318,10 +454,10 @@ def load_outside(
     # 2. gap h + q r^2/2 along each ray
     c = _distance(directions, level)
     # 3. integral along each ray, and over the angle
-    rays = _outside(radius, c)
-    if isfinite(layer):
-        end = np.sqrt(np.maximum(2.0 * (layer - level) / q, 0.0))
-        rays = np.where(end > radius, rays - _outside(np.maximum(end, radius), c), 0.0)
+    rays = _radial_integral(radius, c)
+    if isfinite(inlet_film_thickness):
+        end = np.sqrt(np.maximum(2.0 * (inlet_film_thickness - level) / q, 0.0))
+        rays = np.where(end > radius, rays - _radial_integral(np.maximum(end, radius), c), 0.0)
     return float(np.sum(strength * 4.0 / q**2 * rays)) * 2.0 * np.pi / DIRECTIONS
 
 
@@ -352,7 +488,7 @@ def _distance(rays: _Rays, level: float) -> Array:
     return np.maximum(2.0 * level / rays.curvature, -0.9 * rays.radius**2)
 
 
-def _outside(radius: Array, c: Array) -> Array:
+def _radial_integral(radius: Array, c: Array) -> Array:
     """Integral from a radius on of r^2/(r^2 + c)^2 dr [-]."""
     root = np.sqrt(np.maximum(np.abs(c), 1e-12))
     tail = np.where(

@@ -52,7 +52,7 @@ class FlowFactors:
         return self.thinning, self.log_viscosity
 
     def coarsened(self) -> "FlowFactors":
-        """Those of the next coarser grid, by injection [-]."""
+        """Inject the factors into the next coarser grid [-]."""
         parts = {field.name: getattr(self, field.name) for field in fields(self)}
         return FlowFactors(
             **{name: None if part is None else inject(part) for name, part in parts.items()}
@@ -64,25 +64,79 @@ class FlowModel(Protocol):
 
     @property
     def symmetric(self) -> bool:
-        """Whether the factors keep a contact even in Y that is so without them."""
+        """True if the factors keep a contact even in Y that is so without them."""
 
     def factors(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: Any
     ) -> tuple[FlowFactors, Any]:
-        """Factors at pressure and film of a grid [-], the entrainment's velocity field included,
-        and the state that the next cycle on the grid takes as `last`; on its first cycle that is
-        `refined` of the grid below, None where that has none.
+        """Evaluate the factors on a grid, the entrainment's velocity field included.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+        grid : Grid
+            grid of the level
+        P : Array
+            pressure, shape (ny, nx) [-]
+        H : Array
+            film, shape (ny, nx) [-]
+        last : Any
+            state of the last cycle on the grid; on its first cycle `refined` of the grid below,
+            None where that has none
+
+        Returns
+        -------
+        factors
+            factors on the flow [-]
+        state
+            state that the next cycle on the grid takes as `last`
         """
 
     def refined(self, state: Any) -> Any:
-        """The state of a grid on the next finer one, for its first cycle."""
+        """Interpolate the state of a grid to the next finer one, for its first cycle.
+
+        Parameters
+        ----------
+        state : Any
+            state of the coarser grid
+
+        Returns
+        -------
+        Any
+            state of the finer grid
+        """
 
     def change(self, state: Any) -> float:
-        """How much the factors changed before the last cycle, relative to the flow [-]."""
+        """Measure by how much the factors changed before the last cycle.
+
+        Parameters
+        ----------
+        state : Any
+            state after that cycle
+
+        Returns
+        -------
+        float
+            change relative to the flow [-]
+        """
 
 
 def entrainment_factors(contact: ScaledContact, grid: Grid) -> FlowFactors:
-    """Velocity field u = u_0 - Omega Y, v = v_0 + Omega X over u_m on a grid [-]."""
+    """Evaluate the velocity field u = u_0 - Omega Y, v = v_0 + Omega X over u_m on a grid.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    grid : Grid
+        grid of the level
+
+    Returns
+    -------
+    FlowFactors
+        factors on the Couette terms [-]
+    """
     if contact.symmetric:
         return FlowFactors()
     ones = np.ones((grid.ny, grid.nx))

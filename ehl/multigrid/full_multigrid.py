@@ -17,8 +17,8 @@ from .far_field import far_field
 from .flow_model import FlowModel
 from .history import FILMS, RESOLVED, LevelHistory, central_film, start_history
 from .levels import Damping, Multigrid, make_multigrid
-from .newton import MOST_NODES, certify
-from .settling import Progress, settle
+from .newton import MAX_NODES, certify
+from .settling import Progress, iterate_level
 from .threads import Threads
 from .transfer import interpolate_cubic, interpolate_linear
 
@@ -28,18 +28,18 @@ Array = NDArray[np.float64]
 COARSEST_CELLS = 16
 # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 STARTING_MESH = (0.2, 0.55)
-SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
+COARSE_LEVEL_CYCLES = 12  # most cycles on the other levels below the finest
 # Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
-LEAST_FINE = 1.0
+MIN_FINENESS = 1.0
 FLOW_STRICTNESS = 2.5  # on what cycles leave with a flow model on levels below the finest
-# where the load is reached in steps: cycles under each lighter load, on the first level with
-# Hc/(S hx^2) above the last; 15 to 36 there and in the six hardest of 1000 random contacts
+# load reached in steps: cycles under each lighter load, on the first level with Hc/(S hx^2) above
+# the last; 15 to 36 there and in the six hardest of 1000 random contacts
 STEP_CYCLES = 5
 STEP_FINENESS = 15.0
 ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
 # deflections after which no further attempt is made, of the finest mesh or of the second, which
 # takes a minute for them, if that is finer; and those that an attempt is counted for in advance
-MOST_WORK = 300
+MAX_WORK = 300
 WORK_MESH = 1025**2  # [nodes]
 ATTEMPT_WORK = 60
 # the origin is a node of the level with this many cells along x, and of all finer ones
@@ -50,8 +50,8 @@ ORIGIN_CELLS = 32
 class Attempt:
     """Settings of one attempt to solve a contact."""
 
-    name: str
-    damping: Damping
+    name: str  # in the record and among the fallbacks
+    damping: Damping  # to begin with
     finer_start: int = 0  # levels above the usual one to start from
     mesh_y: float = 1.0  # mesh size across the entrainment over the usual one [-]
     # turn the grid to the entrainment; only where that is not a principal direction
@@ -63,9 +63,22 @@ class Attempt:
     # Newton's method in place of cycles, without a flow model or a layer at the inlet
     newton: bool = False
 
-    def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
-        """Whether the attempt differs for this contact from those before it."""
-        if self.along_entrainment and contact.frame_angle == turned.frame_angle:
+    def applies(self, contact: ScaledContact, entrainment_aligned: ScaledContact) -> bool:
+        """Tell whether the attempt differs for a contact from those before it.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            contact on a grid along a principal direction
+        entrainment_aligned : ScaledContact
+            the same contact on a grid along the entrainment
+
+        Returns
+        -------
+        bool
+            True if the attempt is to be made
+        """
+        if self.along_entrainment and contact.frame_angle == entrainment_aligned.frame_angle:
             return False
         return not self.long_only or contact.half_extent_x > contact.half_extent_y
 
@@ -74,15 +87,15 @@ class Attempt:
 class AttemptResult:
     """Levels of one attempt and what their cycles did."""
 
-    state: Multigrid
-    attempt: Attempt
-    # of each level from the one it started on, coarsest first; empty if the iteration diverged
+    state: Multigrid  # levels, coarsest first
+    attempt: Attempt  # settings of the levels
+    # histories from the first level on, coarsest first; empty if the iteration diverged
     levels: list[LevelHistory] = field(default_factory=list)
     certificate: Certificate | None = None  # of the finest level, where one was asked for
 
     @property
     def converged(self) -> bool:
-        """Whether the films of the finest level have come to rest where the equations hold."""
+        """True if the films of the finest level are at rest and the equations hold."""
         return bool(self.levels) and self.levels[-1].converged()
 
     @property
@@ -133,12 +146,32 @@ def solve_with_fallbacks(
     lighter: tuple[ScaledContact, ...] = (),
     attempts: tuple[Attempt, ...] = ATTEMPTS,
 ) -> AttemptResult:
-    """The first attempt that converges to `ACCEPTED_ERROR`, or the one that the cycles left with
-    the smallest error, one that converged before others. Those for which too little of
-    `MOST_WORK` is left are not made, which the fallbacks say.
+    """Solve a contact by the first attempt that converges to `ACCEPTED_ERROR`.
 
-    `contacts` are the same contact, on a grid along a principal direction and on one along the
-    entrainment; `lighter` the first under rising loads below its own.
+    Else the attempt with the smallest error counts, one that converged before others. Attempts for
+    which too little of `MAX_WORK` remains are not made, and the fallbacks name them.
+
+    Parameters
+    ----------
+    contacts : tuple[ScaledContact, ScaledContact]
+        the contact on a grid along a principal direction, and on one along the entrainment
+    domain : tuple[float, float, float]
+        x_in, x_out and y_half in Hertz half-extents [-]
+    options : SolverOptions
+        options of the solver
+    progress : Progress
+        work and fallbacks so far, changed in place
+    flow_model : FlowModel | None, optional
+        model of the oil's flow; None: Newtonian and isothermal
+    lighter : tuple[ScaledContact, ...], default ()
+        the first of the contacts under rising loads below its own
+    attempts : tuple[Attempt, ...], default ATTEMPTS
+        settings to try, in their order
+
+    Returns
+    -------
+    AttemptResult
+        levels and histories of the best attempt
     """
     best = None
     for attempt in attempts:
@@ -147,12 +180,12 @@ def solve_with_fallbacks(
         if not attempt.applies(*contacts) or (attempt.newton and not plain):
             continue
         state = contact_multigrid(contact, domain, options, attempt, flow_model)
-        if attempt.newton and state.levels[-1].P.size > MOST_NODES:
+        if attempt.newton and state.levels[-1].P.size > MAX_NODES:
             continue
         if best is not None:
-            left = MOST_WORK * max(best.state.levels[-1].P.size, WORK_MESH)
-            left -= progress.deflected_nodes
-            if attempt.cycles_factor * ATTEMPT_WORK * state.levels[-1].P.size > left:
+            remaining_work = MAX_WORK * max(best.state.levels[-1].P.size, WORK_MESH)
+            remaining_work -= progress.deflected_nodes
+            if attempt.cycles_factor * ATTEMPT_WORK * state.levels[-1].P.size > remaining_work:
                 progress.fallbacks.append(f"{attempt.name}: {TOO_MUCH_WORK}")
                 continue
         progress.fallbacks += [] if attempt is ATTEMPTS[0] else [attempt.name]
@@ -179,10 +212,29 @@ def contact_multigrid(
     attempt: Attempt,
     flow_model: FlowModel | None = None,
     *,
-    whole: bool = False,
+    full_domain: bool = False,
 ) -> Multigrid:
-    """Levels for a box given in Hertz half-extents; in an open box the origin is a node. `whole`:
-    on both sides of y = 0 also where a contact is symmetric.
+    """Allocate the levels of a contact for a box; in an open box the origin is a node.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    domain : tuple[float, float, float]
+        x_in, x_out and y_half in Hertz half-extents [-]
+    options : SolverOptions
+        options of the solver
+    attempt : Attempt
+        settings of the attempt
+    flow_model : FlowModel | None, optional
+        model of the oil's flow; None: Newtonian and isothermal
+    full_domain : bool, default False
+        whether the grid has both sides of y = 0 also where a contact is symmetric
+
+    Returns
+    -------
+    Multigrid
+        levels, coarsest first
     """
     is_open = options.domain is None
     x_in = domain[0] * contact.half_extent_x
@@ -193,7 +245,9 @@ def contact_multigrid(
         x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
     levels = ((options.most_points - 1) // COARSEST_CELLS).bit_length()
     aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
-    symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric) and not whole
+    symmetric = (
+        contact.symmetric and (flow_model is None or flow_model.symmetric) and not full_domain
+    )
     grids = grid_hierarchy(
         options.most_points,
         (x_in, x_out, y_half * contact.half_extent_y),
@@ -216,11 +270,25 @@ def full_multigrid(
     finer: int = 0,
     lighter: tuple[ScaledContact, ...] = (),
 ) -> None:
-    """Solve level after level; the load on the first of them is reached through those of
-    `lighter`. If the iteration diverges, `result.levels` is empty.
+    """Solve level after level, Venner and Lubrecht (2000), sec. 3.5.
 
-    A flow model acts, and films count, from the first level on that resolves the Newtonian film,
-    the last but one already where it hardly does: what heats a film below the mesh is not the oil.
+    The load on the first level is reached through those of `lighter`. If the iteration diverges,
+    `result.levels` is empty. A flow model acts, and films count, from the first level on that
+    resolves the Newtonian film, the last but one already where it hardly does: a film below the
+    mesh has no meaningful heat.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        attempt, changed in place
+    options : SolverOptions
+        options of the solver
+    progress : Progress
+        work and fallbacks so far, changed in place
+    finer : int, default 0
+        levels above the usual one to start from [-]
+    lighter : tuple[ScaledContact, ...], default ()
+        contacts under rising loads below its own; none: the load at once
     """
     state = result.state
     model, state.flow_model = state.flow_model, None
@@ -242,7 +310,9 @@ def full_multigrid(
             state.damping = result.attempt.damping
         # 2. cycles of the Newtonian film until its mesh is fine enough for the flow model
         if state.flow_model is not model:
-            below = settle(state, index, SETTLING_CYCLES, progress, below, options.strictness)
+            below = iterate_level(
+                state, index, COARSE_LEVEL_CYCLES, progress, below, options.strictness
+            )
             if below is None:
                 return
             if not _fine_enough(below, finest - index):
@@ -250,10 +320,10 @@ def full_multigrid(
             state.flow_model = model
             state.damping = result.attempt.damping
         # 3. cycles until film, load and equations are at rest
-        most = options.max_cycles if index == finest else SETTLING_CYCLES
-        left = FLOW_STRICTNESS if index < finest and model is not None else 1.0
-        strictness = left * options.strictness
-        below = settle(state, index, most, progress, below, strictness)
+        most = options.max_cycles if index == finest else COARSE_LEVEL_CYCLES
+        looser = FLOW_STRICTNESS if index < finest and model is not None else 1.0
+        strictness = looser * options.strictness
+        below = iterate_level(state, index, most, progress, below, strictness)
         if below is None:
             return
         levels.append(below)
@@ -261,8 +331,8 @@ def full_multigrid(
 
 
 def _fine_enough(plain: LevelHistory, above: int) -> bool:
-    """Whether a flow model acts on the level of a Newtonian film, with levels `above` it."""
-    return above == 0 or plain.fineness >= (LEAST_FINE if above == 1 else RESOLVED)
+    """Tell whether a flow model acts on the level of a Newtonian film, with levels `above` it."""
+    return above == 0 or plain.fineness >= (MIN_FINENESS if above == 1 else RESOLVED)
 
 
 def add_level(
@@ -272,8 +342,27 @@ def add_level(
     progress: Progress,
     damping: Damping,
 ) -> AttemptResult:
-    """One more level of full multigrid above a solution, of the points of the options; the levels
-    are empty if the iteration diverges.
+    """Solve one more level above a solution.
+
+    The levels of the result are empty if the iteration diverges.
+
+    Parameters
+    ----------
+    coarse : AttemptResult
+        solved attempt
+    domain : tuple[float, float, float]
+        x_in, x_out and y_half in Hertz half-extents [-]
+    options : SolverOptions
+        options with the points of the new level
+    progress : Progress
+        work and fallbacks so far, changed in place
+    damping : Damping
+        under-relaxation of the new level
+
+    Returns
+    -------
+    AttemptResult
+        attempt with one more level
     """
     before = coarse.state
     state = contact_multigrid(before.contact, domain, options, coarse.attempt, before.flow_model)
@@ -285,7 +374,7 @@ def add_level(
     _start_from_below(state, finest)
     result = AttemptResult(state=state, attempt=coarse.attempt)
     most = coarse.attempt.cycles_factor * options.max_cycles
-    history = settle(state, finest, most, progress, coarse.levels[-1], options.strictness)
+    history = iterate_level(state, finest, most, progress, coarse.levels[-1], options.strictness)
     if history is not None:
         result.levels = [*coarse.levels, history]
     progress.deflected_nodes += state.deflected_nodes()
@@ -298,15 +387,21 @@ def _start_from_below(state: Multigrid, index: int) -> None:
     """
     below = state.levels[index - 1]
     pressure = interpolate_cubic(below.P, below.grid.symmetric)
-    if below.fill is not None:
+    if below.film_content is not None:
         pressure[interpolate_linear(below.P) <= 0.0] = 0.0
     start_level(state, index, pressure)
 
 
 def newton_multigrid(result: AttemptResult) -> None:
-    """Newton's method level after level, on the first of them from a Hertz pressure; a level on
-    which it fails hands on what it started from. If it fails on the finest level, `result.levels`
-    is empty.
+    """Solve level after level by Newton's method, the first from a Hertz pressure.
+
+    A level on which it fails hands on its initial guess. If it fails on the finest level,
+    `result.levels` is empty.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        attempt, changed in place
     """
     state = result.state
     first = _starting_level(state, 0)
@@ -336,7 +431,15 @@ def _starting_level(state: Multigrid, finer: int) -> int:
 
 
 def start_from_hertz(state: Multigrid, index: int) -> None:
-    """Hertz pressure and the approach that gives the expected central film."""
+    """Set the Hertz pressure and the approach that gives the expected central film.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    """
     contact = state.contact
     grid = state.levels[index].grid
     state.approach = 0.0
@@ -368,12 +471,12 @@ def _start_in_steps(
     for at in range(first, index + 1):
         if at > first:
             _start_from_below(step, at)
-        if settle(step, at, SETTLING_CYCLES, progress, None) is None:
+        if iterate_level(step, at, COARSE_LEVEL_CYCLES, progress, None) is None:
             return False
     # 2. heavier and heavier ones
     for contact in lighter[1:]:
         step = _heavier(step, index, contact)
-        if settle(step, index, STEP_CYCLES, progress, None) is None:
+        if iterate_level(step, index, STEP_CYCLES, progress, None) is None:
             return False
     start = _heavier(step, index, state.contact)
     state.approach = start.approach
@@ -382,8 +485,8 @@ def _start_in_steps(
 
 
 def _heavier(before: Multigrid, index: int, contact: ScaledContact) -> Multigrid:
-    """Start a level under a heavier load from the solution under a lighter one: of both that and
-    the dry contact, whose film is zero, the shares that give the film of the formula.
+    """Start a level under a heavier load from the solution under a lighter one. Solution and dry
+    contact, whose film is zero, are combined to the film of the formula.
 
     Pressure and film of the dry contact are not negative, so that the film is positive wherever
     that of the lighter load is.
@@ -391,10 +494,10 @@ def _heavier(before: Multigrid, index: int, contact: ScaledContact) -> Multigrid
     state = replace(before, contact=contact)
     level = state.levels[index]
     lighter = level.P
-    share = min(contact.film_guess / before.contact.film_guess, 1.0)
+    fraction = min(contact.film_guess / before.contact.film_guess, 1.0)
     dry = contact.dry_pressure(level.grid.X[None, :], level.grid.Y[:, None])
     state.approach = 0.0
     start_level(state, index, dry)
-    state.approach = share * before.approach - (1.0 - share) * float(level.H.min())
-    start_level(state, index, share * lighter + (1.0 - share) * dry)
+    state.approach = fraction * before.approach - (1.0 - fraction) * float(level.H.min())
+    start_level(state, index, fraction * lighter + (1.0 - fraction) * dry)
     return state

@@ -1,5 +1,5 @@
-"""What the cycles on one level did: films, equations and load after each of them, and the error of
-the film that they leave.
+"""History of the cycles on one level: films, equations and load after each of them, and the error
+of the film that they leave.
 """
 
 from dataclasses import dataclass, field
@@ -27,14 +27,16 @@ FINISHED = (2e-4, 1e-4)
 CONVERGED = (5e-3, 1e-3)
 # oil made or lost over the oil supplied, of a contact behind a layer: likewise; 1e-4 as the first
 # would save 5 % of the work (89 random contacts)
-OIL_LOST = (1e-5, 1e-2)
+OIL_IMBALANCE = (1e-5, 1e-2)
 # cycles with no smaller residual, all above CONVERGED, after which the finest level is given up
 STALLED_CYCLES = 6
-SWING = 0.5  # of the load error that a cycle leaves on the other side, above which cycles swing
+OSCILLATION_LIMIT = (
+    0.5  # of the load error that a cycle leaves on the other side, above which cycles swing
+)
 LARGEST_REMAINING = 0.03  # relative film change still to come, above which nothing has converged
 # the film is at rest where the cycles leave this share of the step between the levels, and no
 # less than the first nor more than the second of the film
-SETTLED_SHARE = 0.1
+REST_FRACTION = 0.1
 FILM_TOLERANCE = (1e-4, 2e-3)
 # relative error of a film over the residual, sum |R| / sum |div(rho u H)|: median 0.3 to 0.8, 9 of
 # 10 below 1 to 7 on 88 random contacts at 257 points
@@ -42,7 +44,7 @@ RESIDUAL_TO_FILM = 2.5
 # behind a layer most of the residual sits at the meniscus, which moves by parts of a mesh, far
 # from the film: it counts this share. 35 random contacts on 129 points: films off by 0.08 (median)
 # to 1.9 times the residual
-MENISCUS_SHARE = 0.2
+MENISCUS_FRACTION = 0.2
 # relative error of a film over the change of its flow factors: 0.1 to 10 on 20 contacts with heat
 FLOW_TO_FILM = 10.0
 SMALLEST_FILM = 1e-12  # keeps a relative change finite
@@ -54,26 +56,44 @@ class LevelHistory:
     and the load balance hold after each; all [-].
     """
 
-    film: list[tuple[float, float]]
+    film: list[tuple[float, float]]  # central and minimum, before the first cycle and after each
     approach: list[float]  # H0, likewise
     mesh: float  # S hx^2, twice the gap's rise in a mesh along the entrainment
     strictness: float = 1.0  # factor on what the cycles may leave, see `SolverOptions`
     starved: bool = False  # behind a layer: the oil lost counts, too
-    residual: list[float] = field(default_factory=list)
+    residual: list[float] = field(default_factory=list)  # relative, after each cycle
     imbalance: list[float] = field(default_factory=list)  # oil lost or gained
-    load: list[float] = field(default_factory=list)
+    load: list[float] = field(default_factory=list)  # error of the load balance
     # change of the factors of a flow model before the last cycle; 0: without one, as in all that
     # Newton's method solves
     flow: float = 0.0
     certified: bool = False  # solved by Newton's method after the last cycle
 
     def certify(self, state: Multigrid, index: int) -> None:
-        """Add the solution that Newton's method found on level `index`."""
+        """Record the solution of Newton's method on a level.
+
+        Parameters
+        ----------
+        state : Multigrid
+            levels of the contact
+        index : int
+            number of the level, 0 the coarsest [-]
+        """
         self.record(state, index, relative_residual(state, index))
         self.certified = True
 
     def record(self, state: Multigrid, index: int, equations: tuple[float, float]) -> None:
-        """Add what the last cycle on level `index` left; `equations` of `relative_residual`."""
+        """Record films, equations and load after a cycle on a level.
+
+        Parameters
+        ----------
+        state : Multigrid
+            levels of the contact
+        index : int
+            number of the level, 0 the coarsest [-]
+        equations : tuple[float, float]
+            residual and imbalance of `relative_residual` [-]
+        """
         level = state.levels[index]
         residual, imbalance = equations
         self.film.append(film_values(level.grid, level.H))
@@ -86,31 +106,36 @@ class LevelHistory:
 
     @property
     def stalled(self) -> bool:
-        """Whether the equations were far from holding and came no nearer in the last cycles."""
+        """True if the equations were far from holding and the residual did not fall in the last
+        cycles.
+        """
         residual = self.residual
         if len(residual) <= STALLED_CYCLES or min(residual) < CONVERGED[0]:
             return False
         return min(residual[-STALLED_CYCLES:]) >= min(residual[:-STALLED_CYCLES])
 
     @property
-    def grew(self) -> bool:
-        """Whether the equations are further from holding than before the last cycle."""
+    def residual_grew(self) -> bool:
+        """True if the residual is larger than before the last cycle."""
         return len(self.residual) > 1 and self.residual[-1] > self.residual[-2]
 
     @property
-    def swings(self) -> bool:
-        """Whether the last cycle took the load from one side to the other and hardly nearer, on a
-        mesh that resolves the film: on coarser ones the load does so in heavy contacts, too.
+    def oscillates(self) -> bool:
+        """True if the last cycle took the load from one side to the other and hardly reduced its
+        error. The mesh must resolve the film: on coarser ones the load does so in heavy contacts,
+        too.
         """
         if len(self.load) < 2 or not self.resolved:
             return False
         before, last = self.load[-2:]
-        return before * last < 0.0 and abs(last) > max(SWING * abs(before), CONVERGED[1])
+        return before * last < 0.0 and abs(last) > max(
+            OSCILLATION_LIMIT * abs(before), CONVERGED[1]
+        )
 
     @property
-    def nearing(self) -> bool:
-        """Whether more cycles are worth it: the equations hold while the films still move, or came
-        nearer by half in the last cycles.
+    def approaching_solution(self) -> bool:
+        """True if more cycles pay: the equations hold while the films still move, or the residual
+        halved in the last cycles.
         """
         if self.converged() or len(self.residual) < STALLED_CYCLES:
             return False
@@ -129,62 +154,106 @@ class LevelHistory:
 
     @property
     def resolved(self) -> bool:
-        """Whether the mesh is fine enough for the film."""
+        """True if the mesh is fine enough for the film."""
         return self.fineness >= RESOLVED
 
     def remaining(self, kind: int) -> float:
-        """Relative film error the cycles leave, change * q/(1 - q) with q the contraction of the
-        last cycle [-]; after one cycle its whole change, nothing after Newton's method. No less
-        than what a flow that still changes leaves.
-        """
-        return max(self._by_cycles(kind), FLOW_TO_FILM * self.flow)
+        """Estimate the relative film error that the cycles leave.
 
-    def _by_cycles(self, kind: int) -> float:
-        """What the cycles leave of a film by its own changes [-]."""
-        return 0.0 if self.certified else _left([_change(a, b, kind) for a, b in self._pairs()])
+        change * q/(1 - q) with q the contraction of the last cycle; after one cycle its whole
+        change, nothing after Newton's method. No less than a flow that still changes leaves.
+
+        Parameters
+        ----------
+        kind : int
+            `CENTRAL` or `MINIMUM`
+
+        Returns
+        -------
+        float
+            relative error [-]
+        """
+        return max(self._cycle_error(kind), FLOW_TO_FILM * self.flow)
+
+    def _cycle_error(self, kind: int) -> float:
+        """Estimate the error that the cycles leave of a film by its own changes [-]."""
+        return (
+            0.0
+            if self.certified
+            else _remaining_change([_change(a, b, kind) for a, b in self._pairs()])
+        )
 
     def noise(self, kind: int) -> float:
-        """Relative error of a film from cycles and equations that are not exact [-]."""
-        return max(self.remaining(kind), self._by_equations)
+        """Estimate the relative error of a film by cycles and equations that are not exact.
+
+        Parameters
+        ----------
+        kind : int
+            `CENTRAL` or `MINIMUM`
+
+        Returns
+        -------
+        float
+            relative error [-]
+        """
+        return max(self.remaining(kind), self._residual_error)
 
     @property
     def approach_noise(self) -> float:
         """Error of H0 from cycles, equations and a load balance that are not exact [-]."""
-        left = 0.0 if self.certified else _left([abs(b - a) for a, b in pairwise(self.approach)])
+        left = (
+            0.0
+            if self.certified
+            else _remaining_change([abs(b - a) for a, b in pairwise(self.approach)])
+        )
         balance = abs(self.load[-1]) if self.load else inf
-        return max(left, self._by_equations * self.film[-1][CENTRAL]) + balance
+        return max(left, self._residual_error * self.film[-1][CENTRAL]) + balance
 
     @property
-    def _by_equations(self) -> float:
+    def _residual_error(self) -> float:
         """Relative error of the films by the residual [-]."""
-        share = MENISCUS_SHARE if self.starved else 1.0
-        return share * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
+        fraction = MENISCUS_FRACTION if self.starved else 1.0
+        return fraction * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
 
     def finished(self, below: "LevelHistory | None") -> bool:
-        """Whether equations and load hold, the films are at rest, in proportion to their step from
-        the level below, and the flow of a model is.
+        """Tell whether the cycles may stop.
+
+        Equations and load hold, the films are at rest, in proportion to their step from the level
+        below, and so is the flow of a model.
+
+        Parameters
+        ----------
+        below : LevelHistory | None
+            history of the next coarser level; None: there is none
+
+        Returns
+        -------
+        bool
+            True if the cycles may stop
         """
         residual, load = FINISHED
         if self.starved:
-            residual /= MENISCUS_SHARE
-            if not (self.imbalance and abs(self.imbalance[-1]) < self.strictness * OIL_LOST[0]):
+            residual /= MENISCUS_FRACTION
+            if not (
+                self.imbalance and abs(self.imbalance[-1]) < self.strictness * OIL_IMBALANCE[0]
+            ):
                 return False
         if not FLOW_TO_FILM * self.flow < self.strictness * FILM_TOLERANCE[1]:
             return False
         return self._holds((self.strictness * residual, load)) and all(
-            self._by_cycles(kind) < self._tolerance(below, kind) for kind in FILMS
+            self._cycle_error(kind) < self._tolerance(below, kind) for kind in FILMS
         )
 
     def converged(self) -> bool:
-        """Whether films and load have come to rest where the equations hold."""
-        if self.starved and not (self.imbalance and abs(self.imbalance[-1]) < OIL_LOST[1]):
+        """Tell whether films and load are at rest and the equations hold."""
+        if self.starved and not (self.imbalance and abs(self.imbalance[-1]) < OIL_IMBALANCE[1]):
             return False
         return self._holds(CONVERGED) and all(
             self.remaining(kind) < LARGEST_REMAINING for kind in FILMS
         )
 
     def _holds(self, limits: tuple[float, float]) -> bool:
-        """Whether equations and load are within limits, after two cycles at least."""
+        """Tell whether equations and load are within limits, after two cycles at least."""
         enough = self.certified or len(self.residual) >= 2
         if not enough or not self.film[-1][MINIMUM] > 0.0:
             return False
@@ -196,26 +265,41 @@ class LevelHistory:
             return self.strictness * FILM_TOLERANCE[0]
         step = _change(below.film[-1], self.film[-1], kind) / 3.0
         least, most = (self.strictness * limit for limit in FILM_TOLERANCE)
-        return min(max(SETTLED_SHARE * step, least), most)
+        return min(max(REST_FRACTION * step, least), most)
 
     def _pairs(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
         return list(pairwise(self.film))
 
 
 def start_history(state: Multigrid, index: int, strictness: float = 1.0) -> LevelHistory:
-    """Of a level before its first cycle."""
+    """Start the history of a level before its first cycle.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+    strictness : float, default 1.0
+        factor on the limits that end the cycles, see `SolverOptions` [-]
+
+    Returns
+    -------
+    LevelHistory
+        history with the film before the first cycle
+    """
     grid = state.levels[index].grid
     mesh = state.contact.curvature_x * grid.hx**2
     film = [film_values(grid, state.levels[index].H)]
-    starved = state.levels[index].fill is not None
+    starved = state.levels[index].film_content is not None
     return LevelHistory(
         film=film, approach=[state.approach], mesh=mesh, strictness=strictness, starved=starved
     )
 
 
-def _left(changes: list[float]) -> float:
-    """What cycles leave by the changes that they made, change * q/(1 - q) with q the contraction
-    of the last one.
+def _remaining_change(changes: list[float]) -> float:
+    """Estimate the change that cycles leave, change * q/(1 - q) with q the contraction of the last
+    one.
     """
     if len(changes) < 2:
         return changes[0] if changes else inf
@@ -231,7 +315,20 @@ def _change(before: tuple[float, float], after: tuple[float, float], kind: int) 
 
 
 def central_film(grid: Grid, H: Array) -> float:
-    """Film at the origin; cubic interpolation along x where the origin is no node [-]."""
+    """Interpolate the film at the origin, by a cubic along x where the origin is no node.
+
+    Parameters
+    ----------
+    grid : Grid
+        grid of the film
+    H : Array
+        film, shape (ny, nx) [-]
+
+    Returns
+    -------
+    float
+        central film [-]
+    """
     line = H[0] if grid.symmetric else H[grid.ny // 2]
     X = grid.X
     i = int(np.argmin(np.abs(X)))
@@ -247,7 +344,22 @@ def central_film(grid: Grid, H: Array) -> float:
 
 
 def film_values(grid: Grid, H: Array) -> tuple[float, float]:
-    """Central film, and minimum film by a parabola in each direction [-]."""
+    """Evaluate central film, and minimum film by a parabola in each direction.
+
+    Parameters
+    ----------
+    grid : Grid
+        grid of the film
+    H : Array
+        film, shape (ny, nx) [-]
+
+    Returns
+    -------
+    central
+        central film [-]
+    minimum
+        minimum film [-]
+    """
     j, i = np.unravel_index(int(np.argmin(H)), H.shape)
     minimum = float(H[j, i])
     if 0 < i < grid.nx - 1:

@@ -24,7 +24,7 @@ from scipy import sparse
 from ..arrays import Array
 from ..grid import Grid
 from ..solid.deformation import deflect
-from .cycle import flow, layer_at_centre, log_viscosity, reynolds_operator, reynolds_residual
+from .cycle import flow, inlet_film_at_centre, log_viscosity, reynolds_operator, reynolds_residual
 from .far_field import edge_pressure, exterior_load
 from .flow_model import FlowFactors
 from .kernels import _kernels
@@ -33,7 +33,7 @@ from .starved_jacobian import StarvedFlux, flux_change, starved_flux
 
 Integers = NDArray[np.intp]
 
-# of P, in the slope of ln(eta), and of H, in that of the exterior load: central differences of
+# steps of P in the slope of ln(eta), and of H in that of the exterior load: central differences of
 # smooth functions, exact to some 1e-9
 SLOPE_STEP = 1e-5
 FILM_STEP = 1e-5
@@ -45,17 +45,17 @@ TAPER = (1.0, 0.5)
 class Linearisation:
     """Equations of a level and what their derivative needs, arrays of shape (ny, nx); all [-]."""
 
-    grid: Grid
+    grid: Grid  # of the level
     near: Array  # deflection by the distance in lines and columns
-    P: Array
-    eps: Array
-    eps_by_pressure: Array
-    eps_by_film: Array
-    couette: tuple[Array, Array, bool]  # rho u; rho v and whether it is used
+    P: Array  # pressure, shape (ny, nx)
+    eps: Array  # flow coefficient
+    eps_by_pressure: Array  # its derivative by P
+    eps_by_film: Array  # its derivative by H
+    couette: tuple[Array, Array | None]  # rho u, rho v; None where nothing flows along y
     content_by_pressure: Array  # (rho'/rho) H
     density: Array  # rho, over that at ambient pressure
-    H: Array
-    edge: NDArray[np.bool_]
+    H: Array  # film, shape (ny, nx)
+    edge: NDArray[np.bool_]  # True on the edge of the box
     edge_by_film: Array  # derivative of the edge pressure, zero inside
     residual: Array  # L(P) inside, k/H^2 - P on the edge
     load_error: float  # load - exterior load - integral of P
@@ -69,8 +69,21 @@ class Linearisation:
 
 
 def linearise(state: Multigrid, index: int) -> Linearisation:
-    """The equations of a level at its pressure and approach, for one deflection; the film of the
-    level is updated, the pressure on its edge is not.
+    """Linearise the equations of a level at its pressure and approach, for one deflection.
+
+    The film of the level is updated, the pressure on its edge is not.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    Linearisation
+        derivative of the discrete equations [-]
     """
     level = state.levels[index]
     level.H = deflected(state, index, level.P) + level.s + state.approach
@@ -82,11 +95,11 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
     target, load, load_by_film = _open_edge(state, level)
     # 3. equations
     starved = None
-    if level.fill is None:
+    if level.film_content is None:
         operator = reynolds_operator(level)
     else:
         operator = -reynolds_residual(state, index)
-        starved = starved_flux(level.fill, level.flow_x, level.H, ratio)
+        starved = starved_flux(level.film_content, level.flow_x, level.H, ratio)
     return Linearisation(
         grid=level.grid,
         near=level.kernel.near,
@@ -94,7 +107,10 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
         eps=level.eps.copy(),
         eps_by_pressure=level.eps * (density - viscosity),
         eps_by_film=_over_film(3.0 * level.eps, level.H),
-        couette=(level.flow_x.copy(), level.flow_y.copy(), level.factors.couette_y is not None),
+        couette=(
+            level.flow_x.copy(),
+            None if level.factors.couette_y is None else level.flow_y.copy(),
+        ),
         content_by_pressure=density * level.H,
         density=ratio,
         H=level.H.copy(),
@@ -108,13 +124,39 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
 
 
 def deflected(state: Multigrid, index: int, pressure: Array) -> Array:
-    """Deflection of a pressure on a level, shape (ny, nx) [-]; counted as work of the level."""
+    """Evaluate the deflection of a pressure on a level; it counts as work of the level.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+    pressure : Array
+        shape (ny, nx) [-]
+
+    Returns
+    -------
+    Array
+        deflection, shape (ny, nx) [-]
+    """
     state.deflections[index] = state.deflections.get(index, 0) + 1
     return deflect(state.levels[index].kernel, pressure, state.threads.number_for(pressure.size))
 
 
 def edge_nodes(grid: Grid) -> NDArray[np.bool_]:
-    """Where the edge of the box is, shape (ny, nx)."""
+    """Mark the edge of the box.
+
+    Parameters
+    ----------
+    grid : Grid
+        grid of the level
+
+    Returns
+    -------
+    NDArray[np.bool_]
+        True on the edge, shape (ny, nx)
+    """
     edge = np.zeros((grid.ny, grid.nx), dtype=np.bool_)
     edge[:, [0, -1]] = True
     edge[-1] = True
@@ -123,11 +165,24 @@ def edge_nodes(grid: Grid) -> NDArray[np.bool_]:
 
 
 def load_row(state: Multigrid, index: int, load_by_film: float) -> Array:
-    """Derivative of the load, inside the box and outside, by the pressure of each node, shape (ny,
-    nx) [-].
+    """Differentiate the load, inside the box and outside, by the pressure of each node.
 
     The exterior load is taken from the film at the inlet edge of the line y = 0: a row of K. On a
     half grid K is not symmetric; its transpose is D K D^-1, D half on the line of symmetry.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+    load_by_film : float
+        derivative of the exterior load by that film [-]
+
+    Returns
+    -------
+    Array
+        derivative, shape (ny, nx) [-]
     """
     grid = state.levels[index].grid
     along = np.full(grid.nx, grid.hx)
@@ -146,7 +201,18 @@ def load_row(state: Multigrid, index: int, load_by_film: float) -> Array:
 
 
 def origin_line(grid: Grid) -> int:
-    """Number of the line y = 0."""
+    """Number the line y = 0.
+
+    Parameters
+    ----------
+    grid : Grid
+        grid of the level
+
+    Returns
+    -------
+    int
+        number of the line [-]
+    """
     return 0 if grid.symmetric else grid.ny // 2
 
 
@@ -174,12 +240,14 @@ def _oil_slopes(state: Multigrid, level: Level) -> tuple[Array, Array, Array]:
 def _open_edge(state: Multigrid, level: Level) -> tuple[Array, float, float]:
     """Pressure that the edge asks for, load of the box, and the slope of the exterior load."""
     target = np.zeros_like(level.P)
-    edge = state.on_edge(level)
+    edge = state.edge_field(level)
     if edge is None:
         return target, state.contact.load, 0.0
-    layer = None if level.fill is None else level.fill.layer
-    edge_pressure(edge, level.H, target, layer)
-    central = layer_at_centre(state)
+    inlet_film_thickness = (
+        None if level.film_content is None else level.film_content.inlet_film_thickness
+    )
+    edge_pressure(edge, level.H, target, inlet_film_thickness)
+    central = inlet_film_at_centre(state)
     exterior, more, less = (
         exterior_load(edge.field, level.grid, level.H * (1.0 + step), central)
         for step in (0.0, FILM_STEP, -FILM_STEP)
@@ -189,8 +257,21 @@ def _open_edge(state: Multigrid, level: Level) -> tuple[Array, float, float]:
 
 
 def product(lin: Linearisation, change: Array, film: Array) -> Array:
-    """Derivative of L inside, and of P - k/H^2 on the edge, along a change of pressure and the
-    change of the film that belongs to it, shape (ny, nx), real [-].
+    """Apply the derivative of L inside, and of P - k/H^2 on the edge.
+
+    Parameters
+    ----------
+    lin : Linearisation
+        linearised equations
+    change : Array
+        change of the pressure, shape (ny, nx), real [-]
+    film : Array
+        change of the film that belongs to it, shape (ny, nx), real [-]
+
+    Returns
+    -------
+    Array
+        change of the equations, shape (ny, nx) [-]
     """
     content = film + lin.content_by_pressure * change
     if lin.starved is None:
@@ -204,14 +285,29 @@ def product(lin: Linearisation, change: Array, film: Array) -> Array:
 def poiseuille_change(
     lin: Linearisation, change: Array, film: Array, content: Array | None = None
 ) -> Array:
-    """Derivative of the Poiseuille term inside along a change of pressure and film, shape (ny,
-    nx), real; less that of the flow of a content where one is given [-].
+    """Apply the derivative of the Poiseuille term inside.
+
+    Parameters
+    ----------
+    lin : Linearisation
+        linearised equations
+    change : Array
+        change of the pressure, shape (ny, nx), real [-]
+    film : Array
+        change of the film, shape (ny, nx), real [-]
+    content : Array | None, optional
+        change of rho H whose flow is subtracted, shape (ny, nx); None: none [-]
+
+    Returns
+    -------
+    Array
+        change of the term, shape (ny, nx) [-]
     """
     by_pressure = np.zeros_like(change)
     by_flow = np.zeros_like(change)
     still = np.zeros_like(change)
     eps = lin.eps_by_pressure * change + lin.eps_by_film * film
-    standing = (still, still, False)
+    standing = (still, None)
     couette = standing if content is None else lin.couette
     carried = still if content is None else content
     _kernels.reynolds_operator(change, still, lin.eps, *standing, *lin.mesh, by_pressure)
@@ -220,14 +316,24 @@ def poiseuille_change(
 
 
 def near_field(lin: Linearisation) -> sparse.csr_matrix:
-    """The derivative as a sparse matrix of the nodes j nx + i, with the deflection of a node and
-    its eight neighbours only, tapered [-].
+    """Assemble the derivative with the deflection of a node and its eight neighbours only,
+    tapered.
 
     The transform of the triangular taper is positive, and so is that of the tapered kernel; cut
     off instead, it vanishes for waves across stretched cells. GMRES iterations to 1e-2, cut off
     and tapered, 129 points: 4 and 4 at M 20, L 10; 7 and 7 at M 1000, L 10; 17 and 7 in a wide
     ellipse (cells 1 : 4.3); more than 60 and 11 with an entrainment at 72 degrees to its axis.
     Twice the reach along x saves one or two of them and takes 1.3 times as long to factor.
+
+    Parameters
+    ----------
+    lin : Linearisation
+        linearised equations
+
+    Returns
+    -------
+    sparse.csr_matrix
+        sparse matrix of the nodes j nx + i, shape (ny nx, ny nx) [-]
     """
     nodes = _nodes(lin.grid, inside=True)
     poiseuille, by_eps = _poiseuille_matrices(lin, nodes)
@@ -277,13 +383,13 @@ class _Nodes:
             rows.append((self.j * nx + self.i)[known])
             columns.append((j * nx + i)[known])
             values.append(value[known])
-        places = (np.concatenate(rows), np.concatenate(columns))
+        positions = (np.concatenate(rows), np.concatenate(columns))
         size = self.grid.ny * nx
-        return sparse.csr_matrix((np.concatenate(values), places), (size, size))
+        return sparse.csr_matrix((np.concatenate(values), positions), (size, size))
 
 
 def _nodes(grid: Grid, *, inside: bool) -> _Nodes:
-    """Those inside the box, or all."""
+    """Select the nodes inside the box, or all."""
     return _Nodes(grid, *np.nonzero(~edge_nodes(grid) | (not inside)))
 
 
@@ -316,9 +422,9 @@ def _wedge_matrix(lin: Linearisation, nodes: _Nodes) -> sparse.csr_matrix:
     """Derivative of d_X(flow_x H) + d_Y(flow_y H) by H: (3, -4, 1)/2 upstream, central where that
     leaves the grid. Behind an empty node what enters does not depend on H.
     """
-    flow_x, flow_y, lateral = lin.couette
+    flow_x, flow_y = lin.couette
     entries = _upstream(nodes, flow_x, (0, 1), lin.grid.hx, _filling(lin, nodes))
-    if lateral:
+    if flow_y is not None:
         full = np.zeros(len(nodes.j), dtype=np.bool_)
         entries += _upstream(nodes, flow_y, (1, 0), lin.grid.hy, full)
     return nodes.matrix(entries)

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from ..grid import Grid
 from ..scaling import ScaledContact
 from ..solid.deformation import DeflectionKernel, deflection_kernel
-from .far_field import EdgeField, FarField, on_edge
+from .far_field import EdgeField, FarField, edge_field
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
-from .starved import Fill, make_fill
+from .starved import FilmContent, make_film_content
 from .threads import Threads
 
 Array = NDArray[np.float64]
@@ -41,12 +41,12 @@ class Damping:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TimeStep:
-    """What one step in time adds to the equations, the same on every level; all [-]."""
+    """Terms that one step in time adds to the equations, the same on every level; all [-]."""
 
     rate: float  # sigma: sigma rho H leaves Reynolds' equation
     couette: float  # factor on the Couette terms: speed over u_m, none along the characteristic
     load: float  # g, integral of P that the contact carries at the time
-    # of the bodies' mass against a change of H0: the load carried is g + inertia (H0 - free)
+    # resistance of the bodies' mass to a change of H0: the load carried is g + inertia (H0 - free)
     inertia: float = 0.0
     free: float = 0.0  # H0 of bodies that the film does not slow down
 
@@ -55,27 +55,27 @@ class TimeStep:
 class Level:
     """Workspace of one grid; all arrays of shape (ny, nx), all quantities [-]."""
 
-    grid: Grid
-    kernel: DeflectionKernel
+    grid: Grid  # nodes of the level
+    kernel: DeflectionKernel  # of the deflection
     gap: Array  # S X^2/2 + T Y^2/2 + C X Y
-    P: Array
-    H: Array
-    f: Array
-    s: Array
-    eps: Array
+    P: Array  # pressure
+    H: Array  # film
+    f: Array  # right side of Reynolds' equation
+    s: Array  # film without deflection and H0
+    eps: Array  # flow coefficient
     flow_x: Array  # rho u
     slope_x: Array  # u d(rho)/dP
     flow_y: Array  # rho v; empty if nothing flows along Y
-    slope_y: Array
+    slope_y: Array  # v d(rho)/dP
     scratch: Array  # always zero on the edge
-    kinds: NDArray[np.int8]  # of the nodes in the last sweep
-    factors: FlowFactors
+    node_types: NDArray[np.int8]  # of the nodes in the last sweep
+    factors: FlowFactors  # of the flow model and the entrainment
     # density and its derivative by P over a time step, shape (2, ny, nx); empty in steady contacts
     storage: Array = field(default_factory=lambda: np.zeros((0, 0, 0)))
-    fill: Fill | None = None  # where the inlet carries a layer; None: flooded
+    film_content: FilmContent | None = None  # where the inlet carries a layer; None: flooded
     # pressure that s already holds the deflection of; below the level being solved
     start: Array | None = None
-    load: float = 0.0
+    load: float = 0.0  # that the box carries
     flow_state: Any = None  # of the flow model after the last cycle on this level
     edge: EdgeField | None = None  # on the edge of the grid, of the last far field there
 
@@ -84,24 +84,37 @@ class Level:
 class Multigrid:
     """All levels of one contact, the approach they share and the work done; all quantities [-]."""
 
-    contact: ScaledContact
+    contact: ScaledContact  # scaled contact
     far_field: FarField | None  # edge pressure of an open box; None: zero pressure on the edge
     levels: tuple[Level, ...]  # coarsest first
-    damping: Damping
+    damping: Damping  # of the cycles, halved where one diverged
     flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
-    threads: Threads = field(default_factory=Threads)
+    threads: Threads = field(default_factory=Threads)  # that share the lines
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load outside the box
     time_step: TimeStep | None = None  # None: a steady contact
-    swings: bool = False  # whether cycles took the load from one side to the other, see `settle`
+    oscillates: bool = (
+        False  # whether cycles took the load from one side to the other, see `iterate_level`
+    )
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
 
-    def on_edge(self, level: Level) -> EdgeField | None:
-        """The far field on the edge of a level, made when it is asked for; None without one."""
+    def edge_field(self, level: Level) -> EdgeField | None:
+        """Give the far field on the edge of a level, evaluated on demand.
+
+        Parameters
+        ----------
+        level : Level
+            level of the contact
+
+        Returns
+        -------
+        EdgeField | None
+            far field on its edge; None for a closed box
+        """
         if self.far_field is not None and (
             level.edge is None or level.edge.field is not self.far_field
         ):
-            level.edge = on_edge(self.far_field, level.grid)
+            level.edge = edge_field(self.far_field, level.grid)
         return None if self.far_field is None else level.edge
 
     def deflected_nodes(self) -> int:
@@ -112,7 +125,24 @@ class Multigrid:
 def make_multigrid(
     contact: ScaledContact, grids: tuple[Grid, ...], far_field: FarField | None, damping: Damping
 ) -> Multigrid:
-    """Allocate the levels, coarsest first."""
+    """Allocate the levels of a contact.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    grids : tuple[Grid, ...]
+        grids, coarsest first
+    far_field : FarField | None
+        pressure on an open edge; None: zero pressure on the edge
+    damping : Damping
+        under-relaxation of the solve
+
+    Returns
+    -------
+    Multigrid
+        levels, coarsest first
+    """
     levels = []
     for grid in grids:
         gap = contact.gap(grid.X[None, :], grid.Y[:, None])
@@ -132,11 +162,11 @@ def make_multigrid(
                 flow_y=np.zeros((0, 0) if grid.symmetric else shape),
                 slope_y=np.zeros((0, 0) if grid.symmetric else shape),
                 scratch=np.zeros(shape),
-                kinds=np.zeros(shape, dtype=np.int8),
+                node_types=np.zeros(shape, dtype=np.int8),
                 factors=entrainment_factors(contact, grid),
-                fill=None
+                film_content=None
                 if contact.inlet_layer is None
-                else make_fill(contact.inlet_layer, grid, contact.lateral),
+                else make_film_content(contact.inlet_layer, grid, contact.lateral),
             )
         )
     return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)

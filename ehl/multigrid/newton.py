@@ -34,20 +34,20 @@ from .levels import Multigrid
 # from a Hertz pressure, the others after one to four cycles: deflections, then factorisations.
 # of the residual, of the load and of the edge pressure [-]; round-off leaves 1e-13 to 1e-11
 TOLERANCE = 1e-8
-MOST_NODES = 300_000  # factors of more take gigabytes: 513 points with both halves have fewer
+MAX_NODES = 300_000  # factors of more take gigabytes: 513 points with both halves have fewer
 STEPS = 30  # 26 were needed at most by contacts that came to the tolerance
 LINEAR_TOLERANCE = 1e-2  # of each step: a third 2 % less, 5 % more; three times 1 % less, 5 % less
 PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]: half 4 % more, double no change
 LARGEST_FILM_LOSS = 0.7  # of the film in a step: half 1 % less, 0.9 no change
 # the factors serve again if no pressure changed by more [-]: 0.02 7 % less, 25 % more; 0.1 1 %
 # more, 6 % less
-KEPT_STEP = 0.05
+REUSE_STEP = 0.05
 # and if GMRES took no more products: half 3 % less, 55 % more; double 21 % more, 10 % less
-KEPT_PRODUCTS = 15
+REUSE_PRODUCTS = 15
 
 
-# of the residual, at which a contact that is to be differentiated counts as solved [-]: at the
-# solver's own stop stiffness and damping are 0.02 and 0.2 % off, at 1e-6 by less than 1e-5
+# residual at which a contact that is to be differentiated counts as solved [-]: at the solver's
+# own stop stiffness and damping are 0.02 and 0.2 % off, at 1e-6 by less than 1e-5
 POLISHED = 1e-6
 POLISHING_STEPS = 4  # 2 were needed at most by solved contacts
 
@@ -56,7 +56,7 @@ Films = tuple[float, float]  # central and minimum film [-]
 
 @dataclass(slots=True)
 class _History:
-    """What the steps did [-]."""
+    """History of the steps [-]."""
 
     residual: list[float] = field(default_factory=list)
     load: list[float] = field(default_factory=list)
@@ -75,17 +75,28 @@ class _History:
 class Factored:
     """Preconditioner of some state, and the diagonal that scales the rows, shape (ny, nx) [-]."""
 
-    preconditioner: Preconditioner
-    diagonal: Array
+    preconditioner: Preconditioner  # of the linear systems
+    diagonal: Array  # that scales the rows, shape (ny, nx) [-]
 
 
 def certify(state: Multigrid, index: int | None = None) -> Certificate:
-    """Polish the level being solved, the finest if none is given, until its discrete equations,
-    with edge and load, hold to 1e-8.
+    """Polish a level by Newton's method until its discrete equations hold to 1e-8.
 
-    The state is changed to the solution; where none is found it is left as it was. A flow model's
-    factors are refreshed before each step, as before each cycle, so that their convergence is that
-    of the cycles.
+    Edge and load are among the equations. The state is changed to the solution; where none is
+    reached it is restored. A flow model's factors are refreshed before each step, as before each
+    cycle, so that their convergence is that of the cycles.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int | None, optional
+        number of the level; None: the finest [-]
+
+    Returns
+    -------
+    Certificate
+        whether the equations hold, why not, and what changed
     """
     index = len(state.levels) - 1 if index is None else index
     level = state.levels[index]
@@ -94,8 +105,8 @@ def certify(state: Multigrid, index: int | None = None) -> Certificate:
     before = state.deflections.get(index, 0)
     history = _History()
     with np.errstate(all="ignore"):  # a step that diverges may overflow
-        if level.P.size > MOST_NODES:
-            message = f"{level.P.size} nodes are more than the {MOST_NODES} that are factored"
+        if level.P.size > MAX_NODES:
+            message = f"{level.P.size} nodes are more than the {MAX_NODES} that are factored"
         else:
             message = _newton(state, index, history)
     after = film_values(level.grid, level.H)
@@ -104,7 +115,7 @@ def certify(state: Multigrid, index: int | None = None) -> Certificate:
     if message:
         level.P, state.approach = start
         after = films
-    _settle(state, index)
+    _update_level(state, index)
     return Certificate(
         certified=not message,
         message=message or "the discrete equations hold",
@@ -116,11 +127,27 @@ def certify(state: Multigrid, index: int | None = None) -> Certificate:
     )
 
 
-def polished(state: Multigrid, index: int) -> tuple[Linearisation, Factored]:
-    """Equations of a solved level after Newton steps to a residual of 1e-6, and factors of the
-    near field that serve for them.
+def newton_polished(state: Multigrid, index: int) -> tuple[Linearisation, Factored]:
+    """Solve a level by Newton steps to a residual of 1e-6, and factor its near field.
 
-    LinearSolverError where the steps do not lead there.
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    linearised
+        linearised equations
+    factored
+        factors of the near field that serve for them
+
+    Raises
+    ------
+    LinearSolverError
+        if the steps do not lead there
     """
     history = _History()
     factored = None
@@ -159,37 +186,65 @@ def _newton(state: Multigrid, index: int, history: _History) -> str:
 
 
 def _step(
-    state: Multigrid, index: int, lin: Linearisation, kept: Factored | None, history: _History
+    state: Multigrid, index: int, lin: Linearisation, reusable: Factored | None, history: _History
 ) -> Factored | None:
     """One step, in place; the factors it took, if they serve for the next."""
     before = state.deflections[index]
     # 1. linear system
-    factored = kept
+    factored = reusable
     if factored is None:
         factored = factor(state, index, lin)
         history.factors += 1
     change, rise = _solved(state, index, lin, factored)
     products = state.deflections[index] - before
     # 2. share of its solution
-    share = _share(lin, change, deflected(state, index, change) + rise)
+    step_length = _step_length(lin, change, deflected(state, index, change) + rise)
     # 3. pressure, not negative inside, and approach
     level = state.levels[index]
-    P = lin.P + share * change
+    P = lin.P + step_length * change
     level.P = np.where(lin.edge, P, np.maximum(P, 0.0))
-    state.approach += share * rise
-    small = share == 1.0 and float(np.abs(change).max()) <= KEPT_STEP
-    return factored if small and products <= KEPT_PRODUCTS else None
+    state.approach += step_length * rise
+    small = step_length == 1.0 and float(np.abs(change).max()) <= REUSE_STEP
+    return factored if small and products <= REUSE_PRODUCTS else None
 
 
 def dry_nodes(lin: Linearisation, diagonal: Array) -> NDArray[np.bool_]:
-    """Nodes inside that the next step sets to P = 0; behind a layer those that are not full."""
+    """Mark the nodes inside that the next step sets to P = 0; behind an inlet film those not full.
+
+    Parameters
+    ----------
+    lin : Linearisation
+        linearised equations
+    diagonal : Array
+        diagonal of the derivative, shape (ny, nx) [-]
+
+    Returns
+    -------
+    NDArray[np.bool_]
+        True where the pressure vanishes, shape (ny, nx)
+    """
     if lin.starved is not None:
         return ~lin.edge & lin.starved.empty
     return ~lin.edge & (lin.P - lin.residual / diagonal <= 0.0)
 
 
 def factor(state: Multigrid, index: int, lin: Linearisation) -> Factored:
-    """Factors of the near field, rows over the diagonal, dry nodes left out."""
+    """Factor the near field, rows over the diagonal, dry nodes left out.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+    lin : Linearisation
+        linearised equations
+
+    Returns
+    -------
+    Factored
+        factors, and the diagonal that scales the rows
+    """
     matrix = near_field(lin)
     diagonal = np.where(lin.edge, 1.0, -np.abs(matrix.diagonal()).reshape(lin.P.shape))
     dry = dry_nodes(lin, diagonal).ravel()
@@ -197,16 +252,32 @@ def factor(state: Multigrid, index: int, lin: Linearisation) -> Factored:
     columns = sparse.diags(np.where(dry, 0.0, 1.0))
     identity = sparse.diags(np.where(dry, 1.0, 0.0))
     # the wedge reaches two nodes upstream, the near field one node more
-    reach = 3 if lin.couette[2] else 2
+    reach = 2 if lin.couette[1] is None else 3
     order = nested_dissection(lin.P.shape, (reach, 3))
     row = load_row(state, index, lin.load_by_film).ravel()
-    border = border_of(lin, diagonal, row)
+    border = load_border(lin, diagonal, row)
     scaled = (rows @ matrix @ columns + identity).tocsr()
     return Factored(factor_bordered(scaled, border, order), diagonal)
 
 
-def border_of(lin: Linearisation, diagonal: Array, row: Array) -> Border:
-    """Derivative of the equations by H0, rows over the diagonal, and of the load."""
+def load_border(lin: Linearisation, diagonal: Array, row: Array) -> Border:
+    """Assemble the derivative of the equations by H0, rows over the diagonal, and that of the
+    load.
+
+    Parameters
+    ----------
+    lin : Linearisation
+        linearised equations
+    diagonal : Array
+        diagonal of the derivative, shape (ny, nx) [-]
+    row : Array
+        derivative of the load by the pressure, shape (ny nx,) [-]
+
+    Returns
+    -------
+    Border
+        border of the linear system [-]
+    """
     by_approach = product(lin, np.zeros_like(lin.P), np.ones_like(lin.P)) / diagonal
     column = np.where(dry_nodes(lin, diagonal), 0.0, by_approach)
     return Border(column=column.ravel(), row=row, corner=lin.load_by_film)
@@ -224,7 +295,7 @@ def _solved(
         scaled = product(lin, change, deflected(state, index, change)) / diagonal
         return np.where(dry, change, scaled).ravel()
 
-    border = border_of(lin, diagonal, factored.preconditioner.border.row)
+    border = load_border(lin, diagonal, factored.preconditioner.border.row)
     right = np.where(dry, -lin.P, np.where(lin.edge, 1.0, -1.0) * lin.residual / diagonal)
     p, h = solve_bordered(
         operator,
@@ -237,7 +308,7 @@ def _solved(
     return np.where(dry, -lin.P, p.reshape(lin.P.shape)), h
 
 
-def _share(lin: Linearisation, change: Array, growth: Array) -> float:
+def _step_length(lin: Linearisation, change: Array, growth: Array) -> float:
     """Share of a step that keeps the change of pressure and the loss of film small [-]."""
     thinner = (growth < 0.0) & (lin.H > 0.0)
     losses = LARGEST_FILM_LOSS * lin.H[thinner] / -growth[thinner]
@@ -245,7 +316,7 @@ def _share(lin: Linearisation, change: Array, growth: Array) -> float:
     return min(1.0, PRESSURE_STEP / size, float(losses.min(initial=1.0)))
 
 
-def _settle(state: Multigrid, index: int) -> None:
+def _update_level(state: Multigrid, index: int) -> None:
     """Film, edge and exterior load that belong to the pressure of a level."""
     update_film(state, index)
     update_exterior(state, index)

@@ -18,9 +18,9 @@ Array = NDArray[np.float64]
 
 MORE_CYCLES = 3  # times those allowed, on a finest level that is nearing its solution then
 LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
-# of P, above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
+# pressure P above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
 PRESSURE_LIMIT = 40.0
-# of the residual in one cycle, above which it has, too, where the equations do not hold any more
+# growth of the residual in one cycle above which it has, too, if the equations no longer hold
 GROWTH_LIMIT = 10.0
 # on a level, before the cycles are accelerated; those that swing are from the second on
 PLAIN_CYCLES = 5
@@ -36,11 +36,11 @@ HALVINGS = 3  # of the damping on one level before it counts as diverged
 class Progress:
     """Work and fallbacks of a contact so far, over all attempts and the pilot solve [-]."""
 
-    fallbacks: list[str] = field(default_factory=list)
+    fallbacks: list[str] = field(default_factory=list)  # in the order in which they were taken
     deflected_nodes: int = 0  # nodes times deflection FFTs
 
 
-def settle(
+def iterate_level(
     state: Multigrid,
     index: int,
     most: int,
@@ -48,10 +48,31 @@ def settle(
     below: LevelHistory | None,
     strictness: float = 1.0,
 ) -> LevelHistory | None:
-    """Cycle on a level until its film is at rest, `most` times at most and `LEVEL_CYCLES` times
-    where the mesh is too coarse for the film; None if the cycles diverged. On the finest level of
-    a Newtonian isothermal film no longer than they bring the equations nearer to holding, and up
-    to `MORE_CYCLES` times as often while they do.
+    """Cycle on a level until its film is at rest.
+
+    At most `LEVEL_CYCLES` cycles where the mesh is too coarse for the film. On the finest level of
+    a Newtonian isothermal film the cycles end when the residual stalls, and go on up to
+    `MORE_CYCLES` times as often while it falls.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    most : int
+        largest number of cycles [-]
+    progress : Progress
+        work and fallbacks so far, changed in place
+    below : LevelHistory | None
+        history of the next coarser level; None: there is none
+    strictness : float, default 1.0
+        factor on the limits that end the cycles, see `SolverOptions` [-]
+
+    Returns
+    -------
+    LevelHistory | None
+        history of the cycles; None if they diverged
     """
     level = state.levels[index]
     history = start_history(state, index, strictness)
@@ -70,14 +91,16 @@ def settle(
             break
         if finest and state.flow_model is None and history.stalled:
             break
-        if cycles >= most and not history.nearing:
+        if cycles >= most and not history.approaching_solution:
             break
-        state.swings |= history.swings
-        if (state.swings or cycles > PLAIN_CYCLES) and cycles != most:
-            if history.grew and not state.swings:  # a combination that does harm is forgotten
+        state.oscillates |= history.oscillates
+        if (state.oscillates or cycles > PLAIN_CYCLES) and cycles != most:
+            if (
+                history.residual_grew and not state.oscillates
+            ):  # a combination that does harm is forgotten
                 acceleration = Acceleration()
             mixed, state.approach = acceleration.next(before, (level.P, state.approach))
-            level.P = mixed if level.fill is None else np.where(level.P > 0.0, mixed, 0.0)
+            level.P = mixed if level.film_content is None else np.where(level.P > 0.0, mixed, 0.0)
             update_film(state, index)
         before = (level.P.copy(), state.approach)
     return history
@@ -86,9 +109,25 @@ def settle(
 def guarded_cycles(
     state: Multigrid, index: int, count: int, progress: Progress
 ) -> Iterator[tuple[float, float]]:
-    """Run cycles on a level and yield how far the equations are from holding [-], see
-    `relative_residual`; one that diverges is undone and repeated with half the damping. If three
-    halvings do not help, the last is `DIVERGED`.
+    """Run cycles on a level; one that diverges is undone and repeated with half the damping.
+
+    If three halvings do not help, the last item is `DIVERGED`.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    count : int
+        number of cycles [-]
+    progress : Progress
+        work and fallbacks so far, changed in place
+
+    Yields
+    ------
+    Iterator[tuple[float, float]]
+        residual and imbalance of `relative_residual` after each cycle [-]
     """
     last = inf
     halvings = 0
@@ -114,13 +153,36 @@ Snapshot = tuple[Array, float, float, float]
 
 
 def snapshot(state: Multigrid, index: int) -> Snapshot:
-    """Copy of what a cycle on a level changes, for `restore` [-]."""
+    """Copy the fields of a level that a cycle changes, for `restore`.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    Snapshot
+        pressure, shape (ny, nx), approach, exterior load and load of the level [-]
+    """
     level = state.levels[index]
     return level.P.copy(), state.approach, state.exterior, level.load
 
 
 def restore(state: Multigrid, index: int, before: Snapshot) -> None:
-    """Undo the cycles on a level since a snapshot, which may be used once [-]."""
+    """Undo the cycles on a level since a snapshot, which may be used once.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    before : Snapshot
+        pressure, shape (ny, nx), approach, exterior load and load of the level [-]
+    """
     level = state.levels[index]
     level.P, state.approach, state.exterior, level.load = before
     update_film(state, index)
@@ -129,8 +191,23 @@ def restore(state: Multigrid, index: int, before: Snapshot) -> None:
 def guarded_cycle(
     state: Multigrid, index: int, last: float = inf, flow_cycles: int = 1
 ) -> tuple[float, float]:
-    """One cycle on a level, `flow_cycles` with a flow model; how far the equations are from
-    holding then, see `relative_residual`, or `DIVERGED`, judged by the residual before it [-].
+    """Run one cycle on a level, several with a flow model, and judge it by the residual.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    last : float, default inf
+        residual before the cycle [-]
+    flow_cycles : int, default 1
+        cycles between two evaluations of a flow model [-]
+
+    Returns
+    -------
+    tuple[float, float]
+        residual and imbalance of `relative_residual`, or `DIVERGED` [-]
     """
     with np.errstate(all="ignore"):  # a cycle that diverges may overflow
         refresh_factors(state, index)

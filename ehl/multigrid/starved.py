@@ -33,61 +33,92 @@ Array = NDArray[np.float64]
 
 
 @dataclass(slots=True, kw_only=True)
-class Fill:
+class FilmContent:
     """Oil that the nodes of one grid pass on; arrays of shape (ny, nx) unless said, all [-]."""
 
-    layer: Array  # (ny,) H_oil
+    inlet_film_thickness: Array  # (ny,) H_oil
     along: Array  # F through the outgoing faces along the lines
     across: Array  # and across them; empty if nothing flows there
-    share: Array  # of what leaves a node that is not full along its line; empty likewise
+    fraction_along: Array  # of what leaves a node that is not full along its line; empty likewise
     residual: Array  # f - L(P) as of full nodes
     empty: NDArray[np.int8]  # one where the gap is not full
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fields:
-    """What the flux of a grid follows from, arrays of shape (ny, nx) [-]."""
+    """Fields that the flux of a grid follows from, arrays of shape (ny, nx) [-]."""
 
-    P: Array
-    H: Array
-    eps: Array
+    P: Array  # pressure
+    H: Array  # film
+    eps: Array  # flow coefficient
     flow_x: Array  # rho u
     flow_y: Array  # rho v; empty if nothing flows across the lines
-    f: Array
+    f: Array  # right side of Reynolds' equation
 
 
-def make_fill(layer: InletLayer, grid: Grid, lateral: bool) -> Fill:
-    """An empty grid behind a layer [-]."""
+def make_film_content(inlet_film_thickness: InletLayer, grid: Grid, lateral: bool) -> FilmContent:
+    """Allocate the oil content of a grid behind an inlet film.
+
+    Parameters
+    ----------
+    inlet_film_thickness : InletLayer
+        thickness of the inlet film over y
+    grid : Grid
+        grid of the level
+    lateral : bool
+        whether oil flows across the lines
+
+    Returns
+    -------
+    FilmContent
+        content of an empty grid [-]
+    """
     shape = (grid.ny, grid.nx)
     crossing = shape if lateral else (0, 0)
-    return Fill(
-        layer=layer.at(grid.Y),
+    return FilmContent(
+        inlet_film_thickness=inlet_film_thickness.at(grid.Y),
         along=np.zeros(shape),
         across=np.zeros(crossing),
-        share=np.zeros(crossing),
+        fraction_along=np.zeros(crossing),
         residual=np.zeros(shape),
         empty=np.zeros(shape, dtype=np.int8),
     )
 
 
-def march(fill: Fill, fields: Fields, grid: Grid, threads: Threads, first: int) -> None:
-    """Flux, residual and empty nodes of every second line from `first`; of all lines where the oil
-    flows across them [-].
+def march_film_content(
+    film_content: FilmContent, fields: Fields, grid: Grid, threads: Threads, first: int
+) -> None:
+    """March flux, residual and empty nodes downstream on every second line.
+
+    All lines are marched where the oil flows across them.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid, changed in place [-]
+    fields : Fields
+        fields that the flux follows from [-]
+    grid : Grid
+        grid of the level
+    threads : Threads
+        threads that share the lines
+    first : int
+        first of the lines [-]
     """
     common = (fields.P, fields.H, fields.eps)
-    mesh = (fill.layer, grid.hx, grid.hy)
-    if fill.across.size:
+    mesh = (film_content.inlet_film_thickness, grid.hx, grid.hy)
+    if film_content.across.size:
         _starved_kernels.march_columns(
             *common,
             fields.flow_x,
             fields.flow_y,
             fields.f,
             *mesh,
-            fill.along,
-            fill.across,
-            fill.share,
-            fill.residual,
-            fill.empty,
+            film_content.along,
+            film_content.across,
+            film_content.fraction_along,
+            film_content.residual,
+            film_content.empty,
         )
         return
     lines = partial(
@@ -96,24 +127,50 @@ def march(fill: Fill, fields: Fields, grid: Grid, threads: Threads, first: int) 
         fields.flow_x,
         fields.f,
         *mesh,
-        fill.along,
-        fill.residual,
-        fill.empty,
+        film_content.along,
+        film_content.residual,
+        film_content.empty,
     )
     threads.run(lines, range(first, grid.ny - 1, 2), fields.P.size)
 
 
-def march_all(fill: Fill, fields: Fields, grid: Grid, threads: Threads) -> None:
-    """As `march`, of all lines [-]."""
+def march_all_film_content(
+    film_content: FilmContent, fields: Fields, grid: Grid, threads: Threads
+) -> None:
+    """March flux, residual and empty nodes downstream on all lines.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid, changed in place [-]
+    fields : Fields
+        fields that the flux follows from [-]
+    grid : Grid
+        grid of the level
+    threads : Threads
+        threads that share the lines
+    """
     first = 0 if grid.symmetric else 1
-    march(fill, fields, grid, threads, first)
-    if not fill.across.size:
-        march(fill, fields, grid, threads, first + 1)
+    march_film_content(film_content, fields, grid, threads, first)
+    if not film_content.across.size:
+        march_film_content(film_content, fields, grid, threads, first + 1)
 
 
-def restrict_flux(fine: Fill, coarse: Fill, fields: Fields, grid: Grid) -> None:
-    """Flux of the coarser grid: injected, that of a full gap where there is pressure, and no more
-    than it elsewhere [-].
+def restrict_flux(fine: FilmContent, coarse: FilmContent, fields: Fields, grid: Grid) -> None:
+    """Restrict the flux to the coarser grid.
+
+    It is injected; where there is pressure it is that of a full gap, elsewhere at most that.
+
+    Parameters
+    ----------
+    fine : FilmContent
+        oil content of the finer grid [-]
+    coarse : FilmContent
+        oil content of the coarser grid, changed in place [-]
+    fields : Fields
+        fields of the coarser grid [-]
+    grid : Grid
+        coarser grid
     """
     coarse.along = inject(fine.along)
     lateral = bool(fine.across.size)
@@ -127,46 +184,89 @@ def restrict_flux(fine: Fill, coarse: Fill, fields: Fields, grid: Grid) -> None:
         lateral,
         grid.hx,
         grid.hy,
-        coarse.layer,
+        coarse.inlet_film_thickness,
         coarse.along,
         coarse.across,
     )
 
 
-def flux_operator(fill: Fill, fields: Fields, grid: Grid, out: Array) -> Array:
-    """L(P) of the flux that a grid holds, shape (ny, nx); `out` [-]."""
+def flux_operator(film_content: FilmContent, fields: Fields, grid: Grid, out: Array) -> Array:
+    """Evaluate L(P) by the flux of a grid.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid [-]
+    fields : Fields
+        fields of the grid [-]
+    grid : Grid
+        grid of the level
+    out : Array
+        array to write to, shape (ny, nx) [-]
+
+    Returns
+    -------
+    Array
+        L(P), shape (ny, nx): `out` [-]
+    """
     _starved_kernels.flux_operator(
         fields.P,
         fields.eps,
         fields.flow_y,
-        bool(fill.across.size),
+        bool(film_content.across.size),
         grid.hx,
         grid.hy,
         grid.symmetric,
-        fill.along,
-        fill.across,
+        film_content.along,
+        film_content.across,
         out,
     )
     return out
 
 
-def supplied(fill: Fill, grid: Grid) -> float:
-    """Oil that enters the box with its layers in a unit of time [-]."""
+def inlet_flow(film_content: FilmContent, grid: Grid) -> float:
+    """Sum the oil that enters the box with the inlet film per unit of time.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid [-]
+    grid : Grid
+        grid of the level
+
+    Returns
+    -------
+    float
+        flow [-]
+    """
     weights = np.ones(grid.ny)
     weights[-1] = 0.0
     weights[0] = 0.5 if grid.symmetric else 0.0
-    inflow = float(weights @ fill.along[:, 0]) * grid.hy
-    if fill.across.size:
-        edges = np.where(fill.across[0] > 0.0, fill.across[0], 0.0)
-        edges = edges + np.where(fill.across[-1] > 0.0, fill.across[-1], 0.0)
+    inflow = float(weights @ film_content.along[:, 0]) * grid.hy
+    if film_content.across.size:
+        edges = np.where(film_content.across[0] > 0.0, film_content.across[0], 0.0)
+        edges = edges + np.where(film_content.across[-1] > 0.0, film_content.across[-1], 0.0)
         inflow += float(edges.sum()) * grid.hx
     return (2.0 if grid.symmetric else 1.0) * inflow
 
 
-def oil_lost(fill: Fill, residual: Array, grid: Grid) -> float:
-    """Oil that the nodes of a grid make or lose, shape (ny, nx) of `residual`, over what enters
-    the box [-].
+def oil_imbalance(film_content: FilmContent, residual: Array, grid: Grid) -> float:
+    """Sum the oil that the nodes of a grid gain or lose, over that which enters the box.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid [-]
+    residual : Array
+        residual of the balance, shape (ny, nx) [-]
+    grid : Grid
+        grid of the level
+
+    Returns
+    -------
+    float
+        relative imbalance, signed [-]
     """
-    entering = supplied(fill, grid)
+    entering = inlet_flow(film_content, grid)
     lost = grid.integral(residual)
     return lost / entering if entering > 0.0 else np.inf

@@ -25,16 +25,18 @@ from numpy.typing import NDArray
 from ..arrays import Array
 from ..grid import Grid
 from .kernels import _starved_kernels
-from .starved import Fill
+from .starved import FilmContent
 
 Numbers = NDArray[Any]  # real or complex
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StarvedFlux:
-    """Where oil does not fill the gap, arrays of shape (ny, nx) unless said; all [-]."""
+    """Derivative of the flux where oil does not fill the gap, arrays of shape (ny, nx) unless
+    said; all [-].
+    """
 
-    empty: NDArray[np.bool_]
+    empty: NDArray[np.bool_]  # True where the gap is not full
     gap_enters: NDArray[np.bool_]  # (ny,) lines that the gap at the inlet lets in less than layer
     speed: Array  # u
 
@@ -47,28 +49,64 @@ class FluxChange:
     content: Numbers  # C'
 
 
-def starved_flux(fill: Fill, flow: Array, H: Array, density: Array) -> StarvedFlux:
-    """That of a level after its march; flow: rho u; H and density of shape (ny, nx) [-]."""
+def starved_flux(film_content: FilmContent, flow: Array, H: Array, density: Array) -> StarvedFlux:
+    """Differentiate the flux of a level after its march.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid [-]
+    flow : Array
+        rho u, shape (ny, nx) [-]
+    H : Array
+        film, shape (ny, nx) [-]
+    density : Array
+        density over that at ambient pressure, shape (ny, nx) [-]
+
+    Returns
+    -------
+    StarvedFlux
+        derivative of the flux [-]
+    """
     content = flow * H
     entering = 0.5 * (content[:, 0] + content[:, 1])
     return StarvedFlux(
-        empty=fill.empty > 0, gap_enters=entering < flow[:, 0] * fill.layer, speed=flow / density
+        empty=film_content.empty > 0,
+        gap_enters=entering < flow[:, 0] * film_content.inlet_film_thickness,
+        speed=flow / density,
     )
 
 
 def flux_change(
     flux: StarvedFlux, grid: Grid, gained: Numbers, content: Numbers, turn: complex = 0.0
 ) -> FluxChange:
-    """Change of equations and oil by that of the Poiseuille term less f, `gained`, and of rho H,
-    shape (ny, nx), at i omega, `turn` [-].
+    """Evaluate the change of equations and oil by those of the Poiseuille term and of rho H.
+
+    Parameters
+    ----------
+    flux : StarvedFlux
+        derivative of the flux
+    grid : Grid
+        grid of the level
+    gained : Numbers
+        change of the Poiseuille term less f, shape (ny, nx) [-]
+    content : Numbers
+        change of rho H, shape (ny, nx) [-]
+    turn : complex, default 0.0
+        i omega [-]
+
+    Returns
+    -------
+    FluxChange
+        change of the equations and of the oil [-]
     """
     kind = np.result_type(gained, content, type(turn))
-    own = (flux.speed * content).astype(kind)
-    along, held, rows = np.zeros((3, *own.shape), dtype=kind)
-    along[:, 0] = np.where(flux.gap_enters, 0.5 * (own[:, 0] + own[:, 1]), 0.0)
+    transport = (flux.speed * content).astype(kind)
+    along, held, rows = np.zeros((3, *transport.shape), dtype=kind)
+    along[:, 0] = np.where(flux.gap_enters, 0.5 * (transport[:, 0] + transport[:, 1]), 0.0)
     _starved_kernels.march_change(
         gained.astype(kind),
-        own,
+        transport,
         flux.speed,
         flux.empty,
         kind.type(turn),

@@ -26,12 +26,31 @@ class Threads:
         self._pool = ThreadPoolExecutor(number - 1) if number > 1 else None
 
     def number_for(self, nodes: int) -> int:
-        """Threads to use for a grid of so many nodes [-]."""
+        """Choose the number of threads for a grid.
+
+        Parameters
+        ----------
+        nodes : int
+            nodes of the grid [-]
+
+        Returns
+        -------
+        int
+            number of threads [-]
+        """
         return self.number if nodes >= SHARED_NODES else 1
 
     def run(self, kernel: Callable[[int, int], None], lines: range, nodes: int) -> None:
-        """Call kernel(first, stop) at the same time on equal parts of `lines` of a grid of so many
-        nodes; each part begins with one of `lines` and is half-open.
+        """Run a kernel on equal parts of the lines of a grid at the same time.
+
+        Parameters
+        ----------
+        kernel : Callable[[int, int], None]
+            takes the first line of a part and its end, half-open
+        lines : range
+            numbers of the lines; each part begins with one of them
+        nodes : int
+            nodes of the grid [-]
         """
         number = self.number_for(nodes)
         if number == 1:
@@ -50,9 +69,19 @@ class Threads:
 
 @contextmanager
 def film_threads(number: int) -> Iterator[ThreadPoolExecutor]:
-    """So many threads; after an interrupt nothing is begun, and nobody waits for their films.
+    """Open a pool of threads for films; after an interrupt no further film is begun.
 
     A film under way cannot be stopped: a program that is to end at once ends by `os._exit`.
+
+    Parameters
+    ----------
+    number : int
+        number of threads [-]
+
+    Yields
+    ------
+    Iterator[ThreadPoolExecutor]
+        pool of threads
     """
     pool = ThreadPoolExecutor(max_workers=max(1, number))
     waits = True

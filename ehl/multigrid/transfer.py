@@ -7,12 +7,36 @@ Array = NDArray[np.float64]
 
 
 def inject(fine: Array) -> Array:
-    """Values at the shared nodes."""
+    """Restrict a field by injection at the shared nodes.
+
+    Parameters
+    ----------
+    fine : Array
+        field of the finer grid, shape (2 ny - 1, 2 nx - 1) [-]
+
+    Returns
+    -------
+    Array
+        field of the coarser grid, shape (ny, nx) [-]
+    """
     return fine[::2, ::2].copy()
 
 
 def full_weighting(fine: Array, symmetric: bool) -> Array:
-    """Adjoint of bilinear interpolation over four, [1 2 1]/4 both ways; zero on the edge."""
+    """Restrict a field by the adjoint of bilinear interpolation over four, [1 2 1]/4 both ways.
+
+    Parameters
+    ----------
+    fine : Array
+        field of the finer grid, shape (2 ny - 1, 2 nx - 1) [-]
+    symmetric : bool
+        whether the first line is one of symmetry
+
+    Returns
+    -------
+    Array
+        field of the coarser grid, shape (ny, nx), zero on the edge [-]
+    """
     lines = np.zeros((fine.shape[0], (fine.shape[1] + 1) // 2))
     lines[:, 1:-1] = 0.25 * (fine[:, 1:-2:2] + 2.0 * fine[:, 2:-1:2] + fine[:, 3::2])
     coarse = np.zeros(((fine.shape[0] + 1) // 2, lines.shape[1]))
@@ -23,7 +47,18 @@ def full_weighting(fine: Array, symmetric: bool) -> Array:
 
 
 def interpolate_linear(coarse: Array) -> Array:
-    """Bilinear interpolation, exact for bilinear functions; shape (ny, nx, ...)."""
+    """Interpolate a field bilinearly, exact for bilinear functions.
+
+    Parameters
+    ----------
+    coarse : Array
+        field of the coarser grid, shape (ny, nx, ...) [-]
+
+    Returns
+    -------
+    Array
+        field of the finer grid, shape (2 ny - 1, 2 nx - 1, ...) [-]
+    """
     lines = np.empty((coarse.shape[0], 2 * coarse.shape[1] - 1, *coarse.shape[2:]))
     lines[:, ::2] = coarse
     lines[:, 1::2] = 0.5 * (coarse[:, 1:] + coarse[:, :-1])
@@ -34,9 +69,21 @@ def interpolate_linear(coarse: Array) -> Array:
 
 
 def interpolate_cubic(coarse: Array, symmetric: bool) -> Array:
-    """Bicubic interpolation for the start on the next finer grid; lower order beside the edge.
+    """Interpolate a field bicubically, to start the next finer grid; lower order beside the edge.
 
     The mid-point formula (-1, 9, 9, -1)/16 is exact for cubics.
+
+    Parameters
+    ----------
+    coarse : Array
+        field of the coarser grid, shape (ny, nx) [-]
+    symmetric : bool
+        whether the first line is one of symmetry
+
+    Returns
+    -------
+    Array
+        field of the finer grid, shape (2 ny - 1, 2 nx - 1) [-]
     """
     lines = np.empty((coarse.shape[0], 2 * coarse.shape[1] - 1))
     lines[:, ::2] = coarse

@@ -1,5 +1,5 @@
-"""What a solve gives: its values with their error bars, and whether it may be called converged and
-resolved, with the message that says why not.
+"""Film values of a solve with their error bars, and its status: converged, resolved, and the
+message that explains why not.
 """
 
 from dataclasses import replace
@@ -10,37 +10,70 @@ from ..solution import ContactSolution, FilmValue
 from .extrapolation import extrapolate, extrapolate_approach
 from .full_multigrid import AttemptResult
 from .history import CENTRAL, MINIMUM, RESOLVED
-from .open_box import approach_by_box, box_uncertainty
+from .open_box import approach_outside_box, box_uncertainty
 
 LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
 CALIBRATED_LUBRICANT = 30.0  # L of the contacts that the error bars were chosen on, at most
-# of the bars beyond: of 17 films at L 30 to 60 four were off by 1 to 2.1 bars, of 18 others two by
-# 1.5 and 2.2
+# factor on the bars beyond: of 17 films at L 30 to 60 four were off by 1 to 2.1 bars, of 18 others
+# two by 1.5 and 2.2
 BEYOND_CALIBRATION = 2.2
 LARGEST_DIP = 0.1  # by which the film may fall below its smallest node, over that minimum [-]
 
 
 def film_value(result: AttemptResult, kind: int) -> FilmValue:
-    """Central (0) or minimum (1) film, extrapolated, the bar with what the box leaves open."""
+    """Extrapolate a film; the error bar includes the error by the box.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        solved attempt
+    kind : int
+        `CENTRAL` or `MINIMUM`
+
+    Returns
+    -------
+    FilmValue
+        film with its error bar [-]
+    """
     contact = result.state.contact
     oblique = not contact.symmetric
     film = extrapolate(result.levels, kind, oblique=oblique)
     wider = 1.0 if contact.moes_lubricant <= CALIBRATED_LUBRICANT else BEYOND_CALIBRATION
-    by_box = error_by_box(result) * abs(film.value)
-    return replace(film, uncertainty=wider * film.uncertainty + by_box)
+    box_error = error_by_box(result) * abs(film.value)
+    return replace(film, uncertainty=wider * film.uncertainty + box_error)
 
 
 def error_by_box(result: AttemptResult) -> float:
-    """Relative error of the films by the load outside an open box [-]."""
+    """Estimate the relative error of the films by the load outside an open box.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        solved attempt
+
+    Returns
+    -------
+    float
+        relative error [-]
+    """
     return box_uncertainty(result.state, _centre(result))
 
 
 def approach_value(result: AttemptResult) -> FilmValue:
-    """H0, extrapolated, less the deflection by the pressure outside an open box, the bar with what
-    the box leaves open.
+    """Extrapolate H0, less the deflection by the pressure outside an open box.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        solved attempt
+
+    Returns
+    -------
+    FilmValue
+        H0; the error bar includes the error by the box [-]
     """
     approach = extrapolate_approach(result.levels)
-    outside = approach_by_box(result.state, _centre(result))
+    outside = approach_outside_box(result.state, _centre(result))
     return replace(
         approach,
         value=approach.value - outside.value,
@@ -54,12 +87,40 @@ def _centre(result: AttemptResult) -> float:
 
 
 def tolerance_reached(solution: ContactSolution, tolerance: float) -> bool:
-    """Whether both films are within their tolerance."""
+    """Tell whether both films are within a tolerance.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    tolerance : float
+        largest relative error bar of both films [-]
+
+    Returns
+    -------
+    bool
+        True if the solution converged within it
+    """
     return solution.converged and solution.resolved and solution.widest_bar <= tolerance
 
 
 def tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> ContactSolution:
-    """The solution; where it converged with wider bars than asked for the message says so."""
+    """Extend the message of a solution that converged with wider error bars than asked for.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    tolerance : float
+        largest relative error bar of both films [-]
+    mesh : str
+        mesh of the solution, for the message
+
+    Returns
+    -------
+    ContactSolution
+        solution with its message
+    """
     if not (solution.converged and solution.resolved) or tolerance_reached(solution, tolerance):
         return solution
     bars = [
@@ -73,17 +134,31 @@ def tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> 
     return replace(solution, message=message)
 
 
-def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
-    """The solution as its films let it stand: the minimum not above the centre, not converged
-    where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR` or the
-    minimum lies far below all nodes; `by_box`: relative error by the load outside the box [-].
+def with_status(solution: ContactSolution, box_error: float = 0.0) -> ContactSolution:
+    """Set converged, resolved and message of a solution by its films.
+
+    The minimum is at most the central film. A solution has not converged where the film is outside
+    the model; it is unresolved where an error bar is wider than `LARGEST_BAR` or the minimum lies
+    far below all nodes.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    box_error : float, default 0.0
+        relative error of the films by the load outside the box [-]
+
+    Returns
+    -------
+    ContactSolution
+        solution with its status
     """
     solution = _minimum_below_centre(solution)
     if not solution.converged:
         return solution
-    share = film_over_radius(solution)
-    if share > MAX_FILM_OVER_RADIUS:
-        size = f"{share:.1%} of" if share < 1.0 else "thicker than"
+    fraction = film_over_radius(solution)
+    if fraction > MAX_FILM_OVER_RADIUS:
+        size = f"{fraction:.1%} of" if fraction < 1.0 else "thicker than"
         message = (
             f"outside the model: the film is {size} Rx, where the gap is no paraboloid; no film "
             "is given"
@@ -97,8 +172,8 @@ def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
     advice = "try more points"
     if bar > LARGEST_BAR:
         why = f"error bar {bar:.0%} of the film" if bar < 1.0 else "error bar wider than the film"
-        if by_box > 0.5 * bar:
-            why += f", by the load outside the box ({by_box:.0%}) while the entrainment turns"
+        if box_error > 0.5 * bar:
+            why += f", by the load outside the box ({box_error:.0%}) while the entrainment turns"
             advice = "no mesh narrows it"
     elif dip > LARGEST_DIP:
         why = f"the film at the nodes is {dip:.0%} above the minimum between them"
@@ -109,10 +184,20 @@ def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
 
 
 def beside_finer(solution: ContactSolution) -> ContactSolution:
-    """A solution that stands because a mesh twice as fine did not converge: unresolved.
+    """Mark a solution as unresolved because a mesh twice as fine did not converge.
 
     Of 300 random contacts two were of this kind, with bars of 1.8 and 6.1 % of the minimum film;
     the film of one was off by 6.6 %.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    ContactSolution
+        unresolved solution
     """
     message = (
         "converged but unresolved: a finer mesh did not converge, so that nothing bears out the "
@@ -136,7 +221,18 @@ def _minimum_below_centre(solution: ContactSolution) -> ContactSolution:
 
 
 def film_over_radius(solution: ContactSolution) -> float:
-    """Central film of the finest grid over Rx [-]; zero where no lengths are given."""
+    """Relate the central film of the finest grid to Rx.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    float
+        film over radius; zero for Moes' groups, which have no lengths [-]
+    """
     if solution.film_scale is None or solution.semi_axis_x is None:
         return 0.0
     film = solution.film_central_dimensionless.finest
@@ -144,7 +240,20 @@ def film_over_radius(solution: ContactSolution) -> float:
 
 
 def resolution_message(result: AttemptResult) -> tuple[bool, str]:
-    """Whether the film of a solve is resolved, and the message on it."""
+    """Tell whether the film of a solve is resolved, with a message.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        solved attempt
+
+    Returns
+    -------
+    resolved
+        whether the mesh resolves the film
+    message
+        status of the solve
+    """
     resolved = bool(result.levels) and result.levels[-1].resolved
     return resolved, _message(result, resolved)
 

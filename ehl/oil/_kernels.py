@@ -1,122 +1,294 @@
-"""Viscosity and density for compiled kernels, after the laws of `ehl.oil.lubricant`.
+"""The laws of density, viscosity and heat of an oil: one implementation for NumPy and for kernels.
 
-oil: the array of `numbers.oil_numbers`.
+A `law` is an equation that NumPy evaluates over whole arrays, and that kernels compile for one
+number: no branch depends on pressure or temperature. oil: the array of `lubricant.oil_numbers`.
 """
 
 import numpy as np
+from numba.extending import register_jitable
 
 from ..compiled import compiled
 from ._elementary_kernels import exponential, logarithm
-from .heat_properties import CAPACITY_POWER
-from .lubricant import (
-    DOWSON_HIGGINSON_DENOMINATOR,
-    DOWSON_HIGGINSON_NUMERATOR,
-    ROELANDS_TEMPERATURE,
-)
 
 # codes of the laws
 ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI, MODULUS, SCALED = range(7)
 INCOMPRESSIBLE, DOWSON_HIGGINSON, TAIT = range(3)
-# where the constants of the viscosity law begin, and those of Tait
-V = 7
-T = 16
-EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
-H = 21  # and those of the heat under pressure: kind of its law, constants
 CONSTANT_HEAT, FITTED_HEAT, VOLUME_HEAT = range(3)
+# columns of the array of an oil: codes of its laws, values at ambient pressure and the temperature
+# of operation; then where the constants of each law begin
+VISCOSITY_LAW, DENSITY_LAW, VISCOSITY, DENSITY, OPERATION, BETA, EXPANSION = range(7)
+V = 7  # of the viscosity law
+T = 16  # of Tait's equation of state
+H = 21  # of the heat under pressure: code of its law, constants
+D = 33  # of Dowson and Higginson's density
+SIZE = 35
+EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
+SMALLEST_WARMTH = 1e-3  # of (T - T_v)/(T_0 - T_v), iterates may fall below the end of a law [-]
 SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
 
-
-@compiled
-def relative_volume(pressure, temperature, oil):
-    """V/V_R after Tait [-]."""
-    above = temperature - oil[T + 2]
-    modulus = oil[T] * np.exp(-oil[T + 3] * above)
-    k = 1.0 + oil[T + 1]
-    return (1.0 + oil[T + 4] * above) * (1.0 - np.log1p(pressure * k / modulus) / k)
+law = register_jitable(error_model="numpy")
 
 
-@compiled
-def _log_doolittle(pressure, temperature, oil):
-    above = temperature - oil[4]
-    if oil[V + 3] > 0.0:  # the occupied volume expands
-        occupied = 1.0 + oil[V + 2] * (temperature - oil[T + 2])
-        volume = relative_volume(pressure, temperature, oil)
-        extra = 0.0
-    else:
-        occupied = 1.0
-        volume = relative_volume(pressure, oil[T + 2], oil)
-        extra = -oil[5] * above
-    free = volume - oil[V + 1] * occupied
-    if free <= 0.0:
-        return EXPONENT_LIMIT
-    return oil[V] * oil[V + 1] * (occupied / free - 1.0 / (1.0 - oil[V + 1])) - oil[V + 4] + extra
+@law
+def relative_volume(
+    pressure, temperature, bulk_modulus, derivative, reference, softening, expansion
+):
+    """V/V_R = [1 + a (T - T_R)] {1 - ln[1 + p (1 + K_0')/K_0(T)]/(1 + K_0')}, Tait [-]."""
+    above = temperature - reference
+    modulus = bulk_modulus * np.exp(-softening * above)
+    k = 1.0 + derivative
+    return (1.0 + expansion * above) * (1.0 - np.log1p(pressure * k / modulus) / k)
 
 
-@compiled
-def _log_yasutomi(pressure, temperature, oil):
-    glass = oil[V] + oil[V + 1] * np.log1p(oil[V + 2] * pressure)
-    if oil[V + 7] > 0.0:
-        expansivity = 1.0 - oil[V + 3] * np.log1p(oil[V + 4] * pressure)
-    else:
-        expansivity = (1.0 + oil[V + 3] * pressure) ** oil[V + 4]
-    distance = max(temperature - glass, 0.0) * max(expansivity, 0.0)
-    return -oil[V + 5] * distance / (oil[V + 6] + distance) - oil[V + 8]
+@law
+def dowson_higginson(pressure, numerator, denominator):
+    """rho/rho_0 = 1 + d_1 p/(1 + d_2 p), Dowson and Higginson (1966) [-]."""
+    return 1.0 + numerator * pressure / (1.0 + denominator * pressure)
 
 
-@compiled
-def _log_modulus(pressure, temperature, oil):
-    above = temperature - oil[4]
-    if oil[V + 4] > 0.0:  # eta_0 after Vogel
-        above /= max(1.0 + above / (oil[4] - oil[V + 4]), 1e-3)
-    modulus = oil[V] + oil[V + 1] * temperature
-    modulus += (oil[V + 2] + oil[V + 3] * temperature) * pressure
-    return pressure / modulus - oil[5] * above
+@law
+def dowson_higginson_slope(pressure, numerator, denominator):
+    """Derivative of `dowson_higginson` by the pressure."""
+    return numerator / (1.0 + denominator * pressure) ** 2
 
 
-@compiled
-def _log_scaled(pressure, temperature, oil):
-    volume = max(relative_volume(pressure, temperature, oil), 0.0)
-    phi = temperature / oil[T + 2] * volume ** oil[V + 2]
-    if phi <= oil[V + 1]:
-        return EXPONENT_LIMIT
-    return oil[V] * oil[V + 1] / (phi - oil[V + 1]) - oil[V + 3]
-
-
-@compiled
+@law
 def roelands_rise(ratio, exponent):
     """(1 + p/p_r)^z [-], Roelands (1966), at p/p_r."""
     return np.exp(exponent * np.log1p(ratio))
 
 
-@compiled
-def _log_roelands(rise, above, oil):
-    slope = oil[V]
-    room = oil[4] - ROELANDS_TEMPERATURE
-    if above != 0.0:
-        rise *= np.exp(-oil[5] * room / slope * np.log(max(1.0 + above / room, 1e-3)))
-    return min(slope * (rise - 1.0), EXPONENT_LIMIT)
+@law
+def log_roelands(rise, above, beta, slope, room):
+    """ln(eta/eta_0) = s {(1 + p/p_r)^z [(T - 138 K)/(T_0 - 138 K)]^(-S) - 1}, Roelands (1966),
+    with T - T_0 `above` and T_0 - 138 K `room` [K].
+    """
+    warm = np.maximum(1.0 + above / room, SMALLEST_WARMTH)
+    return slope * (rise * np.exp(-beta * room / slope * np.log(warm)) - 1.0)
+
+
+@law
+def log_doolittle(volume, occupied, factor, occupied_fraction):
+    """ln(eta/eta_R) = B R {O/[V/V_R - R O] - 1/(1 - R)}, Doolittle (1951), Bair (2007) [-];
+    infinite where the occupied volume fills the whole.
+    """
+    free = np.maximum(volume - occupied_fraction * occupied, 0.0)
+    ratio = occupied / free - 1.0 / (1.0 - occupied_fraction)
+    return factor * occupied_fraction * ratio
+
+
+@law
+def log_yasutomi(
+    pressure, temperature, glass_0, rise, coefficient, expansivity_1, expansivity_2, slope, width,
+    logarithmic,
+):  # fmt: skip
+    """ln(eta/eta_g) = -ln(10) C1 D F/(C2 + D F), D = T - T_g(p), Yasutomi, Bair and Winer (1984);
+    `slope` is ln(10) C1. Below the glass temperature, where the law ends, that of the glass.
+    """
+    glass = glass_0 + rise * np.log1p(coefficient * pressure)
+    if logarithmic > 0.0:
+        expansivity = 1.0 - expansivity_1 * np.log1p(expansivity_2 * pressure)
+    else:
+        expansivity = (1.0 + expansivity_1 * pressure) ** expansivity_2
+    distance = np.maximum(temperature - glass, 0.0) * np.maximum(expansivity, 0.0)
+    return -slope * distance / (width + distance)
+
+
+@law
+def log_modulus(pressure, temperature, operation, beta, a1, a2, b1, b2, vogel):
+    """ln(eta/eta_0) = p/[a_1 + a_2 T + (b_1 + b_2 T) p] - beta D, D = T - T_0 [-].
+
+    D/[1 + D/(T_0 - T_v)] replaces D, Vogel's law, unless T_v is zero.
+    """
+    above = temperature - operation
+    if vogel > 0.0:
+        above = above / np.maximum(1.0 + above / (operation - vogel), SMALLEST_WARMTH)
+    modulus = a1 + a2 * temperature + (b1 + b2 * temperature) * pressure
+    return pressure / modulus - beta * above
+
+
+@law
+def log_scaled(volume, relative_temperature, factor, limit, exponent):
+    """ln(eta/eta_inf) = B phi_inf/(phi - phi_inf), phi = (T/T_R) (V/V_R)^g, Bair (2019) [-];
+    infinite where phi reaches phi_inf, the glass.
+    """
+    phi = relative_temperature * np.maximum(volume, 0.0) ** exponent
+    return factor * limit / np.maximum(phi - limit, 0.0)
+
+
+@law
+def fitted_conductivity(pressure, c1, c2):
+    """k/k_0 = 1 + c_1 p/(1 + c_2 p), Larsson and Andersson (2000) [-]."""
+    return 1.0 + c1 * pressure / (1.0 + c2 * pressure)
+
+
+@law
+def fitted_capacity(pressure, temperature, a1, a2, b0, b1, b2, reference):
+    """[1 + a_1 p/(1 + a_2 p)] [1 + b (T - T_R)], b = b_0 (1 + b_1 p + b_2 p^2), Larsson and
+    Andersson (2000) [-].
+    """
+    rise = 1.0 + a1 * pressure / (1.0 + a2 * pressure)
+    slope = b0 * (1.0 + b1 * pressure + b2 * pressure * pressure)
+    return rise * (1.0 + slope * (temperature - reference))
+
+
+@law
+def volume_conductivity(volume, relative_temperature, base, scale, exponent, factor, power):
+    """k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], Habchi and Bair [W/(m K)]."""
+    scaling = volume * (1.0 - factor * relative_temperature * volume**power)
+    return base + scale * scaling**-exponent
+
+
+@law
+def volume_capacity(volume, relative_temperature, base, scale, power):
+    """rho c = C_0 + m (T/T_R) (V/V_R)^-4, Habchi and Bair [J/(m^3 K)]."""
+    return base + scale * relative_temperature * volume**power
+
+
+@law
+def oil_volume(pressure, temperature, oil):
+    """V/V_R of an oil with Tait's equation of state [-]."""
+    return relative_volume(
+        pressure, temperature, oil[T], oil[T + 1], oil[T + 2], oil[T + 3], oil[T + 4]
+    )
+
+
+@law
+def _oil_doolittle(pressure, temperature, oil):
+    """ln(eta/eta_0) after Doolittle [-]; without an expansion of the occupied volume the constants
+    hold at the temperature of operation, and beta varies it.
+    """
+    if oil[V + 3] > 0.0:  # the occupied volume expands
+        occupied = 1.0 + oil[V + 2] * (temperature - oil[T + 2])
+        volume = oil_volume(pressure, temperature, oil)
+        return log_doolittle(volume, occupied, oil[V], oil[V + 1]) - oil[V + 4]
+    volume = oil_volume(pressure, oil[T + 2], oil)
+    ratio = log_doolittle(volume, 1.0, oil[V], oil[V + 1]) - oil[V + 4]
+    return ratio - oil[BETA] * (temperature - oil[OPERATION])
+
+
+@law
+def log_viscosity_ratio(pressure, temperature, oil):
+    """ln(eta/eta_0), at most EXPONENT_LIMIT [-]."""
+    return log_viscosity_at(pressure, pressure_rise(pressure, oil), temperature, oil)
+
+
+@law
+def pressure_rise(pressure, oil):
+    """(1 + p/p_r)^z of Roelands' law [-], once for all temperatures of a column; else not used."""
+    if int(oil[VISCOSITY_LAW]) == ROELANDS:
+        return roelands_rise(pressure / oil[V + 1], oil[V + 2])
+    return 1.0
+
+
+@law
+def log_viscosity_at(pressure, rise, temperature, oil):
+    """ln(eta/eta_0), at most EXPONENT_LIMIT [-]; rise: of `pressure_rise`."""
+    code = int(oil[VISCOSITY_LAW])
+    if code == ROELANDS:
+        above = temperature - oil[OPERATION]
+        ratio = log_roelands(rise, above, oil[BETA], oil[V], oil[V + 3])
+    elif code == MODULUS:
+        ratio = log_modulus(
+            pressure, temperature, oil[OPERATION], oil[BETA],
+            oil[V], oil[V + 1], oil[V + 2], oil[V + 3], oil[V + 4],
+        )  # fmt: skip
+    elif code == SCALED:
+        volume = oil_volume(pressure, temperature, oil)
+        ratio = log_scaled(volume, temperature / oil[T + 2], oil[V], oil[V + 1], oil[V + 2])
+        ratio = ratio - oil[V + 3]
+    elif code == TAIT_DOOLITTLE:
+        ratio = _oil_doolittle(pressure, temperature, oil)
+    elif code == YASUTOMI:
+        ratio = log_yasutomi(
+            pressure, temperature, oil[V], oil[V + 1], oil[V + 2], oil[V + 3], oil[V + 4],
+            oil[V + 5], oil[V + 6], oil[V + 7],
+        )  # fmt: skip
+        ratio = ratio - oil[V + 8]
+    else:  # Barus; isoviscous with the slope zero
+        ratio = oil[V] * pressure - oil[BETA] * (temperature - oil[OPERATION])
+    return np.minimum(ratio, EXPONENT_LIMIT)
+
+
+@law
+def viscosity(pressure, temperature, oil):
+    """Dynamic viscosity [Pa s]."""
+    return oil[VISCOSITY] * np.exp(log_viscosity_ratio(pressure, temperature, oil))
+
+
+@law
+def density_ratio(pressure, temperature, oil):
+    """rho/rho_0 [-]."""
+    if int(oil[DENSITY_LAW]) == TAIT:
+        ratio = oil_volume(0.0, oil[OPERATION], oil) / oil_volume(pressure, temperature, oil)
+        if oil[T + 4] > 0.0:
+            return ratio
+    else:
+        ratio = dowson_higginson(pressure, oil[D], oil[D + 1])
+    return ratio * np.exp(-oil[EXPANSION] * (temperature - oil[OPERATION]))
+
+
+@law
+def density_slope(pressure, oil):
+    """d(rho/rho_0)/dp at the temperature of operation [1/Pa]."""
+    if int(oil[DENSITY_LAW]) == TAIT:
+        above = oil[OPERATION] - oil[T + 2]
+        modulus = oil[T] * np.exp(-oil[T + 3] * above)
+        k = 1.0 + oil[T + 1]
+        volume = 1.0 - np.log1p(pressure * k / modulus) / k
+        return 1.0 / ((modulus + k * pressure) * volume * volume)
+    return dowson_higginson_slope(pressure, oil[D], oil[D + 1])
+
+
+@law
+def conductivity_ratio(pressure, temperature, oil):
+    """k/k_0 [-]."""
+    if oil[H] == FITTED_HEAT:
+        p = np.minimum(np.maximum(pressure, 0.0), oil[H + 9])
+        return fitted_conductivity(p, oil[H + 1], oil[H + 2])
+    if oil[H] == VOLUME_HEAT:
+        volume = oil_volume(pressure, temperature, oil)
+        warm = temperature / oil[T + 2]
+        constants = oil[H + 1], oil[H + 2], oil[H + 3], oil[H + 4], oil[H + 5]
+        return volume_conductivity(volume, warm, *constants) / oil[H + 9]
+    return 1.0 + 0.0 * pressure
+
+
+@law
+def capacity_ratio(pressure, temperature, density, oil):
+    """Rho c/(rho c)_0 [-], at rho/rho_0."""
+    if oil[H] == FITTED_HEAT:
+        p = np.minimum(np.maximum(pressure, 0.0), oil[H + 9])
+        t = np.minimum(temperature, oil[H + 10])
+        constants = oil[H + 3], oil[H + 4], oil[H + 5], oil[H + 6], oil[H + 7], oil[H + 8]
+        return fitted_capacity(p, t, *constants) / oil[H + 11]
+    if oil[H] == VOLUME_HEAT:
+        volume = oil_volume(pressure, temperature, oil)
+        warm = temperature / oil[T + 2]
+        return volume_capacity(volume, warm, oil[H + 6], oil[H + 7], oil[H + 8]) / oil[H + 10]
+    return density
 
 
 @compiled
 def _roelands_softening(temperature, log_ratio, oil):
-    room = oil[4] - ROELANDS_TEMPERATURE
-    warm = 1.0 + (temperature - oil[4]) / room
-    if log_ratio >= EXPONENT_LIMIT or warm <= 1e-3:
+    room = oil[V + 3]
+    warm = 1.0 + (temperature - oil[OPERATION]) / room
+    if log_ratio >= EXPONENT_LIMIT or warm <= SMALLEST_WARMTH:
         return 0.0
-    return oil[5] * (1.0 + log_ratio / oil[V]) / warm
+    return oil[BETA] * (1.0 + log_ratio / oil[V]) / warm
 
 
 @compiled
 def column_log_viscosity(pressure, temperature, oil, out):
     """`log_viscosity_ratio` at the temperatures of a column, the law chosen once."""
     pressed = pressure_rise(pressure, oil)
-    if int(oil[0]) == ROELANDS:
-        room = oil[4] - ROELANDS_TEMPERATURE
+    if int(oil[VISCOSITY_LAW]) == ROELANDS:
+        room = oil[V + 3]
         for k in range(temperature.size):
-            out[k] = max(1.0 + (temperature[k] - oil[4]) / room, 1e-3)
+            out[k] = max(1.0 + (temperature[k] - oil[OPERATION]) / room, SMALLEST_WARMTH)
         logarithm(out)
         for k in range(temperature.size):
-            power = -oil[5] * room / oil[V] * out[k]
+            power = -oil[BETA] * room / oil[V] * out[k]
             out[k] = min(max(power, -EXPONENT_LIMIT), EXPONENT_LIMIT)
         exponential(out)
         for k in range(temperature.size):
@@ -129,7 +301,7 @@ def column_log_viscosity(pressure, temperature, oil, out):
 @compiled
 def column_softening(pressure, temperature, log_ratio, oil, out):
     """`softening_at` at the temperatures of a column, the law chosen once."""
-    if int(oil[0]) == ROELANDS:
+    if int(oil[VISCOSITY_LAW]) == ROELANDS:
         for k in range(temperature.size):
             out[k] = _roelands_softening(temperature[k], log_ratio[k], oil)
     else:
@@ -140,56 +312,16 @@ def column_softening(pressure, temperature, log_ratio, oil, out):
 @compiled
 def column_density(pressure, temperature, oil, out):
     """`density_ratio` at the temperatures of a column, the law chosen once."""
-    if int(oil[1]) == TAIT:
+    if int(oil[DENSITY_LAW]) == TAIT:
         for k in range(temperature.size):
             out[k] = density_ratio(pressure, temperature[k], oil)
     else:
-        pressed = density_ratio(pressure, oil[4], oil)
+        pressed = density_ratio(pressure, oil[OPERATION], oil)
         for k in range(temperature.size):
-            out[k] = -oil[6] * (temperature[k] - oil[4])
+            out[k] = -oil[EXPANSION] * (temperature[k] - oil[OPERATION])
         exponential(out)
         for k in range(temperature.size):
             out[k] *= pressed
-
-
-@compiled
-def log_viscosity_ratio(pressure, temperature, oil):
-    """ln(eta/eta_0), at most EXPONENT_LIMIT [-]."""
-    return log_viscosity_at(pressure, pressure_rise(pressure, oil), temperature, oil)
-
-
-@compiled
-def pressure_rise(pressure, oil):
-    """(1 + p/p_r)^z of Roelands' law [-], once for all temperatures of a column; else not used."""
-    if int(oil[0]) == ROELANDS:
-        return roelands_rise(pressure / oil[V + 1], oil[V + 2])
-    return 1.0
-
-
-@compiled
-def log_viscosity_at(pressure, rise, temperature, oil):
-    """ln(eta/eta_0), at most EXPONENT_LIMIT [-]; rise: of `pressure_rise`."""
-    law = int(oil[0])
-    above = temperature - oil[4]
-    if law == ISOVISCOUS:
-        return -oil[5] * above
-    if law == BARUS:
-        return min(oil[V] * pressure - oil[5] * above, EXPONENT_LIMIT)
-    if law == ROELANDS:
-        return _log_roelands(rise, above, oil)
-    if law == MODULUS:
-        return min(_log_modulus(pressure, temperature, oil), EXPONENT_LIMIT)
-    if law == SCALED:
-        return min(_log_scaled(pressure, temperature, oil), EXPONENT_LIMIT)
-    if law == TAIT_DOOLITTLE:
-        return min(_log_doolittle(pressure, temperature, oil), EXPONENT_LIMIT)
-    return min(_log_yasutomi(pressure, temperature, oil), EXPONENT_LIMIT)
-
-
-@compiled
-def viscosity(pressure, temperature, oil):
-    """Dynamic viscosity [Pa s]."""
-    return oil[2] * np.exp(log_viscosity_ratio(pressure, temperature, oil))
 
 
 @compiled
@@ -203,71 +335,24 @@ def viscosity_softening(pressure, temperature, oil):
 
 @compiled
 def softening_at(pressure, temperature, log_ratio, oil):
-    """-d(ln eta)/dT [1/K] where ln(eta/eta_0) is known: of Roelands' and Barus' laws in closed
+    """-d(ln eta)/dT [1/K] at ln(eta/eta_0): of Roelands' and Barus' laws in closed
     form, of others by `viscosity_softening`.
     """
-    law = int(oil[0])
+    code = int(oil[VISCOSITY_LAW])
     if log_ratio >= EXPONENT_LIMIT:
         return 0.0
-    if law in (ISOVISCOUS, BARUS):
-        return oil[5]
-    if law == ROELANDS:
+    if code in (ISOVISCOUS, BARUS):
+        return oil[BETA]
+    if code == ROELANDS:
         return _roelands_softening(temperature, log_ratio, oil)
     return viscosity_softening(pressure, temperature, oil)
 
 
 @compiled
-def density_ratio(pressure, temperature, oil):
-    """rho/rho_0 [-]."""
-    law = int(oil[1])
-    above = temperature - oil[4]
-    if law == TAIT:
-        ratio = relative_volume(0.0, oil[4], oil) / relative_volume(pressure, temperature, oil)
-        if oil[T + 4] > 0.0:
-            return ratio
-    elif law == DOWSON_HIGGINSON:
-        ratio = 1.0 + DOWSON_HIGGINSON_NUMERATOR * pressure / (
-            1.0 + DOWSON_HIGGINSON_DENOMINATOR * pressure
-        )
-    else:
-        ratio = 1.0
-    return ratio * np.exp(-oil[6] * above)
-
-
-@compiled
-def conductivity_ratio(pressure, temperature, oil):
-    """k/k_0 [-]."""
-    if oil[H] == FITTED_HEAT:
-        p = min(pressure, oil[H + 9])
-        return 1.0 + oil[H + 1] * p / (1.0 + oil[H + 2] * p)
-    if oil[H] == VOLUME_HEAT:
-        volume = relative_volume(pressure, temperature, oil)
-        warm = temperature / oil[T + 2]
-        scaling = volume * (1.0 - oil[H + 4] * warm * volume ** oil[H + 5])
-        return (oil[H + 1] + oil[H + 2] * scaling ** -oil[H + 3]) / oil[H + 8]
-    return 1.0
-
-
-@compiled
-def capacity_ratio(pressure, temperature, density, oil):
-    """Rho c/(rho c)_0 [-], at rho/rho_0."""
-    if oil[H] == FITTED_HEAT:
-        p = min(pressure, oil[H + 9])
-        rise = 1.0 + oil[H + 3] * p / (1.0 + oil[H + 4] * p)
-        slope = oil[H + 5] * (1.0 + oil[H + 6] * p + oil[H + 7] * p * p)
-        return rise * (1.0 + slope * (min(temperature, oil[H + 10]) - oil[H + 8])) / oil[H + 11]
-    if oil[H] == VOLUME_HEAT:
-        volume = relative_volume(pressure, temperature, oil)
-        warm = temperature / oil[T + 2]
-        return (oil[H + 6] + oil[H + 7] * warm * volume**CAPACITY_POWER) / oil[H + 9]
-    return density
-
-
-@compiled
 def thermal_expansion(pressure, temperature, oil):
     """-d(ln rho)/dT [1/K]; of Tait's own temperature a central difference."""
-    if int(oil[1]) != TAIT:
-        return oil[6]
+    if int(oil[DENSITY_LAW]) != TAIT:
+        return oil[EXPANSION]
     cold = density_ratio(pressure, temperature - SLOPE_STEP, oil)
     return np.log(cold / density_ratio(pressure, temperature + SLOPE_STEP, oil)) / (
         2.0 * SLOPE_STEP
@@ -275,37 +360,22 @@ def thermal_expansion(pressure, temperature, oil):
 
 
 @compiled
-def density_slope(pressure, oil):
-    """d(rho/rho_0)/dp at the temperature of operation [1/Pa]."""
-    law = int(oil[1])
-    if law == TAIT:
-        above = oil[4] - oil[T + 2]
-        modulus = oil[T] * np.exp(-oil[T + 3] * above)
-        k = 1.0 + oil[T + 1]
-        volume = 1.0 - np.log1p(pressure * k / modulus) / k
-        return 1.0 / ((modulus + k * pressure) * volume * volume)
-    if law == DOWSON_HIGGINSON:
-        return DOWSON_HIGGINSON_NUMERATOR / (1.0 + DOWSON_HIGGINSON_DENOMINATOR * pressure) ** 2
-    return 0.0
-
-
-@compiled
 def flow_properties(
     P, H, hertz_pressure, oil, thinning, at, speed, eps, rho, rho_slope, first, stop
 ):
     """eps = rho H^3/(eta lambda), rho and d(rho)/dP [-] of the lines from `first` to before
-    `stop`, any law, at the temperature of operation. thinning: share of the change of ln(eta),
-    from what it is `at` the pressure of the factors, that these take back; empty without any.
+    `stop`, any law, at the temperature of operation. thinning: fraction of the change of
+    ln(eta), from that `at` the pressure of the factors, that these take back; empty without any.
     """
     nx = P.shape[1]
     for j in range(first, stop):
         for i in range(nx):
             h = max(H[j, i], 0.0)
             p = max(P[j, i], 0.0) * hertz_pressure
-            density = density_ratio(p, oil[4], oil)
+            density = density_ratio(p, oil[OPERATION], oil)
             rho[j, i] = density
             rho_slope[j, i] = density_slope(p, oil) * hertz_pressure
-            thinner = -log_viscosity_ratio(p, oil[4], oil)
+            thinner = -log_viscosity_ratio(p, oil[OPERATION], oil)
             if thinning.size > 0:
                 thinner -= thinning[j, i] * (thinner + at[j, i])
             eps[j, i] = density * h * h * h / speed * np.exp(thinner)

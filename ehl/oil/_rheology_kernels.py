@@ -8,32 +8,33 @@ import numpy as np
 
 from ..compiled import compiled
 from ._elementary_kernels import logarithm_of
+from ._kernels import law
 
-# as `rheology.LAW_CODES`
+# codes of the base laws
 NEWTONIAN = 0
 REE_EYRING = 1
 CARREAU_YASUDA = 2
-LARGEST_ARGUMENT = 300.0  # as in `rheology`
-# as in `rheology`: m and the number of square roots that make the m-th root
-LIMIT_POWER = 32
-LIMIT_ROOTS = 5
+# of exponentials: keeps the rate finite at stresses that only occur while iterating
+LARGEST_ARGUMENT = 300.0
+LIMIT_POWER = 32  # m of the limiting stress on other laws than Newton's [-]
+LIMIT_ROOTS = 5  # square roots in a row that are the m-th root [-]
 SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
 FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
 NEWTON_STEPS = 30
 
 
-@compiled
+@law
 def limiting_stress(
     pressure, temperature, limit_coefficient, limit_stress, limit_slope, limit_temperature,
     limit_minimum,
 ):  # fmt: skip
-    """Limiting stress [Pa]; infinite if its coefficient is."""
+    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least its minimum [Pa]; infinite if its
+    coefficient is. NumPy evaluates it over arrays, kernels compile it for one number.
+    """
     if not np.isfinite(limit_coefficient):
-        return np.inf
-    softening = 1.0 + limit_slope * (temperature - limit_temperature)
-    if softening <= 0.0:
-        return np.inf if pressure > 0.0 else limit_minimum
-    return max(limit_stress + limit_coefficient * pressure / softening, limit_minimum)
+        return np.inf + 0.0 * pressure
+    softening = np.maximum(1.0 + limit_slope * (temperature - limit_temperature), 0.0)
+    return np.fmax(limit_stress + limit_coefficient * pressure / softening, limit_minimum)
 
 
 @compiled
@@ -97,6 +98,20 @@ def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
     if np.isfinite(limit):
         tau = limited(tau, limit, law)
     return tau
+
+
+@compiled
+def shear_stresses(rate, viscosity, limit, law, stress, exponent, breadth, out):
+    """`shear_stress` of n nodes."""
+    for i in range(out.size):
+        out[i] = shear_stress(rate[i], viscosity[i], limit[i], law, stress, exponent, breadth)
+
+
+@compiled
+def limited_stresses(tau, limit, law, out):
+    """`limited` of n nodes, of which some may have no limit."""
+    for i in range(out.size):
+        out[i] = limited(tau[i], limit[i], law) if np.isfinite(limit[i]) else tau[i]
 
 
 @compiled

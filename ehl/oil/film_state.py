@@ -19,7 +19,18 @@ class FilmState:
     log_fluidity: Array
 
     def thinned(self, step: int) -> "FilmState":
-        """At every `step`-th node of the grid."""
+        """The state at every `step`-th node of the grid.
+
+        Parameters
+        ----------
+        step : int
+            distance of the nodes that stay
+
+        Returns
+        -------
+        FilmState
+            the state on fewer nodes
+        """
         t = self.temperature
         return FilmState(
             temperature=None if t is None else t[::step, ::step],
@@ -30,9 +41,25 @@ class FilmState:
 def log_mean_fluidity(
     temperature: Array, weights: Array, pressure: Array, oil: Lubricant
 ) -> tuple[Array, Array]:
-    """Mean temperature [K] and ln of the mean fluidity over that at it [-], shapes (nx, ny), from
-    the temperature at the nodes across the film, shape (nx, ny, n) [K], and the weights of the
-    integral over it, shape (n,); pressure [Pa].
+    """Mean temperature across a film, and ln of the mean fluidity over the fluidity at that mean.
+
+    Parameters
+    ----------
+    temperature : Array
+        at the nodes across the film, shape (nx, ny, n) [K]
+    weights : Array
+        of the integral across the film, shape (n,) [-]
+    pressure : Array
+        shape (nx, ny) [Pa]
+    oil : Lubricant
+        the lubricant
+
+    Returns
+    -------
+    mean
+        mean temperature, shape (nx, ny) [K]
+    log_fluidity
+        shape (nx, ny) [-]
     """
     mean = temperature @ weights
     thinner = log_viscosity_ratio(pressure, oil, mean)[..., None]
@@ -43,6 +70,25 @@ def log_mean_fluidity(
 def log_gradient_thinning(
     x: Array, y: Array, pressure: Array, film: Array, rheology: Rheology
 ) -> Array:
-    """ln of `rheology.thinning_by_gradient`, shape (nx, ny) [-]; x, y [m], p [Pa], h [m]."""
+    """ln of `rheology.thinning_by_gradient` over a contact.
+
+    Parameters
+    ----------
+    x : Array
+        nodes along x, shape (nx,) [m]
+    y : Array
+        nodes along y, shape (ny,) [m]
+    pressure : Array
+        shape (nx, ny) [Pa]
+    film : Array
+        thickness, shape (nx, ny) [m]
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    Array
+        shape (nx, ny) [-]
+    """
     slopes = np.gradient(pressure, x, axis=0), np.gradient(pressure, y, axis=1)
     return np.log(thinning_by_gradient(np.maximum(film, 0.0) * np.hypot(*slopes), rheology))

@@ -2,7 +2,7 @@
 temperature. The constants belong to one oil and come with a source: none has a default.
 """
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from enum import Enum
 from math import log
 
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..ranges import require_finite, require_positive
+from . import _kernels
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,52 +75,100 @@ class YasutomiGlass:
 
 
 def relative_volume(p: ArrayLike, temperature: ArrayLike, tait: TaitVolume) -> Array:
-    """V/V_R = [1 + a (T - T_R)] {1 - ln[1 + p (1 + K_0')/K_0(T)]/(1 + K_0')} [-], Tait, at a
-    pressure [Pa] and temperature [K].
-    """
-    above = np.asarray(temperature) - tait.reference_temperature
-    modulus = tait.bulk_modulus * np.exp(-tait.bulk_modulus_temperature * above)
-    k = 1.0 + tait.bulk_modulus_derivative
-    return (1.0 + tait.expansion * above) * (1.0 - np.log1p(np.asarray(p) * k / modulus) / k)
+    """Relative volume V/V_R = [1 + a (T - T_R)] {1 - ln[1 + p (1 + K_0')/K_0(T)]/(1 + K_0')},
+    Tait.
 
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+    tait : TaitVolume
+        constants of the oil
 
-def log_viscosity_doolittle(
-    p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, doolittle: DoolittleFreeVolume
-) -> Array:
-    """ln(eta/eta_R) = B R {O/[V/V_R - R O] - 1/(1 - R)}, O = 1 + e (T - T_R) [-], Doolittle
-    (1951), Bair (2007), at a pressure [Pa] and, if e is given, a temperature [K]; infinite where
-    the occupied volume would fill the whole.
+    Returns
+    -------
+    Array
+        V/V_R, the common shape [-]
     """
-    r = doolittle.occupied_share
-    expansion = doolittle.occupied_expansion
-    above = 0.0 if expansion is None else np.asarray(temperature) - tait.reference_temperature
-    occupied = 1.0 if expansion is None else 1.0 + expansion * above
-    free = relative_volume(p, tait.reference_temperature + above, tait) - r * occupied
-    with np.errstate(divide="ignore"):
-        share = occupied / np.maximum(free, 0.0)
-    return doolittle.factor * r * (share - 1.0 / (1.0 - r))
+    pressure = np.asarray(p, dtype=np.float64)
+    t = np.asarray(temperature, dtype=np.float64)
+    volume: Array = _kernels.relative_volume(pressure, t, *astuple(tait))
+    return volume
 
 
 def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: YasutomiGlass) -> Array:
-    """ln(eta/eta_g) = -ln(10) C1 D F/(C2 + D F), D = T - T_g(p) [-], Yasutomi, Bair and Winer
-    (1984), at a pressure [Pa] and temperature [K]; below the glass temperature, where the law
-    ends, that of the glass.
+    """ln(eta/eta_g) = -ln(10) C1 D F/(C2 + D F), D = T - T_g(p), Yasutomi, Bair and Winer (1984).
+
+    Below the glass temperature, where the law ends, the viscosity is that of the glass.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+    glass : YasutomiGlass
+        constants of the oil
+
+    Returns
+    -------
+    Array
+        ln of the viscosity over that of the glass, the common shape [-]
     """
-    p = np.asarray(p, dtype=np.float64)
-    rise = glass.glass_rise * np.log1p(glass.glass_pressure_coefficient * p)
-    if glass.form is ExpansivityForm.LOGARITHMIC:
-        expansivity = 1.0 - glass.expansivity_1 * np.log1p(glass.expansivity_2 * p)
-    else:
-        expansivity = (1.0 + glass.expansivity_1 * p) ** glass.expansivity_2
-    above = np.asarray(temperature) - (glass.glass_temperature + rise)
-    distance = np.maximum(above, 0.0) * np.maximum(expansivity, 0.0)
-    return -log(10.0) * glass.slope * distance / (glass.width + distance)
+    pressure = np.asarray(p, dtype=np.float64)
+    constants = yasutomi_constants(glass)
+    t = np.asarray(temperature, dtype=np.float64)
+    ratio: Array = _kernels.log_yasutomi(pressure, t, *constants)
+    return ratio
+
+
+def yasutomi_constants(glass: YasutomiGlass) -> tuple[float, ...]:
+    """Constants of Yasutomi's law in the order of the kernel's arguments.
+
+    Parameters
+    ----------
+    glass : YasutomiGlass
+        constants of the oil
+
+    Returns
+    -------
+    tuple[float, ...]
+        T_g0 [K], A1 [K], A2 [1/Pa], both of the expansivity, ln(10) C1 [-], C2 [K], 1 for the
+        logarithmic form
+    """
+    return (
+        glass.glass_temperature,
+        glass.glass_rise,
+        glass.glass_pressure_coefficient,
+        glass.expansivity_1,
+        glass.expansivity_2,
+        log(10.0) * glass.slope,
+        glass.width,
+        float(glass.form is ExpansivityForm.LOGARITHMIC),
+    )
 
 
 def pressure_viscosity_doolittle(
     tait: TaitVolume, doolittle: DoolittleFreeVolume, temperature: float
 ) -> float:
-    """d(ln eta)/dp at p = 0 [1/Pa], B R O (V_0/V_R)/{K_0(T) [V_0/V_R - R O]^2}, T in [K]."""
+    """d(ln eta)/dp at p = 0 after Doolittle: B R O (V_0/V_R)/{K_0(T) [V_0/V_R - R O]^2}.
+
+    Parameters
+    ----------
+    tait : TaitVolume
+        constants of the volume
+    doolittle : DoolittleFreeVolume
+        constants of the viscosity
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
     expansion = doolittle.occupied_expansion
     above = 0.0 if expansion is None else temperature - tait.reference_temperature
     occupied = 1.0 + (expansion or 0.0) * above
@@ -130,8 +179,20 @@ def pressure_viscosity_doolittle(
 
 
 def pressure_viscosity_yasutomi(glass: YasutomiGlass, temperature: float) -> float:
-    """d(ln eta)/dp at ambient pressure and a temperature [K], ln(10) C1 C2 [A1 A2 - D F'(0)]/(C2
-    + D)^2, D = T - T_g0 [1/Pa].
+    """d(ln eta)/dp at p = 0 after Yasutomi: ln(10) C1 C2 [A1 A2 - D F'(0)]/(C2 + D)^2, D = T -
+    T_g0.
+
+    Parameters
+    ----------
+    glass : YasutomiGlass
+        constants of the oil
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
     """
     distance = temperature - glass.glass_temperature
     sign = -1.0 if glass.form is ExpansivityForm.LOGARITHMIC else 1.0

@@ -9,12 +9,15 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..ranges import require_finite, require_positive
+from . import _kernels
 from .free_volume import TaitVolume, relative_volume
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedHeat:
-    """Constants of Larsson and Andersson (2000): k = k_0 [1 + c_1 p/(1 + c_2 p)], rho c = (rho
+    """Constants of conductivity and heat capacity after Larsson and Andersson (2000).
+
+    k = k_0 [1 + c_1 p/(1 + c_2 p)], rho c = (rho
     c)_0 [1 + a_1 p/(1 + a_2 p)] [1 + b (T - T_R)], b = b_0 (1 + b_1 p + b_2 p^2). Beyond the
     largest pressure and temperature of their data the values stay.
     """
@@ -38,7 +41,9 @@ class FittedHeat:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VolumeHeat:
-    """Constants of Habchi and Bair: k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], and
+    """Constants of conductivity and heat capacity after Habchi and Bair.
+
+    k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], and
     rho c = C_0 + m (T/T_R) (V/V_R)^-4, with the volume of the oil's Tait law.
     """
 
@@ -57,30 +62,40 @@ class VolumeHeat:
 CAPACITY_POWER = -4.0  # of the volume in rho c, Habchi and Bair [-]
 
 
-def fitted_ratios(
-    p: ArrayLike, temperature: ArrayLike, operation: float, law: FittedHeat
-) -> tuple[Array, Array]:
-    """k and rho c [-] at a pressure [Pa] and temperature [K] over those at ambient pressure and
-    the temperature of operation [K].
-    """
-    p = np.clip(np.asarray(p, dtype=np.float64), 0.0, law.largest_pressure)
-    t = np.minimum(np.asarray(temperature, dtype=np.float64), law.largest_temperature)
-    start = min(operation, law.largest_temperature)
-    k = 1.0 + law.conductivity_1 * p / (1.0 + law.conductivity_2 * p)
-    rise = 1.0 + law.capacity_1 * p / (1.0 + law.capacity_2 * p)
-    slope = law.temperature_0 * (1.0 + law.temperature_1 * p + law.temperature_2 * p * p)
-    reference = law.reference_temperature
-    ambient = 1.0 + law.temperature_0 * (start - reference)
-    return np.asarray(k + 0.0 * t), np.asarray(rise * (1.0 + slope * (t - reference)) / ambient)
-
-
 def volume_heat(
     p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, law: VolumeHeat
 ) -> tuple[Array, Array]:
-    """k [W/(m K)] and rho c [J/(m^3 K)] at a pressure [Pa] and temperature [K]."""
+    """Conductivity and heat capacity rho c of an oil by its volume, Habchi and Bair.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+    tait : TaitVolume
+        constants of the volume
+    law : VolumeHeat
+        constants of conductivity and capacity
+
+    Returns
+    -------
+    conductivity
+        k, the common shape [W/(m K)]
+    capacity
+        rho c, the common shape [J/(m^3 K)]
+    """
     volume = relative_volume(p, temperature, tait)
     warm = np.asarray(temperature) / tait.reference_temperature
-    scaling = volume * (1.0 - law.scaling_factor * warm * volume**law.scaling_exponent)
-    k = law.conductivity_base + law.conductivity_scale * scaling**-law.conductivity_exponent
-    capacity = law.capacity_base + law.capacity_scale * warm * volume**CAPACITY_POWER
+    k = _kernels.volume_conductivity(
+        volume,
+        warm,
+        law.conductivity_base,
+        law.conductivity_scale,
+        law.conductivity_exponent,
+        law.scaling_factor,
+        law.scaling_exponent,
+    )
+    base, scale = law.capacity_base, law.capacity_scale
+    capacity = _kernels.volume_capacity(volume, warm, base, scale, CAPACITY_POWER)
     return np.asarray(k), np.asarray(capacity)

@@ -1,6 +1,6 @@
 """Lubricant: density and viscosity over pressure, and over temperature with thermal data."""
 
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from enum import Enum
 from math import log
 
@@ -9,22 +9,19 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..ranges import require_not_negative, require_positive
+from . import _kernels
 from .free_volume import (
     DoolittleFreeVolume,
     TaitVolume,
     YasutomiGlass,
-    log_viscosity_doolittle,
-    log_viscosity_yasutomi,
     pressure_viscosity_doolittle,
     pressure_viscosity_yasutomi,
-    relative_volume,
+    yasutomi_constants,
 )
-from .heat_properties import FittedHeat, VolumeHeat, fitted_ratios, volume_heat
+from .heat_properties import CAPACITY_POWER, FittedHeat, VolumeHeat, volume_heat
 from .pressure_laws import (
     PressureModulus,
     ScaledVolume,
-    log_viscosity_modulus,
-    log_viscosity_scaled,
     pressure_viscosity_modulus,
     pressure_viscosity_scaled,
 )
@@ -37,9 +34,13 @@ FLOODED_LAYER = 1e-4
 # ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
 ROELANDS_LOG_OFFSET = 9.67
 ROELANDS_TEMPERATURE = 138.0  # [K], -135 degrees Celsius, Roelands (1966)
+# of the temperature of operation over Roelands' lowest in the array of an oil [K]; colder oils are
+# refused as soon as their temperature is to vary
+SMALLEST_ROOM = 1e-3
+UNNAMED_TEMPERATURE = 298.15  # of an oil without one, with which nothing varies then [K]
 DOWSON_HIGGINSON_NUMERATOR = 0.6e-9  # [1/Pa], Dowson and Higginson (1966)
 DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9  # [1/Pa], Dowson and Higginson (1966)
-# share by which a given coefficient may differ from that of the law's constants
+# fraction by which a prescribed coefficient may differ from that of the law's constants
 PRESSURE_VISCOSITY_TOLERANCE = 0.01
 
 
@@ -65,12 +66,12 @@ class DensityLaw(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ThermalProperties:
-    """What a solve with heat needs beside the isothermal properties of an oil, SI."""
+    """Thermal properties of an oil for a solve with heat, SI."""
 
     conductivity: float  # k [W/(m K)]
     specific_heat: float  # c [J/(kg K)]
     # beta = -d(ln eta)/dT at ambient pressure and the temperature of operation [1/K]; not used by
-    # laws with a temperature dependence of their own
+    # laws that depend on temperature themselves
     viscosity_temperature: float
     expansion: float = 0.0  # -d(ln rho)/dT [1/K]
     # of both under pressure and over temperature; None: k and c constant
@@ -83,7 +84,15 @@ class ThermalProperties:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lubricant:
-    """Oil properties at the temperature of operation, SI."""
+    """Oil properties at the temperature of operation, SI.
+
+    Examples
+    --------
+    >>> from oilfilm import Lubricant
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9, temperature=353.15)
+    >>> f"{oil.exponent:.3f}"
+    '0.668'
+    """
 
     viscosity: float  # eta_0, dynamic, at ambient pressure [Pa s]
     pressure_viscosity: float  # d(ln eta)/dp at ambient pressure [1/Pa]
@@ -116,21 +125,42 @@ class Lubricant:
 
     @property
     def piezoviscous(self) -> bool:
-        """Whether the viscosity rises with the pressure; the coefficient of an isoviscous oil is
-        not used.
+        """The viscosity rises with the pressure.
+
+        The coefficient of an isoviscous oil is not used.
         """
         return self.viscosity_law is not ViscosityLaw.ISOVISCOUS and self.pressure_viscosity > 0.0
 
     @property
     def exponent(self) -> float:
-        """Roelands' z [-]: as given, or z = alpha p_r / (ln eta_0 + 9.67), Roelands (1966)."""
+        """Roelands' z [-]: prescribed, or alpha p_r / (ln eta_0 + 9.67), Roelands (1966)."""
         if self.roelands_z is not None:
             return self.roelands_z
         rise = log(self.viscosity) + ROELANDS_LOG_OFFSET
         return self.pressure_viscosity * self.roelands_pressure / rise
 
 
-NEEDED_BY_LAW = {  # fields beside viscosity and coefficient
+VISCOSITY_CODES = {
+    ViscosityLaw.ISOVISCOUS: _kernels.ISOVISCOUS,
+    ViscosityLaw.BARUS: _kernels.BARUS,
+    ViscosityLaw.ROELANDS: _kernels.ROELANDS,
+    ViscosityLaw.TAIT_DOOLITTLE: _kernels.TAIT_DOOLITTLE,
+    ViscosityLaw.YASUTOMI: _kernels.YASUTOMI,
+    ViscosityLaw.MODULUS: _kernels.MODULUS,
+    ViscosityLaw.SCALED: _kernels.SCALED,
+}
+DENSITY_CODES = {
+    DensityLaw.INCOMPRESSIBLE: _kernels.INCOMPRESSIBLE,
+    DensityLaw.DOWSON_HIGGINSON: _kernels.DOWSON_HIGGINSON,
+    DensityLaw.TAIT: _kernels.TAIT,
+}
+# of the laws whose ln(eta) counts from another viscosity: column of its value at ambient pressure
+AMBIENT_COLUMNS = {
+    _kernels.TAIT_DOOLITTLE: _kernels.V + 4,
+    _kernels.YASUTOMI: _kernels.V + 8,
+    _kernels.SCALED: _kernels.V + 3,
+}
+NEEDED_BY_LAW = {  # fields in addition to viscosity and coefficient
     ViscosityLaw.TAIT_DOOLITTLE: ("tait", "doolittle", "temperature"),
     ViscosityLaw.YASUTOMI: ("yasutomi", "temperature"),
     ViscosityLaw.MODULUS: ("modulus", "temperature"),
@@ -147,15 +177,26 @@ def _require_constants(lubricant: Lubricant) -> None:
         if getattr(lubricant, field) is None:
             laws = f"{lubricant.viscosity_law.value}, {lubricant.density_law.value}"
             raise ValueError(f"{field} is needed by the laws {laws}")
-    own = law_pressure_viscosity(lubricant)
-    given = lubricant.pressure_viscosity
-    if abs(given - own) > PRESSURE_VISCOSITY_TOLERANCE * own:
-        wanted = f"that of the law's constants, {own:.4e} 1/Pa"
-        raise ValueError(f"pressure_viscosity must be {wanted}, got {given!r}")
+    by_law = law_pressure_viscosity(lubricant)
+    coefficient = lubricant.pressure_viscosity
+    if abs(coefficient - by_law) > PRESSURE_VISCOSITY_TOLERANCE * by_law:
+        wanted = f"that of the law's constants, {by_law:.4e} 1/Pa"
+        raise ValueError(f"pressure_viscosity must be {wanted}, got {coefficient!r}")
 
 
 def law_pressure_viscosity(lubricant: Lubricant) -> float:
-    """d(ln eta)/dp at ambient pressure that the constants of the lubricant's law imply [1/Pa]."""
+    """d(ln eta)/dp at ambient pressure that the constants of the lubricant's law imply.
+
+    Parameters
+    ----------
+    lubricant : Lubricant
+        the oil
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
     oil = lubricant
     law = oil.viscosity_law
     if law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait and oil.doolittle and oil.temperature:
@@ -172,62 +213,63 @@ def law_pressure_viscosity(lubricant: Lubricant) -> float:
 def log_viscosity_ratio(
     p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None
 ) -> Array:
-    """ln(eta/eta_0) at a pressure [Pa] after the lubricant's own law, eta_0 at ambient pressure
-    and the temperature of operation T_0 [-].
+    """ln(eta/eta_0) after the lubricant's law, eta_0 at ambient pressure and temperature of
+    operation.
 
-    At another temperature [K], D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 -
+    At another temperature, D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 -
     138 K)]^(-S) - 1}, s = alpha p_r/z, S such that -d(ln eta)/dT = beta at T_0 and ambient
     pressure; Yasutomi, the modulus, the scaled volume, and Doolittle with an expansion of the
     occupied volume, as their laws say; the others -beta D on top of the isothermal law, Barus
-    (1893) alpha p.
+    (1893) alpha p. The result is 600 at most: no oil is as thick.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    lubricant : Lubricant
+        the oil
+    temperature : ArrayLike | None, optional
+        a shape that broadcasts with `p` [K]; None: that of operation
+
+    Returns
+    -------
+    Array
+        ln(eta/eta_0), the common shape [-]
+
+    Raises
+    ------
+    ValueError
+        if the lubricant lacks what its law needs at other temperatures
     """
     oil = lubricant
+    numbers = oil_numbers(oil)
+    if temperature is not None:
+        _require_temperature_law(oil)
+    now = numbers[_kernels.OPERATION] if temperature is None else np.asarray(temperature)
+    with np.errstate(divide="ignore", over="ignore"):
+        ratio: Array = _kernels.log_viscosity_ratio(_pressure(p), now, numbers)
+    return ratio
+
+
+def _pressure(p: ArrayLike) -> Array:
+    return np.asarray(p, dtype=np.float64)
+
+
+def _require_temperature_law(oil: Lubricant) -> None:
+    """Raise ValueError unless the viscosity is determined at other temperatures."""
+    operation = _operation(oil)
+    expands = oil.doolittle is not None and oil.doolittle.occupied_expansion is not None
     law = oil.viscosity_law
-    p = np.asarray(p, dtype=np.float64)
-    start = oil.temperature or 0.0
-    above = np.zeros(()) if temperature is None else np.asarray(temperature) - _operation(oil)
-    if law is ViscosityLaw.MODULUS and oil.modulus:
-        beta = _beta(oil, temperature)
-        return log_viscosity_modulus(p, start + above, start, beta, oil.modulus)
-    if law is ViscosityLaw.SCALED and oil.tait and oil.scaled:
-        reference = log_viscosity_scaled(0.0, start, oil.tait, oil.scaled)
-        return log_viscosity_scaled(p, start + above, oil.tait, oil.scaled) - reference
-    if law is ViscosityLaw.YASUTOMI and oil.yasutomi:
-        reference = log_viscosity_yasutomi(0.0, start, oil.yasutomi)
-        return log_viscosity_yasutomi(p, start + above, oil.yasutomi) - reference
-    if law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait and oil.doolittle:
-        result = log_viscosity_doolittle(p, start + above, oil.tait, oil.doolittle)
-        result = result - log_viscosity_doolittle(0.0, start, oil.tait, oil.doolittle)
-        own = oil.doolittle.occupied_expansion is not None
-        return result if own else result - _beta(oil, temperature) * above
-    if law is ViscosityLaw.ROELANDS and oil.pressure_viscosity > 0.0:
-        return _log_roelands(p, oil, None if temperature is None else above)
-    slope = oil.pressure_viscosity if law is ViscosityLaw.BARUS else 0.0
-    return slope * p - _beta(oil, temperature) * above
-
-
-def roelands_rise(ratio: ArrayLike, exponent: float) -> Array:
-    """(1 + p/p_r)^z [-], Roelands (1966), at p/p_r."""
-    return np.asarray((1.0 + np.asarray(ratio)) ** exponent)
-
-
-def _log_roelands(p: Array, oil: Lubricant, above: Array | None) -> Array:
-    z = oil.exponent
-    p_r = oil.roelands_pressure
-    s = oil.pressure_viscosity * p_r / z
-    rise = roelands_rise(p / p_r, z)
-    if above is not None:
-        lowest = ROELANDS_TEMPERATURE
-        start = _operation(oil)
-        room = start - lowest
-        if room <= 0.0:
-            raise ValueError(
-                f"temperature must exceed {lowest:g} K for Roelands' law, got {start}"
-            )
-        # the law ends at 138 K, iterates may fall below
-        relative = np.maximum(1.0 + above / room, 1e-3)
-        rise = rise * relative ** (-_beta(oil, above) * room / s)
-    return s * (rise - 1.0)
+    if law in (ViscosityLaw.YASUTOMI, ViscosityLaw.SCALED):
+        return
+    if law is ViscosityLaw.TAIT_DOOLITTLE and expands:
+        return
+    if oil.thermal is None:
+        raise ValueError("thermal properties of the lubricant are needed to vary its temperature")
+    by_roelands = law is ViscosityLaw.ROELANDS and oil.pressure_viscosity > 0.0
+    if by_roelands and operation <= ROELANDS_TEMPERATURE:
+        lowest = f"{ROELANDS_TEMPERATURE:g} K for Roelands' law"
+        raise ValueError(f"temperature must exceed {lowest}, got {operation}")
 
 
 def _operation(oil: Lubricant) -> float:
@@ -236,78 +278,218 @@ def _operation(oil: Lubricant) -> float:
     return oil.temperature
 
 
-def _beta(oil: Lubricant, temperature: ArrayLike | None) -> float:
-    if temperature is None:
-        return 0.0
-    if oil.thermal is None:
-        raise ValueError("thermal properties of the lubricant are needed to vary its temperature")
-    return oil.thermal.viscosity_temperature
-
-
 def viscosity(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
-    """Dynamic viscosity [Pa s] at `p` [Pa] and temperature [K] after the lubricant's law."""
+    """Dynamic viscosity after the lubricant's law.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    lubricant : Lubricant
+        the oil
+    temperature : ArrayLike | None, optional
+        a shape that broadcasts with `p` [K]; None: that of operation
+
+    Returns
+    -------
+    Array
+        viscosity, the common shape [Pa s]
+
+    Raises
+    ------
+    ValueError
+        if the lubricant lacks what its law needs at other temperatures
+    """
     return lubricant.viscosity * np.exp(log_viscosity_ratio(p, lubricant, temperature))
 
 
 def secant_pressure_viscosity(
     p: Array, lubricant: Lubricant, temperature: float | None = None
 ) -> Array:
-    """alpha(p, T) = ln[eta(p, T)/eta(0, T)]/p [1/Pa], at pressures of shape (n,) [Pa] and a
-    temperature [K].
+    """Secant pressure-viscosity coefficient alpha(p, T) = ln[eta(p, T)/eta(0, T)]/p.
+
+    Parameters
+    ----------
+    p : Array
+        pressures above zero, shape (n,) [Pa]
+    lubricant : Lubricant
+        the oil
+    temperature : float | None, optional
+        T [K]; None: that of operation
+
+    Returns
+    -------
+    Array
+        alpha, shape (n,) [1/Pa]
     """
     pressures = np.concatenate([[0.0], p])
     at = None if temperature is None else np.full_like(pressures, temperature)
-    found = log_viscosity_ratio(pressures, lubricant, at)
-    return np.asarray((found[1:] - found[0]) / p)
+    ratio = log_viscosity_ratio(pressures, lubricant, at)
+    return np.asarray((ratio[1:] - ratio[0]) / p)
 
 
 def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
-    """Density [kg/m^3] at pressure `p` [Pa] and temperature [K] after the lubricant's own law.
+    """Density after the lubricant's law.
 
     rho_0 [1 + 0.6 p/(1 + 1.7 p)], p in GPa, Dowson and Higginson (1966), or rho_0; both times
     exp[-e (T - T_0)] with the oil's thermal expansion e. Tait: rho_0 V(0, T_0)/V(p, T), with that
-    factor if Tait's own expansion is zero.
+    factor if the expansion of Tait's equation is zero.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    lubricant : Lubricant
+        the oil
+    temperature : ArrayLike | None, optional
+        a shape that broadcasts with `p` [K]; None: that of operation
+
+    Returns
+    -------
+    Array
+        density, the common shape [kg/m^3]
+
+    Raises
+    ------
+    ValueError
+        if a temperature is given and the lubricant has none
     """
     oil = lubricant
-    p = np.asarray(p, dtype=np.float64)
-    if oil.density_law is DensityLaw.TAIT and oil.tait:
-        start = _operation(oil)
-        now = start if temperature is None else temperature
-        ratio = relative_volume(0.0, start, oil.tait) / relative_volume(p, now, oil.tait)
-        if oil.tait.expansion > 0.0:
-            return oil.density * ratio
-    elif oil.density_law is DensityLaw.DOWSON_HIGGINSON:
-        ratio = 1.0 + DOWSON_HIGGINSON_NUMERATOR * p / (1.0 + DOWSON_HIGGINSON_DENOMINATOR * p)
-    else:
-        ratio = np.ones_like(p)
-    if temperature is not None and oil.thermal is not None:
-        above = np.asarray(temperature) - _operation(oil)
-        ratio = ratio * np.exp(-oil.thermal.expansion * above)
+    numbers = oil_numbers(oil)
+    by_temperature = oil.thermal is not None or oil.density_law is DensityLaw.TAIT
+    if temperature is not None and by_temperature:
+        _operation(oil)
+    now = numbers[_kernels.OPERATION] if temperature is None else np.asarray(temperature)
+    ratio: Array = _kernels.density_ratio(_pressure(p), now, numbers)
     return oil.density * ratio
 
 
 def heat_properties(
     p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike
 ) -> tuple[Array, Array]:
-    """Conductivity [W/(m K)] and heat capacity rho c [J/(m^3 K)] at a pressure [Pa] and
-    temperature [K]; ValueError without thermal properties.
+    """Conductivity and heat capacity rho c of an oil under pressure and temperature.
 
-    With a law of their own these are those at ambient pressure and the temperature of operation
+    With a law for them these are the values at ambient pressure and the temperature of operation
     times its ratios; else k is constant, and c, so that rho c follows the density.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    lubricant : Lubricant
+        the oil, with thermal properties
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+
+    Returns
+    -------
+    conductivity
+        k, the common shape [W/(m K)]
+    capacity
+        rho c, the common shape [J/(m^3 K)]
+
+    Raises
+    ------
+    ValueError
+        if the lubricant has no thermal properties or no temperature
     """
     oil = lubricant
     if oil.thermal is None:
         raise ValueError("thermal properties of the lubricant are needed")
-    k = oil.thermal.conductivity
-    capacity = oil.density * oil.thermal.specific_heat
-    law = oil.thermal.under_pressure
-    start = _operation(oil)
+    _operation(oil)
+    numbers = oil_numbers(oil)
+    pressure, t = np.broadcast_arrays(_pressure(p), np.asarray(temperature, dtype=np.float64))
+    ratio = _kernels.density_ratio(pressure, t, numbers)
+    k = oil.thermal.conductivity * _kernels.conductivity_ratio(pressure, t, numbers)
+    ambient = oil.density * oil.thermal.specific_heat
+    capacity = ambient * _kernels.capacity_ratio(pressure, t, ratio, numbers)
+    return k, capacity
+
+
+def oil_numbers(lubricant: Lubricant) -> Array:
+    """Constants of a lubricant as the array that `ehl.oil._kernels` takes.
+
+    Codes of the two laws; eta_0, rho_0, T_0, beta, thermal expansion; constants of the viscosity
+    law, of Tait's equation, of the heat under pressure, of the density. Without a temperature
+    298.15 K stands there, with which nothing varies then.
+
+    Parameters
+    ----------
+    lubricant : Lubricant
+        the oil
+
+    Returns
+    -------
+    Array
+        constants by the columns of `ehl.oil._kernels`, shape (35,) [SI]
+    """
+    oil = lubricant
+    temperature = UNNAMED_TEMPERATURE if oil.temperature is None else oil.temperature
+    codes = (VISCOSITY_CODES[oil.viscosity_law], DENSITY_CODES[oil.density_law])
+    numbers = np.zeros(_kernels.SIZE)
+    numbers[:5] = (*codes, oil.viscosity, oil.density, temperature)
+    if oil.viscosity_law is ViscosityLaw.ROELANDS and oil.pressure_viscosity == 0.0:
+        numbers[_kernels.VISCOSITY_LAW] = _kernels.ISOVISCOUS
+    if oil.thermal is not None:
+        numbers[5:7] = oil.thermal.viscosity_temperature, oil.thermal.expansion
+    if oil.tait is not None:
+        numbers[_kernels.T : _kernels.H] = astuple(oil.tait)
+    if oil.density_law is DensityLaw.DOWSON_HIGGINSON:
+        numbers[_kernels.D :] = DOWSON_HIGGINSON_NUMERATOR, DOWSON_HIGGINSON_DENOMINATOR
+    constants = _viscosity_constants(oil, temperature)
+    numbers[_kernels.V : _kernels.V + len(constants)] = constants
+    heat = _heat_constants(oil, temperature)
+    numbers[_kernels.H : _kernels.H + len(heat)] = heat
+    _subtract_ambient(numbers)
+    return numbers
+
+
+def _viscosity_constants(oil: Lubricant, temperature: float) -> tuple[float, ...]:
+    """Constants of the viscosity law in the order the kernel reads them, but for the value at
+    ambient pressure of the laws that count from another one.
+    """
+    law = oil.viscosity_law
+    if law is ViscosityLaw.BARUS:
+        return (oil.pressure_viscosity,)
+    if law is ViscosityLaw.ROELANDS and oil.pressure_viscosity > 0.0:
+        slope = oil.pressure_viscosity * oil.roelands_pressure / oil.exponent
+        room = max(temperature - ROELANDS_TEMPERATURE, SMALLEST_ROOM)
+        return slope, oil.roelands_pressure, oil.exponent, room
+    if law is ViscosityLaw.TAIT_DOOLITTLE and oil.doolittle:
+        d = oil.doolittle
+        expands = d.occupied_expansion is not None
+        return d.factor, d.occupied_share, d.occupied_expansion or 0.0, float(expands)
+    if law is ViscosityLaw.YASUTOMI and oil.yasutomi:
+        return yasutomi_constants(oil.yasutomi)
+    if law is ViscosityLaw.MODULUS and oil.modulus:
+        m = oil.modulus
+        return m.a1, m.a2, m.b1, m.b2, m.vogel_temperature or 0.0
+    if law is ViscosityLaw.SCALED and oil.scaled:
+        return astuple(oil.scaled)
+    return ()
+
+
+def _subtract_ambient(numbers: Array) -> None:
+    """ln(eta) at ambient pressure and the temperature of operation, for the laws that count from
+    another viscosity.
+    """
+    column = AMBIENT_COLUMNS.get(int(numbers[_kernels.VISCOSITY_LAW]))
+    if column is not None:
+        operation = numbers[_kernels.OPERATION]
+        numbers[column] = _kernels.log_viscosity_ratio(0.0, operation, numbers)
+
+
+def _heat_constants(oil: Lubricant, temperature: float) -> tuple[float, ...]:
+    """Code and constants of the law of the heat under pressure, with its values at ambient
+    pressure and the temperature of operation [K], as the kernels read them.
+    """
+    law = None if oil.thermal is None else oil.thermal.under_pressure
     if isinstance(law, FittedHeat):
-        ratios = fitted_ratios(p, temperature, start, law)
-        return k * ratios[0], capacity * ratios[1]
-    if isinstance(law, VolumeHeat) and oil.tait:
-        there = volume_heat(p, temperature, oil.tait, law)
-        ambient = volume_heat(0.0, start, oil.tait, law)
-        return k * there[0] / ambient[0], capacity * there[1] / ambient[1]
-    rho = density(p, oil, temperature)
-    return np.full_like(rho, k), rho * oil.thermal.specific_heat
+        start = min(temperature, law.largest_temperature)
+        ambient = 1.0 + law.temperature_0 * (start - law.reference_temperature)
+        return (float(_kernels.FITTED_HEAT), *astuple(law), ambient)
+    if isinstance(law, VolumeHeat) and oil.tait is not None:
+        k, capacity = volume_heat(0.0, temperature, oil.tait, law)
+        constants = (*astuple(law), CAPACITY_POWER)
+        return (float(_kernels.VOLUME_HEAT), *constants, float(k), float(capacity))
+    return ()

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..ranges import require_finite, require_positive
+from . import _kernels
 from .free_volume import TaitVolume, relative_volume
 
 
@@ -46,45 +47,70 @@ class ScaledVolume:
         require_positive(self, "factor", "limit", "exponent")
 
 
-def modulus_slope(temperature: ArrayLike, law: PressureModulus) -> Array:
-    """a_1 + a_2 T, the inverse of the coefficient at ambient pressure [Pa], T in [K]."""
-    return np.asarray(law.a1 + law.a2 * np.asarray(temperature), dtype=np.float64)
-
-
-def log_viscosity_modulus(
-    p: ArrayLike, temperature: ArrayLike, operation: float, beta: float, law: PressureModulus
-) -> Array:
-    """ln(eta/eta_0) [-] at a pressure [Pa] and temperature [K]; eta_0 at ambient pressure and the
-    temperature of operation [K], where its -d(ln eta_0)/dT is beta [1/K].
-    """
-    p, t = np.asarray(p, dtype=np.float64), np.asarray(temperature, dtype=np.float64)
-    above = t - operation
-    if law.vogel_temperature is not None:
-        room = operation - law.vogel_temperature
-        above = above / np.maximum(1.0 + above / room, 1e-3)
-    return p / (modulus_slope(t, law) + (law.b1 + law.b2 * t) * p) - beta * above
-
-
 def log_viscosity_scaled(
     p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, law: ScaledVolume
 ) -> Array:
-    """ln(eta/eta_inf) = B phi_inf/(phi - phi_inf) [-] at a pressure [Pa] and temperature [K];
-    infinite where phi reaches phi_inf, the glass.
+    """ln(eta/eta_inf) = B phi_inf/(phi - phi_inf), phi = (T/T_R) (V/V_R)^g, Bair (2019).
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        T, a shape that broadcasts with `p` [K]
+    tait : TaitVolume
+        constants of the volume
+    law : ScaledVolume
+        constants of the viscosity
+
+    Returns
+    -------
+    Array
+        ln(eta/eta_inf), the common shape [-]; infinite where phi reaches phi_inf, the glass
     """
     t = np.asarray(temperature, dtype=np.float64)
     volume = relative_volume(p, t, tait)
-    phi = t / tait.reference_temperature * np.maximum(volume, 0.0) ** law.exponent
+    warm = t / tait.reference_temperature
     with np.errstate(divide="ignore"):
-        return np.asarray(law.factor * law.limit / np.maximum(phi - law.limit, 0.0))
+        ratio = _kernels.log_scaled(volume, warm, law.factor, law.limit, law.exponent)
+    return np.asarray(ratio)
 
 
 def pressure_viscosity_modulus(law: PressureModulus, temperature: float) -> float:
-    """d(ln eta)/dp at p = 0 [1/Pa], 1/(a_1 + a_2 T), T in [K]."""
-    return 1.0 / float(modulus_slope(temperature, law))
+    """d(ln eta)/dp at p = 0, 1/(a_1 + a_2 T).
+
+    Parameters
+    ----------
+    law : PressureModulus
+        constants of the oil
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
+    return 1.0 / (law.a1 + law.a2 * temperature)
 
 
 def pressure_viscosity_scaled(tait: TaitVolume, law: ScaledVolume, temperature: float) -> float:
-    """d(ln eta)/dp at p = 0 [1/Pa], T in [K]: B phi_inf g phi/[(phi - phi_inf)^2 K_0(T)]."""
+    """d(ln eta)/dp at p = 0, B phi_inf g phi/[(phi - phi_inf)^2 K_0(T)].
+
+    Parameters
+    ----------
+    tait : TaitVolume
+        constants of the volume
+    law : ScaledVolume
+        constants of the viscosity
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
     above = temperature - tait.reference_temperature
     modulus = tait.bulk_modulus * float(np.exp(-tait.bulk_modulus_temperature * above))
     volume = float(relative_volume(0.0, temperature, tait))

@@ -8,7 +8,7 @@ Winer (1979), rate = -(tau_L/eta) ln(1 - tau/tau_L),
     tau = tau_L [1 - exp(-tau_base/tau_L)].
 
 Oils with another base follow it up to the limit: tau = min(tau_base, tau_L), Arana et al. (2019)
-for Eyring's. In place of the corner stands
+for Eyring's. The corner is rounded:
 
     tau = tau_base/[1 + (tau_base/tau_L)^m]^(1/m),    m = 32,
 
@@ -30,13 +30,11 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..ranges import require_finite, require_positive
+from . import _rheology_kernels
+from ._rheology_kernels import LARGEST_ARGUMENT
 from .lubricant import Lubricant, secant_pressure_viscosity
 
 SMALLEST_ARGUMENT = 1e-6  # of sinh(b)/b, which is 1 from there on to round-off
-# of exponentials: keeps the rate finite at stresses that only occur while iterating
-LARGEST_ARGUMENT = 300.0
-LIMIT_POWER = 32  # m of the limiting stress on other laws than Newton's [-]
-LIMIT_ROOTS = 5  # square roots in a row that are the m-th root [-]
 
 
 class ShearLaw(Enum):
@@ -47,12 +45,16 @@ class ShearLaw(Enum):
     CARREAU_YASUDA = "carreau-yasuda"
 
 
-LAW_CODES = {ShearLaw.NEWTONIAN: 0, ShearLaw.REE_EYRING: 1, ShearLaw.CARREAU_YASUDA: 2}
+LAW_CODES = {
+    ShearLaw.NEWTONIAN: _rheology_kernels.NEWTONIAN,
+    ShearLaw.REE_EYRING: _rheology_kernels.REE_EYRING,
+    ShearLaw.CARREAU_YASUDA: _rheology_kernels.CARREAU_YASUDA,
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rheology:
-    """Shear behaviour of an oil; only the constants of its own law are used."""
+    """Shear behaviour of an oil; only the constants of its law are used."""
 
     law: ShearLaw = ShearLaw.NEWTONIAN
     # tau_0 of rate = (tau_0/eta) sinh(tau/tau_0), Eyring (1936) [Pa]
@@ -94,12 +96,12 @@ class Rheology:
 
     @property
     def newtonian(self) -> bool:
-        """Whether the stress is eta times the rate whatever the rate."""
+        """The stress is eta times the rate at any rate."""
         return self.law is ShearLaw.NEWTONIAN and self.limiting_coefficient is None
 
     @property
     def of_contact(self) -> bool:
-        """Whether its stresses are known: none is left to the mean pressure of a contact."""
+        """All stresses are constants: none depends on the mean pressure of a contact."""
         return self.law is not ShearLaw.REE_EYRING or self.eyring_coefficient is None
 
     @property
@@ -109,10 +111,28 @@ class Rheology:
 
 
 def contact_rheology(rheology: Rheology, oil: Lubricant, mean_pressure: float) -> Rheology:
-    """The rheology with Eyring's stress 2 Lambda_0/alpha at a contact's mean pressure [Pa] and the
-    oil's temperature; ValueError for an oil whose viscosity does not rise with the pressure.
+    """The rheology with Eyring's stress 2 Lambda_0/alpha at the mean pressure of a contact.
 
     The film may be hotter: alpha is that of the oil that flows in.
+
+    Parameters
+    ----------
+    rheology : Rheology
+        shear law of the oil
+    oil : Lubricant
+        the lubricant, at its temperature of operation
+    mean_pressure : float
+        load over the Hertz area [Pa]
+
+    Returns
+    -------
+    Rheology
+        the rheology with a constant Eyring stress
+
+    Raises
+    ------
+    ValueError
+        if the viscosity of the oil does not rise with the pressure
     """
     if rheology.of_contact:
         return rheology
@@ -121,8 +141,26 @@ def contact_rheology(rheology: Rheology, oil: Lubricant, mean_pressure: float) -
 
 
 def eyring_stresses(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
-    """Eyring's stresses of contacts at their mean pressures [Pa], (contacts,), as
-    `contact_rheology` has them for one.
+    """Eyring stresses of contacts at their mean pressures, see `contact_rheology`.
+
+    Parameters
+    ----------
+    rheology : Rheology
+        shear law of the oil
+    oil : Lubricant
+        the lubricant, at its temperature of operation
+    mean_pressure : Array
+        load over the Hertz area, shape (contacts,) [Pa]
+
+    Returns
+    -------
+    Array
+        tau_0, shape (contacts,) [Pa]
+
+    Raises
+    ------
+    ValueError
+        if the viscosity of the oil does not rise with the pressure
     """
     if rheology.eyring_coefficient is None:
         return np.full_like(mean_pressure, rheology.eyring_stress)
@@ -132,7 +170,7 @@ def eyring_stresses(rheology: Rheology, oil: Lubricant, mean_pressure: Array) ->
     return 2.0 * rheology.eyring_coefficient / alpha
 
 
-def _require_known(rheology: Rheology) -> None:
+def _require_constant_stress(rheology: Rheology) -> None:
     if not rheology.of_contact:
         raise ValueError("eyring_coefficient: the rheology of a contact is `contact_rheology`")
 
@@ -152,28 +190,64 @@ class KernelRheology(NamedTuple):
 
 
 def kernel_rheology(rheology: Rheology) -> KernelRheology:
-    """Numbers of a rheology for compiled kernels; the one place where a law becomes a code."""
-    _require_known(rheology)
+    """Numbers of a rheology for compiled kernels; the only conversion of a law to a code.
+
+    Parameters
+    ----------
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    KernelRheology
+        numbers in the order of the kernels' arguments
+
+    Raises
+    ------
+    ValueError
+        if the Eyring stress depends on the mean pressure of a contact
+    """
+    _require_constant_stress(rheology)
     eyring = rheology.law is ShearLaw.REE_EYRING
-    coefficient = rheology.limiting_coefficient
     return KernelRheology(
-        law=LAW_CODES[rheology.law],
-        stress=rheology.eyring_stress if eyring else rheology.carreau_modulus,
-        exponent=rheology.carreau_exponent,
-        breadth=rheology.yasuda_exponent,
-        limit_coefficient=inf if coefficient is None else coefficient,
-        limit_stress=rheology.limiting_stress,
-        limit_slope=rheology.limiting_temperature_slope,
-        limit_temperature=rheology.reference_temperature,
-        limit_minimum=rheology.limiting_minimum,
+        LAW_CODES[rheology.law],
+        rheology.eyring_stress if eyring else rheology.carreau_modulus,
+        rheology.carreau_exponent,
+        rheology.yasuda_exponent,
+        *_limit_numbers(rheology),
+    )
+
+
+def _limit_numbers(rheology: Rheology) -> tuple[float, float, float, float, float]:
+    """Numbers of the limiting stress, the last five of `KernelRheology`."""
+    coefficient = rheology.limiting_coefficient
+    return (
+        inf if coefficient is None else coefficient,
+        rheology.limiting_stress,
+        rheology.limiting_temperature_slope,
+        rheology.reference_temperature,
+        rheology.limiting_minimum,
     )
 
 
 def divide_stresses(rheology: Rheology, divisor: float) -> Rheology:
-    """The law with all stresses divided by a number in (0, 1] [-]: more Newtonian."""
+    """The law with all stresses divided by a number: more Newtonian.
+
+    Parameters
+    ----------
+    rheology : Rheology
+        shear law of the oil
+    divisor : float
+        in (0, 1] [-]
+
+    Returns
+    -------
+    Rheology
+        the more Newtonian law
+    """
     if divisor == 1.0:
         return rheology
-    _require_known(rheology)
+    _require_constant_stress(rheology)
     coefficient = rheology.limiting_coefficient
     return replace(
         rheology,
@@ -188,18 +262,29 @@ def divide_stresses(rheology: Rheology, divisor: float) -> Rheology:
 def limiting_stress(
     pressure: ArrayLike, rheology: Rheology, temperature: ArrayLike | None = None
 ) -> Array:
-    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least `limiting_minimum` [Pa], at a pressure
-    [Pa] and temperature [K], None: the reference temperature; infinite if there is no limit.
+    """Limiting shear stress tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least
+    `limiting_minimum`.
+
+    Parameters
+    ----------
+    pressure : ArrayLike
+        p, any shape [Pa]
+    rheology : Rheology
+        shear law of the oil
+    temperature : ArrayLike | None, optional
+        T, a shape that broadcasts with `pressure` [K]; None: the reference temperature
+
+    Returns
+    -------
+    Array
+        tau_L, the common shape [Pa]; infinite if there is no limit
     """
     p = np.asarray(pressure, dtype=np.float64)
-    if rheology.limiting_coefficient is None:
-        return np.full_like(p, inf)
-    reference = rheology.reference_temperature
-    excess = 0.0 if temperature is None else np.asarray(temperature) - reference
-    softening = np.maximum(1.0 + rheology.limiting_temperature_slope * excess, 0.0)
+    numbers = _limit_numbers(rheology)
+    now = rheology.reference_temperature if temperature is None else np.asarray(temperature)
     with np.errstate(divide="ignore", invalid="ignore"):
-        limit = rheology.limiting_stress + rheology.limiting_coefficient * p / softening
-    return np.fmax(limit, rheology.limiting_minimum)
+        limit: Array = _rheology_kernels.limiting_stress(p, now, *numbers)
+    return limit
 
 
 def shear_stress(
@@ -209,37 +294,69 @@ def shear_stress(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> Array:
-    """Shear stress tau [Pa] at a shear rate [1/s] and the low-shear viscosity eta at pressure and
-    temperature [Pa s]; odd in the rate.
+    """Shear stress at a shear rate; odd in the rate.
 
-    Pressure [Pa] and temperature [K] enter the limiting stress only.
+    Pressure and temperature enter the limiting stress only.
+
+    Parameters
+    ----------
+    rate : ArrayLike
+        shear rate, any shape [1/s]
+    viscosity : ArrayLike
+        low-shear viscosity at pressure and temperature [Pa s]
+    pressure : ArrayLike
+        [Pa]
+    rheology : Rheology
+        shear law of the oil
+    temperature : ArrayLike | None, optional
+        [K]; None: the reference temperature
+
+    Returns
+    -------
+    Array
+        tau, the common shape [Pa]
+
+    Raises
+    ------
+    ValueError
+        if the Eyring stress depends on the mean pressure of a contact
     """
-    _require_known(rheology)
-    rate, eta = np.asarray(rate, dtype=np.float64), np.asarray(viscosity, dtype=np.float64)
-    newtonian = eta * np.abs(rate)
-    if rheology.law is ShearLaw.REE_EYRING:
-        stress = rheology.eyring_stress * np.arcsinh(newtonian / rheology.eyring_stress)
-    elif rheology.law is ShearLaw.CARREAU_YASUDA:
-        n = rheology.carreau_exponent
-        a = rheology.yasuda_exponent
-        stress = newtonian * (1.0 + (newtonian / rheology.carreau_modulus) ** a) ** ((n - 1.0) / a)
-    else:
-        stress = newtonian
-    if rheology.limiting_coefficient is not None:
-        stress = limited(stress, limiting_stress(pressure, rheology, temperature), rheology.law)
+    numbers = kernel_rheology(rheology)
+    limit = limiting_stress(pressure, rheology, temperature)
+    rates, viscosities, limits = _broadcast(np.abs(rate), viscosity, limit)
+    stress = np.empty(rates.shape)
+    flat = rates.ravel(), viscosities.ravel(), limits.ravel()
+    _rheology_kernels.shear_stresses(*flat, *numbers[:4], stress.reshape(-1))
     return np.copysign(stress, rate)
 
 
+def _broadcast(*values: ArrayLike) -> list[Array]:
+    """Arrays of the common shape of numbers and arrays."""
+    return np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in values))
+
+
 def limited(stress: ArrayLike, limit: ArrayLike, law: ShearLaw) -> Array:
-    """Magnitude of a base law's stress under a limiting one, both positive [Pa]."""
-    tau, limit = np.asarray(stress, dtype=np.float64), np.asarray(limit, dtype=np.float64)
-    if law is ShearLaw.NEWTONIAN:
-        bound = np.where(np.isfinite(limit), limit, 1.0)
-        return np.where(np.isfinite(limit), -bound * np.expm1(-tau / bound), tau)
-    larger = np.maximum(tau, limit)
-    with np.errstate(invalid="ignore"):
-        ratio = np.where(np.isfinite(larger), np.minimum(tau, limit) / larger, 0.0)
-    return np.asarray(np.minimum(tau, limit) / (1.0 + ratio**LIMIT_POWER) ** (1.0 / LIMIT_POWER))
+    """Magnitude of a base law's stress under a limiting one.
+
+    Parameters
+    ----------
+    stress : ArrayLike
+        of the base law, positive, any shape [Pa]
+    limit : ArrayLike
+        limiting stress, positive or infinite, a shape that broadcasts with `stress` [Pa]
+    law : ShearLaw
+        the base law
+
+    Returns
+    -------
+    Array
+        stress, the common shape [Pa]
+    """
+    stresses, limits = _broadcast(stress, limit)
+    result = np.empty(stresses.shape)
+    flat = stresses.ravel(), limits.ravel()
+    _rheology_kernels.limited_stresses(*flat, LAW_CODES[law], result.reshape(-1))
+    return result
 
 
 def shear_stress_vector(
@@ -249,7 +366,28 @@ def shear_stress_vector(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
-    """Stresses (tau_x, tau_y) [Pa] parallel to the rates (rate_x, rate_y) [1/s]."""
+    """Shear stress vector parallel to the shear-rate vector.
+
+    Parameters
+    ----------
+    rates : tuple[ArrayLike, ArrayLike]
+        components (rate_x, rate_y) of one shape [1/s]
+    viscosity : ArrayLike
+        low-shear viscosity at pressure and temperature [Pa s]
+    pressure : ArrayLike
+        [Pa]
+    rheology : Rheology
+        shear law of the oil
+    temperature : ArrayLike | None, optional
+        [K]; None: the reference temperature
+
+    Returns
+    -------
+    along_x
+        tau_x, the common shape [Pa]
+    along_y
+        tau_y, the common shape [Pa]
+    """
     x, y = (np.asarray(rate, dtype=np.float64) for rate in rates)
     rate = np.hypot(x, y)
     stress = shear_stress(rate, viscosity, pressure, rheology, temperature)
@@ -258,15 +396,26 @@ def shear_stress_vector(
 
 
 def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
-    """Fluidity of a film in which the stress rises across it over that in which it does not [-];
-    Ree-Eyring only.
+    """Fluidity of a film with a pressure gradient over that without, sinh(B)/B; Ree-Eyring only.
 
-    sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano
-    (1987); `rise` is h p_x, the rise of the stress from wall to wall [Pa]. The direction of the
-    sliding is not taken into account. Other laws have no factor that holds for any sliding: 1.
+    B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano (1987). The
+    direction of the sliding is neglected. Other laws have no factor that holds for
+    any sliding: 1.
+
+    Parameters
+    ----------
+    rise : Array
+        h p_x, rise of the stress from wall to wall, any shape [Pa]
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    Array
+        factor, shape of `rise` [-]
     """
     if rheology.law is not ShearLaw.REE_EYRING:
         return np.ones_like(rise)
-    _require_known(rheology)
+    _require_constant_stress(rheology)
     b = np.clip(0.5 * np.abs(rise) / rheology.eyring_stress, SMALLEST_ARGUMENT, LARGEST_ARGUMENT)
     return np.asarray(np.sinh(b) / b, dtype=np.float64)

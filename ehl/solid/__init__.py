@@ -2,7 +2,6 @@
 
 bodies               - bodies of finite size: rings, by finite elements
 _conductance_kernels - march of the heat through films along lines of rolling, compiled
-_transform_kernels   - convolution along the columns of a grid, compiled
 coating              - a coated body, and its compliance
 compliance           - half-space compliance of bilinear pressures on a graded rectangular mesh
 deformation          - elastic deflection of the half-space by convolution

@@ -4,10 +4,10 @@
 
 import numpy as np
 
-from ..compiled import allocating
+from ..compiled import compiled
 
 
-@allocating
+@compiled
 def marched_sums(film, rates, weights, flux, sums):
     """Sums over the nodes of q_i = H_i (1 - r sum of w_(i-j) q_j before)/(1 + H_i r w_0) of lines
     side by side.

@@ -26,24 +26,42 @@ class Coating:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScaledCoating:
-    """Compliance 1/r + share c(r/t)/t of both bodies together, lengths in units of a [-]."""
+    """Compliance 1/r + f c(r/t)/t of both bodies together, lengths in units of a [-]."""
 
     thickness: float  # t/a
-    share: float  # of the coated body in the compliance of the contact
+    fraction: float  # f, of the coated body in the compliance of the contact
     ratio: float  # E of the substrate over that of the coating
     poisson: tuple[float, float]  # of coating and substrate
 
 
 def scaled_coating(coating: Coating, reduced_modulus: float, semi_axis: float) -> ScaledCoating:
-    """Dimensionless form; E' [Pa] of the coating against the other body, a [m]; ValueError where
-    E' is larger than the coating alone allows.
+    """Dimensionless form of a coating.
+
+    Parameters
+    ----------
+    coating : Coating
+        thickness and elastic constants
+    reduced_modulus : float
+        E' of the coating against the other body [Pa]
+    semi_axis : float
+        a [m]
+
+    Returns
+    -------
+    ScaledCoating
+        the coating in units of a
+
+    Raises
+    ------
+    ValueError
+        if E' is larger than the coating alone allows
     """
-    share = 0.5 * reduced_modulus * (1.0 - coating.poisson_ratio**2) / coating.youngs_modulus
-    if share > 1.0 + 1e-9:
+    fraction = 0.5 * reduced_modulus * (1.0 - coating.poisson_ratio**2) / coating.youngs_modulus
+    if fraction > 1.0 + 1e-9:
         raise ValueError("reduced_modulus exceeds that of the coating against a rigid body")
     return ScaledCoating(
         thickness=coating.thickness / semi_axis,
-        share=share,
+        fraction=fraction,
         ratio=coating.substrate_youngs_modulus / coating.youngs_modulus,
         poisson=(coating.poisson_ratio, coating.substrate_poisson_ratio),
     )

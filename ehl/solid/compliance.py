@@ -36,7 +36,7 @@ class Lattice:
 
     @property
     def spacing(self) -> tuple[float, float]:
-        """Of the lattice along x and y [-]."""
+        """Spacing of the lattice along x and y [-]."""
         along = float(self.x[-1] - self.x[0]) / int(self.i[-1])
         return along, float(self.y[-1] - self.y[0]) / int(self.j[-1])
 
@@ -51,14 +51,25 @@ class Compliance:
     size: tuple[int, int]  # of the transform
     to_x: sparse.csr_matrix  # from the lines of the mesh to those of the lattice
     to_y: sparse.csr_matrix
-    own: Array  # deflection of each node by its own pressure, shape (nodes,) [-]
+    diagonal: Array  # deflection of each node by its pressure, shape (nodes,) [-]
 
     def __matmul__(self, P: Array) -> Array:
         """Deflection [-], shape (nodes,), of nodal pressures [-], shape (nodes,)."""
         return self._deflected(P, self.spectrum)
 
     def in_single_precision(self, P: Array) -> Array:
-        """The same to some 1e-6, in half the time: for the iterations of a linear system."""
+        """Deflection to some 1e-6, in half the time: for the iterations of a linear system.
+
+        Parameters
+        ----------
+        P : Array
+            nodal pressures, shape (nodes,) [-]
+
+        Returns
+        -------
+        Array
+            deflection, shape (nodes,) [-]
+        """
         return self._deflected(P, self.single)
 
     def _deflected(self, P: Array, spectrum: NDArray[np.complexfloating]) -> Array:
@@ -75,12 +86,29 @@ class Compliance:
 
 
 def corner_integrals(x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
-    """Integrals of (1, x, y, x y)/r over the rectangle from the origin to (x, y), r^2 = x^2 + y^2
-    [-].
+    """Integrals of (1, x, y, x y)/r over the rectangle from the origin to (x, y), r^2 = x^2 + y^2.
 
     x asinh(y/|x|) + y asinh(x/|y|) (Love, 1929), (y r + x^2 asinh(y/|x|))/2, the same with x and y
     exchanged, r^3/3; each up to functions of x or of y alone, which cancel in differences over the
     corners of a rectangle.
+
+    Parameters
+    ----------
+    x : Array
+        corner along x, any shape [-]
+    y : Array
+        corner along y, a shape that broadcasts with `x` [-]
+
+    Returns
+    -------
+    one
+        of 1/r, the common shape [-]
+    first_x
+        of x/r [-]
+    first_y
+        of y/r [-]
+    mixed
+        of x y/r [-]
     """
     r = np.hypot(x, y)
     x, y = (np.broadcast_to(side, r.shape) for side in (x, y))
@@ -91,9 +119,23 @@ def corner_integrals(x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
 
 
 def hat_compliances(x: Sequence[Array], y: Sequence[Array]) -> Iterator[Array]:
-    """Double integrals at the origin of P/r, P the bilinear hat function of the node (x[a], y[b]),
-    zero on the lines x[a - 1], x[a + 1], y[b - 1], y[b + 1] around it [-]; one for each a and b
-    but the first and the last, b running faster.
+    """Double integrals of P/r at the origin, P the bilinear hat function of each node (x[a],
+    y[b]).
+
+    The hat is zero on the lines x[a - 1], x[a + 1], y[b - 1], y[b + 1].
+
+    Parameters
+    ----------
+    x : Sequence[Array]
+        lines along x as seen from the origin, arrays of any shape [-]
+    y : Sequence[Array]
+        lines along y, arrays that broadcast with those of `x` [-]
+
+    Yields
+    ------
+    Iterator[Array]
+        integral for each a and b but the first and the last, b running faster, the common shape
+        [-]
     """
     corners = [[corner_integrals(column, row) for row in y] for column in x[:2]]
     for a in range(1, len(x) - 1):
@@ -111,7 +153,7 @@ def _quarter(
     node: tuple[int, int],
     cell: tuple[int, int],
 ) -> Array:
-    """The part of a hat function's integral in one of the four cells around its node."""
+    """Integral of a hat function in one of the four cells around its node."""
     a, b = node
     i, j = cell
     west, east = corners[i : i + 2]  # `corners` begins with the column a - 1
@@ -124,7 +166,22 @@ def _quarter(
 
 
 def compliance(lattice: Lattice, factor: float, coating: ScaledCoating | None) -> Compliance:
-    """Operator `factor` times the double integral of P/r, and the contribution of a coating."""
+    """Deflection operator: a factor times the double integral of P/r, and that of a coating.
+
+    Parameters
+    ----------
+    lattice : Lattice
+        lines of the mesh
+    factor : float
+        c_def [-]
+    coating : ScaledCoating | None
+        of one body; None: uncoated
+
+    Returns
+    -------
+    Compliance
+        the operator
+    """
     hx, hy = lattice.spacing
     nx = int(lattice.i[-1]) + 1
     ny = int(lattice.j[-1]) + 1
@@ -137,8 +194,8 @@ def compliance(lattice: Lattice, factor: float, coating: ScaledCoating | None) -
     kernel = factor * _kernel(x, y, hx, hy, coating)
     spectrum = fft.rfft2(kernel[np.ix_(rows, columns)])
     to_lines = (_prolongation(lattice.i), _prolongation(lattice.j))
-    own = near_field(lattice, (0, 0), factor, coating).diagonal()
-    return Compliance(lattice, spectrum, spectrum.astype(np.complex64), size, *to_lines, own)
+    diagonal = near_field(lattice, (0, 0), factor, coating).diagonal()
+    return Compliance(lattice, spectrum, spectrum.astype(np.complex64), size, *to_lines, diagonal)
 
 
 def _distances(size: int, farthest: int) -> NDArray[np.int_]:
@@ -154,11 +211,11 @@ def _kernel(x: Array, y: Array, hx: float, hy: float, coating: ScaledCoating | N
     square = np.maximum(X**2 + Y**2, hx * hx)
     second = (hx**2 * (3.0 * X**2 / square - 1.0) + hy**2 * (3.0 * Y**2 / square - 1.0)) / 12.0
     kernel = hx * hy * (1.0 + second / square) / np.sqrt(square)
-    near = FAR * max(hx, hy)
-    X = X[x < near]
-    Y = Y[:, y < near]
+    reach = FAR * max(hx, hy)
+    X = X[x < reach]
+    Y = Y[:, y < reach]
     values = next(hat_compliances((X - hx, X, X + hx), (Y - hy, Y, Y + hy)))
-    kernel[np.ix_(x < near, y < near)] = values
+    kernel[np.ix_(x < reach, y < reach)] = values
     if coating is not None:
         kernel += hx * hy * hat_mean(coating, x[:, None], y[None, :], hx, hy)
     return kernel
@@ -167,8 +224,27 @@ def _kernel(x: Array, y: Array, hx: float, hy: float, coating: ScaledCoating | N
 def hat_mean(
     coating: ScaledCoating, x: Array, y: Array, hx: float | Array, hy: float | Array
 ) -> Array:
-    """Mean of a coating's contribution over the hat function of (x, y), by two points in each
-    direction, a standard deviation hx/sqrt(6), hy/sqrt(6) from the node [-].
+    """Mean of a coating's contribution over the hat function of (x, y).
+
+    Two points in each direction, a standard deviation hx/sqrt(6), hy/sqrt(6) from the node.
+
+    Parameters
+    ----------
+    coating : ScaledCoating
+        of one body
+    x : Array
+        distance of the node along x, any shape [-]
+    y : Array
+        distance of the node along y, a shape that broadcasts with `x` [-]
+    hx : float | Array
+        half the width of the hat along x [-]
+    hy : float | Array
+        half the width of the hat along y [-]
+
+    Returns
+    -------
+    Array
+        mean compliance, the common shape [-]
     """
     ends = [(x + a * hx / 6**0.5, y + b * hy / 6**0.5) for a in (-1, 1) for b in (-1, 1)]
     return np.asarray(sum(point_compliance(coating, np.hypot(*end)) for end in ends) / 4.0)
@@ -178,18 +254,37 @@ def _prolongation(lines: NDArray[np.int_]) -> sparse.csr_matrix:
     """Linear interpolation from lines of the mesh to all of the lattice."""
     fine = np.arange(lines[-1] + 1)
     cell = np.minimum(np.searchsorted(lines, fine, side="right") - 1, len(lines) - 2)
-    share = (fine - lines[cell]) / np.diff(lines)[cell]
+    fraction = (fine - lines[cell]) / np.diff(lines)[cell]
     rows = np.concatenate((fine, fine))
-    entries = (np.concatenate((1.0 - share, share)), (rows, np.concatenate((cell, cell + 1))))
+    entries = (
+        np.concatenate((1.0 - fraction, fraction)),
+        (rows, np.concatenate((cell, cell + 1))),
+    )
     return sparse.csr_matrix(entries, shape=(len(fine), len(lines)))
 
 
 def near_field(
     lattice: Lattice, reach: tuple[int, int], factor: float, coating: ScaledCoating | None
 ) -> sparse.csr_matrix:
-    """Compliance between nodes at most `reach` lines apart, the mirrored ones included, less its
-    smallest value there for each node: P/r less a constant, which the constant of the film takes
-    up.
+    """Compliance between nodes at most `reach` lines apart, less its smallest value for each node.
+
+    The mirrored nodes are included: P/r less a constant, which the constant of the film takes up.
+
+    Parameters
+    ----------
+    lattice : Lattice
+        lines of the mesh
+    reach : tuple[int, int]
+        number of lines along x and along y
+    factor : float
+        c_def [-]
+    coating : ScaledCoating | None
+        of one body; None: uncoated
+
+    Returns
+    -------
+    sparse.csr_matrix
+        matrix, shape (nodes, nodes) [-]
     """
     nx, ny = len(lattice.x), len(lattice.y)
     rx, ry = reach
@@ -197,12 +292,12 @@ def near_field(
     y = _continued(lattice.y, ry, lattice.symmetric)
     i = np.arange(nx)[:, None]
     j = np.arange(ny)[None, :]
-    # distances of the lines around each node, its own in the middle
+    # distances of the lines around each node, the node itself in the middle
     along = [x[i + k] - x[i + rx + 1] for k in range(2 * rx + 3)]
     across = [y[j + k] - y[j + ry + 1] for k in range(2 * ry + 3)]
     blocks = []
-    near = product(range(-rx, rx + 1), range(-ry, ry + 1))
-    for (a, b), values in zip(near, hat_compliances(along, across), strict=True):
+    neighbours = product(range(-rx, rx + 1), range(-ry, ry + 1))
+    for (a, b), values in zip(neighbours, hat_compliances(along, across), strict=True):
         if coating is not None:
             west, X, east = along[a + rx : a + rx + 3]
             south, Y, north = across[b + ry : b + ry + 3]
@@ -214,7 +309,7 @@ def near_field(
         inside = (i + a >= 0) & (i + a < nx) & (column >= 0) & (column < ny)
         row = (i * ny + j)[inside]
         blocks.append((factor * values[inside], row, ((i + a) * ny + column)[inside]))
-    values, row, column = (np.concatenate(part) for part in zip(*blocks, strict=True))
+    values, row, column = (np.concatenate(arrays) for arrays in zip(*blocks, strict=True))
     if reach == (0, 0):
         return sparse.csr_matrix((values, (row, column)), shape=(nx * ny, nx * ny))
     rim = np.full(nx * ny, np.inf)

@@ -1,16 +1,12 @@
 """Elastic deflection of the half space: Love's kernel by zero-padded FFT."""
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import fft
 
 from ..arrays import Array
 from ..grid import Grid
-from ._transform_kernels import LANES, convolve_columns
 from .coating import ScaledCoating
 from .layered import patch_compliance
 
@@ -26,18 +22,32 @@ class DeflectionKernel:
     symmetric: bool
     shape: tuple[int, int]  # (ny, nx) of the pressure
     length_x: int  # padded length: twice the number of cells
-    # real, as the kernel is even; shape (blocks of columns, length along y, LANES)
+    # real, as the kernel is even: of a symmetric grid over the terms of a cosine series along y
+    # and over real and imaginary parts along x, shape (n, 2 nx), else (n, nx)
     spectrum: Array
-    far: Array  # of the last line's mirror image, where the spectrum leaves it out
-    tables: tuple[NDArray[np.int64], NDArray[np.int64], Array, Array]  # of the transforms along y
+    far: Array  # of the last line's mirror image, which the cosine series leaves out, shape (nx,)
     # deflection at distance m hx in the same line and in the next ones, shape (NEAR_LINES,
     # NEAR_COLUMNS)
     near: Array
 
 
 def patch_corner(u: Array, v: Array) -> Array:
-    """u asinh(v/|u|) + v asinh(u/|v|) for corners off the axes [-]: differenced over the corners
-    of a rectangle, the integral of 1/r over it seen from the origin, Love (1929).
+    """u asinh(v/|u|) + v asinh(u/|v|) for corners off the axes.
+
+    Differenced over the corners of a rectangle, this is the integral of 1/r over it seen from the
+    origin, Love (1929).
+
+    Parameters
+    ----------
+    u : Array
+        corner along x, any shape [-]
+    v : Array
+        corner along y, a shape that broadcasts with `u` [-]
+
+    Returns
+    -------
+    Array
+        the common shape [-]
     """
     return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
@@ -55,26 +65,36 @@ def deflection_kernel(
         if length < len(quarter):
             far = along[length]
         series = fft.dct(along[:length], type=3, n=length, axis=0) / (2 * length)
-        spectrum = np.concatenate((series[0::2], series[1::2][::-1]))
+        spectrum = np.repeat(series, 2, axis=1)
     else:
         length = transform_length(2 * (len(quarter) - 1))
         padded = np.pad(along, ((0, length // 2 + 1 - len(quarter)), (0, 0)))
-        half = fft.dct(padded, type=1, axis=0) / length
+        half = fft.dct(padded, type=1, axis=0)
         spectrum = np.concatenate((half, half[-2:0:-1]))
     return DeflectionKernel(
         symmetric=grid.symmetric,
         shape=(grid.ny, grid.nx),
         length_x=2 * (grid.nx - 1),
-        spectrum=_in_blocks(spectrum),
-        far=_in_blocks(far[None, :])[:, 0],
-        tables=_tables(length, grid.ny),
+        spectrum=spectrum,
+        far=far,
         near=quarter[:NEAR_LINES, :NEAR_COLUMNS].copy(),
     )
 
 
 def unit_deflections(grid: Grid, coating: ScaledCoating | None = None) -> Array:
-    """Deflection over c_def of nodes at distances from 0 up along y and x from a unit pressure at
-    one node, shape (distances of the whole grid along y, nx) [-].
+    """Deflection over c_def of nodes at distances from 0 up from a unit pressure at one node.
+
+    Parameters
+    ----------
+    grid : Grid
+        the grid
+    coating : ScaledCoating | None, optional
+        of one body; None: uncoated
+
+    Returns
+    -------
+    Array
+        shape (distances of the whole grid along y, nx) [-]
     """
     cells_x = grid.nx - 1
     cells_y = (2 if grid.symmetric else 1) * (grid.ny - 1)
@@ -88,52 +108,39 @@ def unit_deflections(grid: Grid, coating: ScaledCoating | None = None) -> Array:
 
 
 def transform_length(least: int) -> int:
-    """Smallest even number 2^k, 3 2^k, 9 2^k or 27 2^k that is not below `least`."""
+    """Smallest even number 2^k, 3 2^k, 9 2^k or 27 2^k that is not below `least`.
+
+    Parameters
+    ----------
+    least : int
+        smallest length of the transform
+
+    Returns
+    -------
+    int
+        length of the transform
+    """
     return min(odd << max(1, (-(-least // odd) - 1).bit_length()) for odd in (1, 3, 9, 27))
 
 
-def _in_blocks(values: Array) -> Array:
-    """Rows of columns, shape (n, nx), as (blocks, n, LANES), zeros at the end."""
-    padded = np.pad(values, ((0, 0), (0, -values.shape[1] % LANES)))
-    return np.ascontiguousarray(padded.reshape(len(values), -1, LANES).swapaxes(0, 1))
-
-
-def _tables(length: int, rows: int) -> tuple[NDArray[np.int64], NDArray[np.int64], Array, Array]:
-    """Radices of a length, places of the frequencies, cosine and sine of 2 pi n/length and of pi
-    n/(2 length), the latter for the rows of the grid.
-    """
-    radices = []
-    rest = length
-    for radix in (4, 3, 2):
-        while rest % radix == 0:
-            radices.append(radix)
-            rest //= radix
-    frequencies = np.zeros(1, dtype=np.int64)
-    for radix in radices:
-        frequencies = np.add.outer(frequencies, len(frequencies) * np.arange(radix)).ravel()
-    turns = [
-        np.stack((np.cos(angle), np.sin(angle)), axis=1)
-        for angle in (
-            2.0 * np.pi / length * np.arange(length),
-            np.pi / 2.0 / length * np.arange(rows),
-        )
-    ]
-    return np.array(radices), np.argsort(frequencies), turns[0], turns[1]
-
-
 def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Array:
-    """Deflection sum_kl K(i-k, j-l) P_kl, shapes (ny, nx) [-], by FFT."""
-    with fft.set_workers(threads):
-        rows = fft.rfft(pressure, n=kernel.length_x, axis=1)
-        convolve = partial(
-            convolve_columns, rows, kernel.symmetric, kernel.spectrum, kernel.far, kernel.tables
-        )
-        blocks = len(kernel.spectrum)
-        if threads == 1:
-            convolve(0, blocks)
-        else:
-            cuts = [blocks * k // threads for k in range(threads + 1)]
-            with ThreadPoolExecutor(threads) as pool:
-                list(pool.map(convolve, cuts[:-1], cuts[1:]))
-        deflection = fft.irfft(rows, n=kernel.length_x, axis=1, overwrite_x=True)
+    """Deflection sum_kl K(i-k, j-l) P_kl, shapes (ny, nx) [-], by FFT.
+
+    Columns of a symmetric grid are even about their first line: a cosine series of type 3 there,
+    type 2 back (Makhoul, 1980), half as long as the padded columns of other grids.
+    """
+    rows = fft.rfft(pressure, n=kernel.length_x, axis=1, workers=threads)
+    if not kernel.symmetric:
+        columns = fft.fft(rows, n=len(kernel.spectrum), axis=0, workers=threads)
+        columns *= kernel.spectrum
+        rows = fft.ifft(columns, axis=0, overwrite_x=True, workers=threads)[: len(rows)]
+    else:
+        beyond = kernel.far * rows[-1]
+        columns = rows.view(np.float64)
+        series = fft.dct(columns, type=3, n=len(kernel.spectrum), axis=0, workers=threads)
+        series *= kernel.spectrum
+        series = fft.dct(series, type=2, axis=0, overwrite_x=True, workers=threads)
+        rows = series[: len(rows)].view(np.complex128)
+        rows[-1] += beyond
+    deflection = fft.irfft(rows, n=kernel.length_x, axis=1, overwrite_x=True, workers=threads)
     return np.ascontiguousarray(deflection[:, : kernel.shape[1]])

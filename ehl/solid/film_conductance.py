@@ -13,7 +13,7 @@ of semi-axes b along rolling and a across it conducts
 .. math:: G = u \int_{-a}^{a} E(w(y)/u)\, dy, \qquad w = 2 b \sqrt{1 - y^2/a^2}
 
 It holds where the heat does not get far during the passage, u b/(2 kappa) >> 1. At slower motion u
-has the share of a body at rest added that makes G of a contact at rest without a film the
+has a contribution of bodies at rest added that makes G of a contact at rest without a film the
 conductance of an isothermal spot, 1/G = (1/k_1 + 1/k_2) K(m)/(2 pi a), m = 1 - b^2/a^2.
 
 Over a film whose H varies, each line is marched along rolling,
@@ -39,8 +39,23 @@ BETA = gamma(0.5) * gamma(1.25) / gamma(1.75)
 
 
 def exchanged_heat(time: ArrayLike, film: float, first: float, second: float) -> Array:
-    """E of two half-spaces after a time [s] through a film of conductance H [W/(m^2 K)], by their
-    effusivities [W s^0.5/(m^2 K)]; in [J/(m^2 K)].
+    """Heat E(t) that two half-spaces exchange through a film, per area and kelvin.
+
+    Parameters
+    ----------
+    time : ArrayLike
+        of the contact, any shape [s]
+    film : float
+        conductance H of the film [W/(m^2 K)]
+    first : float
+        effusivity of the first body [W s^0.5/(m^2 K)]
+    second : float
+        effusivity of the second body [W s^0.5/(m^2 K)]
+
+    Returns
+    -------
+    Array
+        E, shape of `time` [J/(m^2 K)]
     """
     joint = first * second / (first + second)
     root = np.sqrt(np.asarray(time, dtype=np.float64))
@@ -56,8 +71,23 @@ def exchanged_heat(time: ArrayLike, film: float, first: float, second: float) ->
 def spot_conductance(
     along: float, across: float, first: SolidThermal, second: SolidThermal
 ) -> float:
-    """Of an isothermal elliptic spot between two half-spaces at rest, by its semi-axes [m], in
-    [W/K].
+    """Conductance of an isothermal elliptic spot between two half-spaces at rest.
+
+    Parameters
+    ----------
+    along : float
+        semi-axis along rolling [m]
+    across : float
+        semi-axis across [m]
+    first : SolidThermal
+        first body
+    second : SolidThermal
+        second body
+
+    Returns
+    -------
+    float
+        conductance [W/K]
     """
     short, long = sorted((along, across))
     resistance = 1.0 / first.conductivity + 1.0 / second.conductivity
@@ -72,10 +102,25 @@ def film_conductance(
     first: SolidThermal,
     second: SolidThermal,
 ) -> float:
-    """G of a contact with an even film [W/K].
+    """Conductance G of a contact with an even film.
 
-    speed: of rolling [m/s]; semi_axes: along rolling and across it [m]; film: H = k_f/h
-    [W/(m^2 K)].
+    Parameters
+    ----------
+    speed : float
+        of rolling [m/s]
+    semi_axes : tuple[float, float]
+        along rolling and across it [m]
+    film : float
+        H = k_f/h [W/(m^2 K)]
+    first : SolidThermal
+        first body
+    second : SolidThermal
+        second body
+
+    Returns
+    -------
+    float
+        G [W/K]
     """
     along, across = semi_axes
     u = moving_speed(speed, semi_axes, first, second)
@@ -90,8 +135,23 @@ def film_conductance(
 def bare_conductance(
     speed: float, semi_axes: tuple[float, float], first: SolidThermal, second: SolidThermal
 ) -> float:
-    """G without a film, 2 e sqrt(2 b u/pi) a B(1/2, 5/4) with e = e_1 e_2/(e_1 + e_2) [W/K]; speed
-    [m/s], semi-axes along rolling and across it [m].
+    """Conductance G without a film, 2 e sqrt(2 b u/pi) a B(1/2, 5/4) with e = e_1 e_2/(e_1 + e_2).
+
+    Parameters
+    ----------
+    speed : float
+        of rolling [m/s]
+    semi_axes : tuple[float, float]
+        b along rolling and a across it [m]
+    first : SolidThermal
+        first body
+    second : SolidThermal
+        second body
+
+    Returns
+    -------
+    float
+        G [W/K]
     """
     along, across = semi_axes
     joint = _joint(first, second)
@@ -101,8 +161,23 @@ def bare_conductance(
 def moving_speed(
     speed: float, semi_axes: tuple[float, float], first: SolidThermal, second: SolidThermal
 ) -> float:
-    """The speed with the share of bodies at rest, with which a contact at rest has the conductance
-    of a spot [m/s]; semi-axes along rolling and across it [m].
+    """Speed with a contribution of bodies at rest: at rest the contact conducts like a spot.
+
+    Parameters
+    ----------
+    speed : float
+        of rolling [m/s]
+    semi_axes : tuple[float, float]
+        along rolling and across it [m]
+    first : SolidThermal
+        first body
+    second : SolidThermal
+        second body
+
+    Returns
+    -------
+    float
+        effective speed [m/s]
     """
     along, across = semi_axes
     spot = spot_conductance(along, across, first, second)
@@ -113,11 +188,27 @@ def moving_speed(
 def marched_conductance(
     speed: float, x: Array, y: Array, film: Array, first: SolidThermal, second: SolidThermal
 ) -> float:
-    """G of a contact whose film varies [W/K].
+    """Conductance G of a contact whose film varies.
 
-    speed: with the share of bodies at rest, `moving_speed` [m/s]; x, y: evenly spaced nodes along
-    rolling, shape (nx,), and across, shape (ny,) [m]; film: H, shape (nx, ny), zero outside the
-    contact [W/(m^2 K)].
+    Parameters
+    ----------
+    speed : float
+        effective speed by `moving_speed` [m/s]
+    x : Array
+        evenly spaced nodes along rolling, shape (nx,) [m]
+    y : Array
+        evenly spaced nodes across, shape (ny,) [m]
+    film : Array
+        H, shape (nx, ny), zero outside the contact [W/(m^2 K)]
+    first : SolidThermal
+        first body
+    second : SolidThermal
+        second body
+
+    Returns
+    -------
+    float
+        G [W/K]
     """
     step = float(x[1] - x[0])
     rates = np.full(y.size, history_rate(speed, step, first, second))
@@ -127,16 +218,41 @@ def marched_conductance(
 def history_rate(
     speed: ArrayLike, step: ArrayLike, first: SolidThermal, second: SolidThermal
 ) -> Array:
-    """What multiplies H and the sum of the history on lines with nodes a step apart [m], at a
-    speed as in `marched_conductance` [m/s], in [m^2 K/W].
+    """Factor on H and the sum of the history on lines along rolling.
+
+    Parameters
+    ----------
+    speed : ArrayLike
+        effective speed by `moving_speed`, any shape [m/s]
+    step : ArrayLike
+        distance of the nodes, a shape that broadcasts with `speed` [m]
+    first : SolidThermal
+        first body
+    second : SolidThermal
+        second body
+
+    Returns
+    -------
+    Array
+        factor, the common shape [m^2 K/W]
     """
     return np.sqrt(step) / (np.sqrt(pi * np.asarray(speed)) * _joint(first, second))
 
 
 def marched_flux(film: Array, rates: Array) -> Array:
-    """Sum of q over the nodes of lines along rolling, shape (n,) [W/(m^2 K)].
+    """Sum of q over the nodes of lines along rolling.
 
-    film: H, shape (nx, n), zero outside the contact; rates: `history_rate` of each line, (n,).
+    Parameters
+    ----------
+    film : Array
+        H, shape (nx, n), zero outside the contact [W/(m^2 K)]
+    rates : Array
+        `history_rate` of each line, shape (n,) [m^2 K/W]
+
+    Returns
+    -------
+    Array
+        sum for a unit difference of temperature, shape (n,) [W/(m^2 K)]
     """
     film = np.ascontiguousarray(film)
     sums = np.empty(film.shape[1])

@@ -6,9 +6,9 @@ diffusivity over the contact's length, the temperature (Carslaw and Jaeger, 1959
     T(x) = T_b + 1/(sqrt(pi u) e) int_(-inf)^x q(x') dx'/sqrt(x - x'),
 
 e = sqrt(k rho c) its effusivity; upstream is where it comes from. The slower it moves the less
-that holds: the formula has u + (4/pi) 2 kappa/a in place of u, which gives the largest temperature
+that holds: the formula has u + (4/pi) 2 kappa/a for u, which gives the largest temperature
 of a uniformly heated circle of radius a at rest, q a/k, as well as at speed (as Tian and Kennedy,
-1994, interpolate). Heat that spreads at right angles to the motion is left out otherwise.
+1994, interpolate). Heat that spreads at right angles to the motion is neglected otherwise.
 """
 
 from dataclasses import dataclass
@@ -46,19 +46,43 @@ class SolidThermal:
 
 
 def response_factor(speed: Array, solid: SolidThermal, radius: float) -> Array:
-    """1/(sqrt(pi u) e) [K m^1.5/W], u the speed of the surface [m/s] with the share of a body at
-    rest; `radius` is half the length of the heated area along it [m].
+    """Temperature response 1/(sqrt(pi u) e) of a moving half-space.
+
+    Parameters
+    ----------
+    speed : Array
+        u of the surface, to which a contribution of a body at rest is added, any shape [m/s]
+    solid : SolidThermal
+        properties of the body
+    radius : float
+        half the length of the heated area along the speed [m]
+
+    Returns
+    -------
+    Array
+        factor, shape of `speed` [K m^1.5/W]
     """
     moving = np.abs(speed) + 8.0 / pi * solid.diffusivity / radius
     return 1.0 / (np.sqrt(pi * moving) * solid.effusivity)
 
 
 def history_weights(count: int, mesh: float) -> Array:
-    """Weights w_d of int q dx'/sqrt(x - x') = sum of w_d q(x - d mesh), q linear between nodes a
-    distance `mesh` [m] apart [m^0.5].
+    """Weights w_d of int q dx'/sqrt(x - x') = sum of w_d q(x - d mesh), q linear between nodes.
 
     Product integration: w_0 = (4/3) sqrt(mesh), w_d = (4/3) sqrt(mesh) [(d + 1)^1.5 - 2 d^1.5 + (d
     - 1)^1.5].
+
+    Parameters
+    ----------
+    count : int
+        number of weights
+    mesh : float
+        distance of the nodes [m]
+
+    Returns
+    -------
+    Array
+        w_d, shape (count,) [m^0.5]
     """
     d = np.arange(count, dtype=np.float64)
     weights = (d + 1.0) ** 1.5 - 2.0 * d**1.5 + np.abs(d - 1.0) ** 1.5

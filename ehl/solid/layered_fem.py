@@ -30,30 +30,42 @@ from skfem.helpers import ddot, grad, sym_grad
 from ..arrays import Array
 
 REACH = 150.0  # outer edge in thicknesses
-FINEST = 0.08  # cell beside the load in thicknesses
+FINEST = 0.08  # cell at the load in thicknesses
 GROWTH = 1.14  # and the growth of cells away from it
 LAYER_CELLS = 10  # across the coating
 
 
 def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array]:
-    """Distances r/t, shape (n,), and c(r/t) of the surface displacement (1 - nu_c^2)/(pi E_c) [1/r
-    + c(r/t)/t] of a unit load [-]; `ratio` is Young's modulus of the substrate over that of the
-    coating, `poisson` the ratios of coating and substrate.
+    """Correction c(r/t) of the surface displacement (1 - nu_c^2)/(pi E_c) [1/r + c(r/t)/t].
+
+    Parameters
+    ----------
+    ratio : float
+        Young's modulus of the substrate over that of the coating [-]
+    poisson : tuple[float, float]
+        Poisson's ratios of coating and substrate [-]
+
+    Returns
+    -------
+    distance
+        r/t, shape (n,) [-]
+    correction
+        c, shape (n,) [-]
     """
     mesh = _mesh()
     basis = Basis(mesh, ElementVector(ElementQuad2()), intorder=5)
     below = np.nonzero(mesh.p[1][mesh.t].mean(axis=0) > 1.0)[0]
     matrix = asm(_stiffness, basis, young=_by_cell(mesh, 1.0, ratio), nu=_by_cell(mesh, *poisson))
-    part = Basis(mesh, ElementVector(ElementQuad2()), intorder=5, elements=below)
+    substrate = Basis(mesh, ElementVector(ElementQuad2()), intorder=5, elements=below)
     nodes = np.where(basis.doflocs[1] >= 1.0 - 1e-9, _boussinesq(basis, 1.0, poisson[0]), 0.0)
-    field = part.interpolate(nodes)
-    load = -asm(_source, part, field=field, ratio=ratio, nu_c=poisson[0], nu_s=poisson[1])
+    field = substrate.interpolate(nodes)
+    load = -asm(_source, substrate, field=field, ratio=ratio, nu_c=poisson[0], nu_s=poisson[1])
     edge = basis.get_dofs(lambda x: np.maximum(x[0], x[1]) > REACH * (1 - 1e-9)).all()
     axis = basis.get_dofs(lambda x: x[0] < 1e-12).all("u^1")
     far = _boussinesq(basis, ratio, poisson[1]) - _boussinesq(basis, 1.0, poisson[0])
-    known = np.where(np.isin(np.arange(basis.N), edge), far, 0.0)
-    known[axis] = 0.0
-    w = solve(*condense(matrix, load, x=known, D=np.union1d(edge, axis)))
+    prescribed = np.where(np.isin(np.arange(basis.N), edge), far, 0.0)
+    prescribed[axis] = 0.0
+    w = solve(*condense(matrix, load, x=prescribed, D=np.union1d(edge, axis)))
     surface = basis.get_dofs(lambda x: x[1] < 1e-12).all("u^2")
     surface = surface[np.argsort(basis.doflocs[0][surface])]
     return basis.doflocs[0][surface], w[surface] * np.pi / (1.0 - poisson[0] ** 2)

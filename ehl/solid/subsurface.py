@@ -1,4 +1,4 @@
-r"""Stress in a half-space below a given pressure: superposition of uniformly loaded rectangles by
+r"""Stress in a half-space below a pressure: superposition of uniformly loaded rectangles by
 FFT.
 
 Boussinesq's potentials of a unit pressure on a rectangle (Love, 1929), psi = int 1/r and chi = int
@@ -55,8 +55,30 @@ class SubsurfaceStress:
 def subsurface_stress(
     pressure: Array, x: Array, y: Array, depth: Array, poisson_ratio: float
 ) -> SubsurfaceStress:
-    """Stress below a pressure at the middles of the cells of an even grid, shape (nx, ny) [Pa],
-    zero outside of it, Love (1929); x, y and depth in increasing order [m].
+    """Stress below a pressure at the middles of the cells of an even grid, Love (1929).
+
+    Parameters
+    ----------
+    pressure : Array
+        zero outside of the grid, shape (nx, ny) [Pa]
+    x : Array
+        increasing, shape (nx,) [m]
+    y : Array
+        increasing, shape (ny,) [m]
+    depth : Array
+        not negative, shape (nz,) [m]
+    poisson_ratio : float
+        nu of the body [-]
+
+    Returns
+    -------
+    SubsurfaceStress
+        stress at the nodes below the grid
+
+    Raises
+    ------
+    ValueError
+        if the grid is not even, a depth is negative, or the shapes differ
     """
     steps = (_even_step(x, "x"), _even_step(y, "y"))
     depth = np.asarray(depth, dtype=np.float64)
@@ -80,9 +102,23 @@ def subsurface_stress(
 def rectangle_stress(
     points: tuple[int, int], steps: tuple[float, float], depth: float, poisson_ratio: float
 ) -> tuple[Array, ...]:
-    """Stress at a depth [m] around one cell under unit pressure, Love (1929): xx, yy, zz, xy, yz,
-    xz of shape (2 nx - 1, 2 ny - 1), the cell in the middle [-]; `points` are nx and ny, `steps`
-    the sides of the cell [m].
+    """Stress at a depth around one cell under unit pressure, Love (1929).
+
+    Parameters
+    ----------
+    points : tuple[int, int]
+        nx and ny
+    steps : tuple[float, float]
+        sides of the cell [m]
+    depth : float
+        [m]
+    poisson_ratio : float
+        nu of the body [-]
+
+    Returns
+    -------
+    tuple[Array, ...]
+        xx, yy, zz, xy, yz, xz, shape (2 nx - 1, 2 ny - 1) each, the cell in the middle [-]
     """
     z = depth
     nu = poisson_ratio
@@ -109,7 +145,18 @@ def rectangle_stress(
 
 
 def corner_sums(values: Array) -> Array:
-    """Sum over the four corners of each cell with alternating signs [that of the values]."""
+    """Sum over the four corners of each cell with alternating signs.
+
+    Parameters
+    ----------
+    values : Array
+        at the corners, shape (m, n) [any unit]
+
+    Returns
+    -------
+    Array
+        shape (m - 1, n - 1) [unit of `values`]
+    """
     return np.asarray(values[1:, 1:] - values[:-1, 1:] - values[1:, :-1] + values[:-1, :-1])
 
 

@@ -14,7 +14,7 @@ whose integrals over a rectangle are sums over its corners (u, v) of
     pi sigma_x = ln(v + r) + nu v/r,  pi sigma_y = nu [ln(v + r) - v/r]
     2 pi tau_xy = ln(u + r) - 2 nu u/r
 
-and a shear along y the same with x and y exchanged. The pressure's part is that of `subsurface`
+and a shear along y the same with x and y exchanged. The pressure contributes as in `subsurface`
 at depth zero. Tension is positive. Second order in the mesh size where the loads are smooth.
 """
 
@@ -48,8 +48,24 @@ class SurfaceStress:
 def surface_stress(
     pressure: Array, shear: tuple[Array, Array], steps: tuple[float, float], poisson_ratio: float
 ) -> SurfaceStress:
-    """Stress in the surface under a pressure and shears along x and y at the middles of the cells
-    of an even grid, shape (nx, ny) [Pa], its `steps` [m]; zero outside of it.
+    """Stress in the surface under a pressure and shears at the middles of the cells of an even
+    grid.
+
+    Parameters
+    ----------
+    pressure : Array
+        zero outside of the grid, shape (nx, ny) [Pa]
+    shear : tuple[Array, Array]
+        tractions along x and along y, shape (nx, ny) each [Pa]
+    steps : tuple[float, float]
+        of the grid along x and y [m]
+    poisson_ratio : float
+        nu of the body [-]
+
+    Returns
+    -------
+    SurfaceStress
+        stress, tension positive
     """
     return surface_stresses(pressure, (shear,), steps, poisson_ratio)[0]
 
@@ -60,7 +76,24 @@ def surface_stresses(
     steps: tuple[float, float],
     poisson_ratio: float,
 ) -> tuple[SurfaceStress, ...]:
-    """As `surface_stress`, of several surfaces under one pressure and the shears of each."""
+    """Stress in several surfaces under one pressure, as by `surface_stress`.
+
+    Parameters
+    ----------
+    pressure : Array
+        zero outside of the grid, shape (nx, ny) [Pa]
+    shears : Sequence[tuple[Array, Array]]
+        tractions along x and along y of each surface, shape (nx, ny) each [Pa]
+    steps : tuple[float, float]
+        of the grid along x and y [m]
+    poisson_ratio : float
+        nu of the bodies [-]
+
+    Returns
+    -------
+    tuple[SurfaceStress, ...]
+        stress of each surface, tension positive
+    """
     nx, ny = points = pressure.shape
     # what comes round from the other end of the kernel falls outside of the cells
     shape = [next_fast_len(2 * n - 1, real=True) for n in points]
@@ -74,22 +107,38 @@ def surface_stresses(
     middle = (slice(nx - 1, 2 * nx - 1), slice(ny - 1, 2 * ny - 1))
     loads = rfft2(pressure, shape)
     normal = [loads * kernel for kernel in kernels[0]]
-    found = []
+    stresses = []
     for shear in shears:
         total = normal
         for load, of_load in zip(shear, kernels[1:], strict=True):
             loads = rfft2(load, shape)
-            total = [part + loads * kernel for part, kernel in zip(total, of_load, strict=True)]
+            total = [
+                component + loads * kernel
+                for component, kernel in zip(total, of_load, strict=True)
+            ]
         xx, yy, xy = (irfft2(component, shape)[middle] for component in total)
-        found.append(SurfaceStress(xx=xx, yy=yy, xy=xy))
-    return tuple(found)
+        stresses.append(SurfaceStress(xx=xx, yy=yy, xy=xy))
+    return tuple(stresses)
 
 
 def shear_kernels(
     points: tuple[int, int], steps: tuple[float, float], poisson_ratio: float
 ) -> Kernels:
-    """sigma_x, sigma_y, tau_xy around one cell under a unit shear along x, shape (2 nx - 1,
-    2 ny - 1), the cell in the middle [-]; `points` are nx and ny, `steps` the sides of it [m].
+    """Stress around one cell under a unit shear along x.
+
+    Parameters
+    ----------
+    points : tuple[int, int]
+        nx and ny
+    steps : tuple[float, float]
+        sides of the cell [m]
+    poisson_ratio : float
+        nu of the body [-]
+
+    Returns
+    -------
+    Kernels
+        sigma_x, sigma_y, tau_xy, shape (2 nx - 1, 2 ny - 1) each, the cell in the middle [-]
     """
     nu = poisson_ratio
     u, v = ((np.arange(1 - n, n + 1) - 0.5) * step for n, step in zip(points, steps, strict=True))

@@ -11,7 +11,8 @@ film_quadrature     - quadrature over a solved film, and its sliding forces for 
 heated              - shear of films that sliding heats
 instruments         - capacitance, breakdown voltage and sound of a solved film
 kapitza             - moment of rigid bodies' pressure, up to the meniscus of the oil
-laws                - friction of a rolling contact as a law: coefficients over the ellipse
+law                 - the law of traction: forces and moments over load and motion
+laws                - laws by a coefficient over the ellipse
 oil_around          - gap of the oil beyond the box of a solve, up to its meniscus
 oil_extent          - gap of two circles, in which the oil of a contact ends
 quadrature          - rings and lines of nodes over the ellipse of Hertz

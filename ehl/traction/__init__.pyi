@@ -1,5 +1,6 @@
 from .coefficient_kernels import FourConstants, RampedCoulomb
-from .laws import ContactShape, EllipseLaw, FrictionLaw, TractionForces
+from .law import TractionForces, TractionLaw
+from .laws import ContactShape, EllipseLaw
 from .response.normal import NormalResponse, ResponseValue, normal_response
 from .shear import Cavitation, ShearFields, TractionResult, integrate_traction, shear_fields
 from .table.build import TableOptions, build_table
@@ -12,7 +13,6 @@ __all__ = [
     "ContactShape",
     "EllipseLaw",
     "FourConstants",
-    "FrictionLaw",
     "NormalResponse",
     "RampedCoulomb",
     "ResponseValue",
@@ -23,6 +23,7 @@ __all__ = [
     "TableRange",
     "TemperatureTable",
     "TractionForces",
+    "TractionLaw",
     "TractionResult",
     "TractionTable",
     "build_table",

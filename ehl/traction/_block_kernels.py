@@ -9,7 +9,7 @@ import numpy as np
 from numba import types
 from numba.extending import intrinsic, overload
 
-from ..compiled import allocating, compiled
+from ..compiled import compiled
 from ..oil._rheology_kernels import LIMIT_POWER, LIMIT_ROOTS, REE_EYRING, SMALL_SINE, shear_stress
 from ._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, TINY, VISCOSITY, X, Y
 
@@ -216,7 +216,7 @@ def _add_block(room, first, count, out):
         out[first + n, 3] += room[M_Y + n]
 
 
-@allocating
+@compiled
 def sliding_sums_many(nodes, law, motions, surface, out):
     """F_x, F_y, M_n, M_y on body 1 by sliding for each of n motions, added to out, shape (n, 4).
 

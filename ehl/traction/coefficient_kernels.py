@@ -26,12 +26,25 @@ DEAD_BAND = 1e-4
 
 
 def coefficient(law: Array, slide: float, speed: float) -> float:
-    """Friction coefficient [-] of a kind and its constants at a local sliding speed and an
-    entrainment speed [m/s]; `_kernels` compiles it.
+    """Evaluate the coefficient of friction of a law; `_kernels` compiles it.
 
     Coulomb: zero up to v_0 [m/s], mu [-] from v_1 on, a ramp between. Four constants:
     (A + B s) exp(-C s) + D at a slide over the entrainment speed s, ramped up to s_0 [-], and
     to no less than a sliding speed [m/s].
+
+    Parameters
+    ----------
+    law : Array
+        kind and constants, `Coefficient.kernel_law`, shape (n,)
+    slide : float
+        local sliding speed [m/s]
+    speed : float
+        entrainment speed [m/s]
+
+    Returns
+    -------
+    float
+        coefficient [-]
     """
     if law[0] == COULOMB:
         if slide <= law[NONE]:
@@ -49,9 +62,9 @@ def coefficient(law: Array, slide: float, speed: float) -> float:
 class Constant:
     """A constant of a law as case files have it in [friction], at most `largest` [-]."""
 
-    key: str
-    largest: float
-    text: str
+    key: str  # of [friction]
+    largest: float  # allowed value [-]
+    text: str  # description of the key
     simulated: float  # where a simulation leaves it out [-]
     positive: bool = True  # zero is not allowed
     below: str = ""  # key of the constant that it must not reach
@@ -64,7 +77,18 @@ class Coefficient(ABC):
 
     @classmethod
     def of_case(cls, values: Mapping[str, float]) -> Self:
-        """The law with the values of its `constants` [-]."""
+        """Build the law from the constants of a case.
+
+        Parameters
+        ----------
+        values : Mapping[str, float]
+            values of its `constants` by key [-]
+
+        Returns
+        -------
+        Self
+            the law
+        """
         return cls(*(values[constant.key] for constant in cls.constants))
 
     @property
@@ -85,8 +109,19 @@ class Coefficient(ABC):
         return inf
 
     def at_rest(self, band: float) -> "Coefficient":
-        """The law for a bearing that comes to rest: where it follows the entrainment it reverses
-        over a sliding speed [m/s] at least.
+        """Prepare the law for a bearing that comes to rest.
+
+        Where friction follows the entrainment it reverses over a sliding speed at least.
+
+        Parameters
+        ----------
+        band : float
+            that sliding speed [m/s]
+
+        Returns
+        -------
+        Coefficient
+            the law
         """
         del band
         return self
@@ -156,21 +191,64 @@ class FourConstants(Coefficient):
             raise ValueError(f"dead_band must be positive, got {self.dead_band!r}")
 
     def at_rest(self, band: float) -> "FourConstants":
-        """The law with a least sliding speed up to which it is ramped [m/s]."""
+        """Ramp the law up to a sliding speed at least.
+
+        Parameters
+        ----------
+        band : float
+            that sliding speed [m/s]
+
+        Returns
+        -------
+        FourConstants
+            the law
+        """
         return replace(self, rest_band=band)
 
     @classmethod
     def of_case(cls, values: Mapping[str, float]) -> Self:
-        """The law through the values of its `constants` [-]."""
+        """Build the law from the constants of a case.
+
+        Parameters
+        ----------
+        values : Mapping[str, float]
+            values of its `constants` by key [-]
+
+        Returns
+        -------
+        Self
+            the law
+        """
         return cls.of_curve(*(values[constant.key] for constant in cls.constants))
 
     @classmethod
     def of_curve(cls, largest: float, slide: float, limit: float, zero: float = 0.0) -> Self:
-        """The law of a traction curve: the largest value kappa_max at the slide s, the limit
-        kappa_inf at large s, and kappa_0 at s = 0 [-].
+        """Build the law of a traction curve.
 
-        D = kappa_inf, A = kappa_0 - kappa_inf, and with q = C s: B = C A/(1 - q),
-        A exp(-q)/(1 - q) = kappa_max - D.
+        The curve has the largest value kappa_max at the slide s, the limit kappa_inf at large s,
+        and kappa_0 at s = 0. D = kappa_inf, A = kappa_0 - kappa_inf, and with q = C s: B = C A/(1
+        - q), A exp(-q)/(1 - q) = kappa_max - D.
+
+        Parameters
+        ----------
+        largest : float
+            kappa_max [-]
+        slide : float
+            slide over the entrainment speed at which it is reached [-]
+        limit : float
+            kappa_inf [-]
+        zero : float, default 0.0
+            kappa_0 [-]
+
+        Returns
+        -------
+        Self
+            the law
+
+        Raises
+        ------
+        ValueError
+            if `slide` is not positive, or `largest` does not exceed both others
         """
         if not (isfinite(slide) and slide > 0.0):
             raise ValueError(f"slide must be positive and finite, got {slide!r}")
@@ -203,5 +281,5 @@ class FourConstants(Coefficient):
         )
 
 
-# those that [friction] traction and [dynamics] friction name
+# laws that [friction] traction and [dynamics] friction name
 COEFFICIENTS: dict[str, type[Coefficient]] = {"four constants": FourConstants}

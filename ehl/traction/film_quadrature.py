@@ -42,7 +42,7 @@ LINES = 64  # along x there, of a film that is stored
 # there the sliding of rolling without spin changes most slowly; 96 of 64 lines
 STRIPS_OF_LINE = 1.5
 MIDDLE = 0.3
-# of each: shares from edge to edge, points; the spike is in the last
+# panels of a line: start and end from edge to edge, points; the spike is in the last
 PANELS = ((0.0, 0.75, 10), (0.75, 1.0, 14))
 SMALLEST_FILM = 1e-12  # [m] below the size of any molecule: bound of films that did not converge
 BLOCKS = 26  # of the grid's nodes along x and y, each of which becomes one node elsewhere
@@ -59,7 +59,7 @@ class FilmQuadrature:
 
     nodes: Array  # shape (8, n)
     half_width: float  # transverse semi-axis, beyond which curvature slip does not grow [m]
-    rheology: Rheology
+    rheology: Rheology  # shear law with the stresses of the contact
     strips: int = 0  # strips of `node_shares` each, which the first nodes stand on
 
     def parts(self) -> tuple[Array, Array]:
@@ -72,7 +72,27 @@ class FilmQuadrature:
 def film_quadrature(
     solution: ContactSolution, rheology: Rheology, *, temperature: float | None = None
 ) -> FilmQuadrature:
-    """Nodes of a film of dimensional conditions; temperature: for the limiting stress [K]."""
+    """Build the nodes of a film of dimensional conditions for its shear.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    rheology : Rheology
+        shear law of the oil
+    temperature : float | None, optional
+        temperature of the film, for the limiting stress; None: that of the rheology [K]
+
+    Returns
+    -------
+    FilmQuadrature
+        nodes of the film
+
+    Raises
+    ------
+    ValueError
+        if the conditions have no dimensions
+    """
     rheology = solution_rheology(solution, rheology)
     fields = hertz_zone(solution).fields, low_pressure_blocks(with_outlet(solution))
     oil = dimensional_conditions(solution).lubricant
@@ -80,7 +100,18 @@ def film_quadrature(
 
 
 def transverse_axis(solution: ContactSolution) -> float:
-    """Transverse semi-axis of Hertz' ellipse [m]."""
+    """Give the transverse semi-axis of Hertz' ellipse.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    float
+        semi-axis across the entrainment [m]
+    """
     return float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
 
 
@@ -91,7 +122,26 @@ def zone_quadrature(
     rheology: Rheology,
     temperature: float | None,
 ) -> FilmQuadrature:
-    """`film_quadrature` of `HertzZone.fields` and of nodes of low pressure, shape (7, n)."""
+    """Build the nodes of a film from the fields of its zones of high and of low pressure.
+
+    Parameters
+    ----------
+    half_width : float
+        transverse semi-axis of the ellipse [m]
+    fields : tuple[Array, Array]
+        `HertzZone.fields`, shape (7, lines, n), and nodes of low pressure, shape (7, m)
+    oil : Lubricant
+        lubricant
+    rheology : Rheology
+        shear law of the oil, with the stresses of the contact
+    temperature : float | None
+        temperature of the film, for the limiting stress [K]
+
+    Returns
+    -------
+    FilmQuadrature
+        nodes of the film
+    """
     strips = strip_fields(fields[0])
     every = np.concatenate([strips.reshape(7, -1), fields[1]], axis=1)
     nodes = node_rows(every, bounded_viscosity(every[4], oil), rheology, temperature)
@@ -103,8 +153,23 @@ def zone_quadrature(
 def node_rows(
     fields: Array, viscosity: Array, rheology: Rheology, temperature: Array | float | None
 ) -> Array:
-    """Rows of `FilmQuadrature.nodes` of those of `HertzZone.fields`, shape (8, n); viscosity
-    [Pa s], temperature [K].
+    """Convert rows of `HertzZone.fields` to those of `FilmQuadrature.nodes`.
+
+    Parameters
+    ----------
+    fields : Array
+        rows of `HertzZone.fields`, shape (7, n)
+    viscosity : Array
+        dynamic viscosity at the nodes, shape (n,) [Pa s]
+    rheology : Rheology
+        shear law of the oil, with the stresses of the contact
+    temperature : Array | float | None
+        temperature of the nodes, for the limiting stress [K]
+
+    Returns
+    -------
+    Array
+        rows of `FilmQuadrature.nodes`, shape (8, n)
     """
     x, y, area, gap, pressure, width, breadth = fields
     film = np.maximum(gap, SMALLEST_FILM)
@@ -126,13 +191,25 @@ class HertzZone:
 
 
 def hertz_zone(solution: ContactSolution) -> HertzZone:
-    """Lines across, Gauss-Legendre points of `PANELS` along each, edge to edge [m], [Pa]."""
+    """Place lines across the zone of high pressure, and Gauss-Legendre points of `PANELS` along
+    each.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact of dimensional conditions
+
+    Returns
+    -------
+    HertzZone
+        nodes with film and pressure, from edge to edge
+    """
     # 1. splines of film and pressure over the part of the grid where the pressure is high
     x, y, h = dimensional_grid(solution)
     p = solution.pressure
     edge_pressure = HIGH_PRESSURE * p.max()
     high = p > edge_pressure
-    window = tuple(_around(high.any(axis=1 - axis)) for axis in (0, 1))
+    window = tuple(_index_window(high.any(axis=1 - axis)) for axis in (0, 1))
     x, y = x[window[0]], y[window[1]]
     film = scipy.interpolate.RectBivariateSpline(x, y, h[window])
     pressure = scipy.interpolate.RectBivariateSpline(x, y, p[window])
@@ -157,7 +234,18 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
 
 
 def strip_fields(fields: Array) -> Array:
-    """Rows of `HertzZone.fields` on strips in place of lines, shape (7, strips, n)."""
+    """Interpolate the fields of lines to strips.
+
+    Parameters
+    ----------
+    fields : Array
+        rows of `HertzZone.fields` on lines, shape (7, lines, n)
+
+    Returns
+    -------
+    Array
+        the rows on strips, shape (7, strips, n)
+    """
     x, y, _, film, pressure, size, width = fields
     y, width = strip_places(y, width)
     x, film, pressure, size = (on_strips(values) for values in (x, film, pressure, size))
@@ -165,53 +253,77 @@ def strip_fields(fields: Array) -> Array:
 
 
 def strip_places(y: Array, width: Array) -> tuple[Array, Array]:
-    """Middles and widths of strips over the same nodes as lines of middles and widths, shapes
-    (strips, n), (lines, n) [m].
+    """Place strips over the same nodes as lines.
+
+    Parameters
+    ----------
+    y : Array
+        middles of the lines, shape (lines, n) [m]
+    width : Array
+        widths of the lines, shape (lines, n) [m]
+
+    Returns
+    -------
+    middles
+        middles of the strips, shape (strips, n) [m]
+    widths
+        widths of the strips, shape (strips, n) [m]
     """
     edges = _strip_edges(y.shape[0])
     half = 0.5 * y.shape[0] * width[:1]
     middle = 0.5 * (y[:1] + y[-1:])
-    places = middle + half * (0.5 * (edges[1:] + edges[:-1]))[:, None]
+    positions = middle + half * (0.5 * (edges[1:] + edges[:-1]))[:, None]
     width = half * np.diff(edges)[:, None]
-    return places, np.broadcast_to(width, places.shape)
+    return positions, np.broadcast_to(width, positions.shape)
 
 
 def on_strips(values: Array) -> Array:
-    """Values of lines at the middles of strips, by cubic splines, shape (strips, ...) of (lines,
-    ...) [any unit].
+    """Interpolate values of lines to the middles of strips, by cubic splines.
+
+    Parameters
+    ----------
+    values : Array
+        values of the lines, shape (lines, ...) [any unit]
+
+    Returns
+    -------
+    Array
+        values of the strips, shape (strips, ...) [same unit]
     """
     return np.tensordot(_strip_weights(values.shape[0]), values, axes=1)
 
 
 @cache
 def _strip_edges(lines: int) -> Array:
-    """Of the strips of lines over [-1, 1], shape (strips + 1,): cubic in their number [-]."""
+    """Place the edges of the strips of lines over [-1, 1], shape (strips + 1,): cubic in their
+    number [-].
+    """
     even = np.linspace(-1.0, 1.0, round(STRIPS_OF_LINE * lines) + 1)
     return np.asarray(even * (MIDDLE + (1.0 - MIDDLE) * even**2))
 
 
 @cache
 def _strip_weights(lines: int) -> Array:
-    """Of equidistant lines at the middles of their strips, shape (strips, lines) [-]."""
+    """Interpolate equidistant lines to the middles of their strips, shape (strips, lines) [-]."""
     edges = _strip_edges(lines)
-    places = (np.arange(lines) + 0.5) * (2.0 / lines) - 1.0
-    wanted = np.clip(0.5 * (edges[1:] + edges[:-1]), places[0], places[-1])
-    return np.asarray(scipy.interpolate.CubicSpline(places, np.eye(lines))(wanted))
+    positions = (np.arange(lines) + 0.5) * (2.0 / lines) - 1.0
+    wanted = np.clip(0.5 * (edges[1:] + edges[:-1]), positions[0], positions[-1])
+    return np.asarray(scipy.interpolate.CubicSpline(positions, np.eye(lines))(wanted))
 
 
 @cache
 def node_shares() -> tuple[Array, Array]:
     """Places of a line's nodes from edge to edge and their weights, each of shape (n,) [-]."""
-    places: list[float] = []
+    positions: list[float] = []
     weights: list[float] = []
     for low, high, count in PANELS:
-        nodes, own = np.polynomial.legendre.leggauss(count)
-        places.extend(low + 0.5 * (high - low) * (nodes + 1.0))
-        weights.extend(0.5 * (high - low) * own)
-    return np.array(places), np.array(weights)
+        nodes, panel_weights = np.polynomial.legendre.leggauss(count)
+        positions.extend(low + 0.5 * (high - low) * (nodes + 1.0))
+        weights.extend(0.5 * (high - low) * panel_weights)
+    return np.array(positions), np.array(weights)
 
 
-def _around(chosen: NDArray[np.bool_]) -> slice:
+def _index_window(chosen: NDArray[np.bool_]) -> slice:
     """From a few nodes before the first chosen one to a few after the last."""
     indices = np.flatnonzero(chosen)
     return slice(max(int(indices[0]) - 3, 0), int(indices[-1]) + 4)
@@ -233,12 +345,23 @@ def _crossings(places: Array, values: Array) -> tuple[float, float]:
 
 
 def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
-    """Nodes where the pressure is low, blocks of the grid: rows as `HertzZone.fields` and one for
-    each further field.
+    """Collect nodes of low pressure in blocks of the grid.
 
-    They shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h), place,
-    pressure and further fields, of shape (nx, ny) [any unit], weighted by A/h. Blocks of a grid
-    that is symmetric are so, too: else sliding along had a moment about n.
+    Blocks shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h);
+    position, pressure and further fields weighted by A/h. Blocks of a grid that is symmetric are
+    so, too: else sliding along had a moment about n.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact of dimensional conditions
+    *further : Array
+        further fields, each of shape (nx, ny) [any unit]
+
+    Returns
+    -------
+    Array
+        rows as `HertzZone.fields`, and one for each further field, shape (7 + k, n)
     """
     x, y, h = dimensional_grid(solution)
     p = solution.pressure
@@ -273,10 +396,23 @@ def _blocks(nodes: int) -> NDArray[np.int_]:
 def sliding_forces(
     film: FilmQuadrature, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
 ) -> Array:
-    """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
+    """Sum the forces and moments of sliding on body 1 for many motions.
 
-    slide: slide_x, slide_y [m/s] and spin [rad/s]; rolling: relative speed [rad/s]; curvature:
-    1/(2R) of the loaded surface [1/m].
+    Parameters
+    ----------
+    film : FilmQuadrature
+        nodes of the film
+    slide : tuple[Array, Array, Array]
+        slide_x and slide_y [m/s], and spin [rad/s], each of shape (n,)
+    rolling : Array
+        relative rolling speed, shape (n,) [rad/s]
+    curvature : float
+        1/(2R) of the loaded surface across the entrainment [1/m]
+
+    Returns
+    -------
+    Array
+        F_x, F_y [N], M_n and M_y [N m], shape (n, 4)
     """
     out = np.zeros((slide[0].size, COLUMNS))
     law = kernel_rheology(film.rheology)[:4]

@@ -1,4 +1,4 @@
-r"""What electricity and sound would measure of a solved film.
+r"""Electric and acoustic quantities of a solved film.
 
 Capacitance between both bodies, of the film and the wedge of oil around it,
 
@@ -42,7 +42,9 @@ PRESSURE_STEP = 1e5  # [Pa], of the difference quotient of the density
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmInstruments:
-    """What instruments would measure of a film, with what the film's error bar makes of it."""
+    """Quantities that instruments would measure of a film, with their error bars by that of the
+    film.
+    """
 
     capacitance: float  # of oil from body to body [F]
     capacitance_uncertainty: float  # by the film's error bar [F]
@@ -50,7 +52,7 @@ class FilmInstruments:
     breakdown_voltage: float  # of the minimum film [V]
     breakdown_voltage_low: float  # smallest field and film [V]
     breakdown_voltage_high: float  # largest field and film [V]
-    # of the film at the centre of the contact: bulk modulus over film [Pa/m]
+    # stiffness of the film at the centre of the contact: bulk modulus over film [Pa/m]
     ultrasonic_stiffness: float | None  # None: an incompressible oil
     ultrasonic_stiffness_uncertainty: float | None  # by the film's error bar [Pa/m]
 
@@ -58,9 +60,20 @@ class FilmInstruments:
 def film_instruments(
     solution: ContactSolution, permittivity: float = OIL_PERMITTIVITY
 ) -> FilmInstruments | None:
-    """Of a converged film with dimensions, None for others and behind a layer by the law of
-    starvation, whose map is the flooded one. permittivity: relative, of the oil at ambient
-    pressure [-].
+    """Evaluate capacitance, breakdown voltage and reflection of sound of a converged film.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    permittivity : float, default OIL_PERMITTIVITY
+        relative permittivity of the oil at ambient pressure [-]
+
+    Returns
+    -------
+    FilmInstruments | None
+        the quantities; None without dimensions, without convergence, or behind an inlet film by
+        the law of starvation, whose map is the flooded one
     """
     conditions = solution.conditions
     scale = solution.film_scale
@@ -71,7 +84,7 @@ def film_instruments(
     assert isinstance(conditions, ContactConditions)
     oil = conditions.lubricant
     centre = solution.film_central_dimensionless
-    pressed = pressed_permittivity(solution.pressure, oil, permittivity)
+    pressed = permittivity_at_pressure(solution.pressure, oil, permittivity)
     film = np.maximum(dimensional_grid(solution)[2] + (centre.value - centre.finest) * scale, 0.0)
     inside, of_hertz, slope = _within_box(solution, film, pressed)
     bar = scale * centre.uncertainty
@@ -94,24 +107,65 @@ def film_instruments(
 
 
 def breakdown_voltages(film: float, uncertainty: float) -> tuple[float, float, float]:
-    """Voltage at which a film [m] of an uncertainty [m] breaks down, its low and its high end
-    [V].
+    """Evaluate the voltage at which a film breaks down.
+
+    Parameters
+    ----------
+    film : float
+        thickness of the film [m]
+    uncertainty : float
+        error bar of the film [m]
+
+    Returns
+    -------
+    voltage
+        voltage of the film [V]
+    low
+        lower end of its error bar [V]
+    high
+        upper end of its error bar [V]
     """
     low, high = BREAKDOWN_FIELD
     least = max(film - uncertainty, 0.0)
     return sqrt(low * high) * film, low * least, high * (film + uncertainty)
 
 
-def pressed_permittivity(pressure: Array, oil: Lubricant, permittivity: float) -> Array:
-    """Relative permittivity of an oil under pressure [Pa] after Clausius and Mossotti [-], from
-    that at ambient pressure.
+def permittivity_at_pressure(pressure: Array, oil: Lubricant, permittivity: float) -> Array:
+    """Evaluate the relative permittivity of an oil under pressure after Clausius and Mossotti.
+
+    Parameters
+    ----------
+    pressure : Array
+        pressure, any shape [Pa]
+    oil : Lubricant
+        lubricant with its density law
+    permittivity : float
+        relative permittivity at ambient pressure [-]
+
+    Returns
+    -------
+    Array
+        relative permittivity, shape of `pressure` [-]
     """
-    share = (permittivity - 1.0) / (permittivity + 2.0) * density(pressure, oil) / oil.density
-    return np.asarray((1.0 + 2.0 * share) / (1.0 - share))
+    fraction = (permittivity - 1.0) / (permittivity + 2.0) * density(pressure, oil) / oil.density
+    return np.asarray((1.0 + 2.0 * fraction) / (1.0 - fraction))
 
 
 def bulk_modulus(pressure: float, oil: Lubricant) -> float:
-    """Isothermal, rho dp/drho at a pressure [Pa]; infinite for an incompressible oil [Pa]."""
+    """Evaluate the isothermal bulk modulus rho dp/drho.
+
+    Parameters
+    ----------
+    pressure : float
+        pressure [Pa]
+    oil : Lubricant
+        lubricant with its density law
+
+    Returns
+    -------
+    float
+        bulk modulus; infinite for an incompressible oil [Pa]
+    """
     below, above = (float(density(pressure + k * PRESSURE_STEP, oil)) for k in (-1, 1))
     if above == below:
         return float("inf")
@@ -119,14 +173,40 @@ def bulk_modulus(pressure: float, oil: Lubricant) -> float:
 
 
 def reflection(stiffness: float, frequency: float, impedance: float) -> float:
-    """Share of the amplitude of sound that a film reflects [-]; stiffness per area [Pa/m],
-    frequency [Hz], impedance rho c of both bodies [Pa s/m].
+    """Evaluate the fraction of the amplitude of sound that a film reflects.
+
+    Parameters
+    ----------
+    stiffness : float
+        stiffness of the film per area [Pa/m]
+    frequency : float
+        frequency of the sound [Hz]
+    impedance : float
+        rho c of both bodies [Pa s/m]
+
+    Returns
+    -------
+    float
+        reflected fraction [-]
     """
     return 1.0 / sqrt(1.0 + (stiffness / (pi * frequency * impedance)) ** 2)
 
 
 def half_reflection_frequency(stiffness: float, impedance: float) -> float:
-    """Frequency at which a film reflects half of the amplitude [Hz]; as in `reflection`."""
+    """Give the frequency at which a film reflects half of the amplitude of sound.
+
+    Parameters
+    ----------
+    stiffness : float
+        stiffness of the film per area [Pa/m]
+    impedance : float
+        rho c of both bodies [Pa s/m]
+
+    Returns
+    -------
+    float
+        frequency [Hz]
+    """
     return stiffness / (sqrt(3.0) * pi * impedance)
 
 
@@ -147,8 +227,8 @@ def _within_box(
 def _beyond_box(
     solution: ContactSolution, conditions: ContactConditions, permittivity: float
 ) -> float:
-    """Of the oil from the edge of an open box up to its meniscus ahead and beside the contact, of
-    air behind it [F].
+    """Sum the capacitance of the oil from the edge of an open box up to its meniscus ahead and
+    beside the contact, of air behind it [F].
     """
     a = solution.semi_axis_x
     scale = solution.film_scale

@@ -19,40 +19,81 @@ LOSS = 1.1
 
 
 def kapitza_moment(
-    conditions: ContactConditions, film: float, layer: float | None = None, *, circles: bool = True
+    conditions: ContactConditions,
+    film: float,
+    inlet_film_thickness: float | None = None,
+    *,
+    circles: bool = True,
 ) -> float:
-    """Of the pressure -K x/h^2, K = 12 eta_0 u/(3 + 2 Rx/Ry), ahead of the centre at a film [m],
-    up to the meniscus of the flooded layer, or another one [m], in the gap of two circles, or of
-    paraboloids [N m]; zero where the film is thicker.
+    """Integrate the moment of Kapitza's pressure of rigid bodies ahead of the centre.
+
+    The pressure is -K x/h^2 with K = 12 eta_0 u/(3 + 2 Rx/Ry), up to the meniscus.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        contact with its lubricant
+    film : float
+        central film [m]
+    inlet_film_thickness : float | None, optional
+        inlet film thickness that bounds the oil; None: that of the lubricant [m]
+    circles : bool, default True
+        whether the gap is that of two circles; else of paraboloids
+
+    Returns
+    -------
+    float
+        moment; zero where the film is thicker than the inlet film [N m]
     """
     c = conditions
-    layer = c.lubricant.flooded_layer if layer is None else layer
-    if film >= layer:
+    inlet_film_thickness = (
+        c.lubricant.flooded_layer if inlet_film_thickness is None else inlet_film_thickness
+    )
+    if film >= inlet_film_thickness:
         return 0.0
     ball = nan if c.ball_radius is None else 1.0 / c.ball_radius
     radii = (c.radius_x, c.radius_y)
     rays, steps = _nodes(RAYS), _nodes(NODES)
-    integral = kapitza_integral(film, layer, radii, ball, circles, rays, steps)
+    integral = kapitza_integral(film, inlet_film_thickness, radii, ball, circles, rays, steps)
     strength = 12.0 * c.lubricant.viscosity * c.entrainment_speed
     return float(2.0 * strength / (3.0 + 2.0 * c.radius_x / c.radius_y) * integral)
 
 
 def moment_lost_by_circles(
-    conditions: ContactConditions, axes: tuple[float, float], film: float, layer: float
+    conditions: ContactConditions,
+    axes: tuple[float, float],
+    film: float,
+    inlet_film_thickness: float,
 ) -> float:
-    """What the moment up to a layer loses as the bodies part faster than paraboloids do [N m].
+    """Integrate the moment that is lost as the bodies part faster than paraboloids do.
 
-    The pressure is Kapitza's, -K x/h^2, outside Hertz' ellipse with semi-axes `axes` [m], the gap
-    there that of elastic bodies over the film [m]: rigid ones lose half as much where the load is
-    high, as their gap opens from the centre on.
+    The pressure is Kapitza's, -K x/h^2, outside Hertz' ellipse, the gap there that of elastic
+    bodies over the film: rigid ones lose half as much where the load is high, as their gap opens
+    from the centre on.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        contact with its lubricant
+    axes : tuple[float, float]
+        semi-axes of Hertz' ellipse along and across the entrainment [m]
+    film : float
+        central film [m]
+    inlet_film_thickness : float
+        inlet film thickness that bounds the oil [m]
+
+    Returns
+    -------
+    float
+        moment [N m]
     """
     c = conditions
-    if film >= layer:
+    if film >= inlet_film_thickness:
         return 0.0
     ball = nan if c.ball_radius is None else 1.0 / c.ball_radius
     nodes = _nodes(LOSS_NODES)
     reciprocal = (1.0 / c.radius_x, 1.0 / c.radius_y)
-    lost = circles_loss(film, layer, reciprocal, ball, axes, nodes, nodes)
+    lost = circles_loss(film, inlet_film_thickness, reciprocal, ball, axes, nodes, nodes)
     strength = 12.0 * c.lubricant.viscosity * c.entrainment_speed
     return float(2.0 * LOSS * strength / (3.0 + 2.0 * c.radius_x / c.radius_y) * lost)
 

@@ -1,44 +1,19 @@
-"""Friction of a rolling contact as a law: `FrictionLaw`, and coefficients over the Hertz ellipse.
+"""Laws of traction by a coefficient of friction over the Hertz ellipse.
 
-All laws have the same method `forces(load, speed, slide_x, slide_y, spin)`; traction tables and
-`EllipseLaw` also the arrays with which kernels do the same (`_kernels.table_lookup`,
-`_kernels.hertz_friction`).
+`kernel_arguments` are the arrays with which kernels evaluate the same law
+(`_kernels.hertz_friction`).
 """
 
 from dataclasses import dataclass
 from math import inf
-from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from ..arrays import Array
 from . import _kernels
 from .coefficient_kernels import Coefficient
+from .law import TractionForces
 from .quadrature import EllipseRule, ellipse_nodes
-
-
-class TractionForces(NamedTuple):
-    """Traction on body 1, the ball, at a contact's centre; SI."""
-
-    force_x: float  # [N]
-    force_y: float  # [N]
-    spin_moment: float  # [N m]
-    rolling_moment: float  # [N m]
-    power_loss: float  # [W]
-    film: float  # zero, as what follows, where a law has none [m]
-    stiffness: float  # [N/m]
-    damping: float  # [N s/m]
-    outside: tuple[str, ...]  # what lay outside the range of the law
-
-
-class FrictionLaw(Protocol):
-    """What a bearing model asks of a contact's friction."""
-
-    def forces(
-        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
-    ) -> TractionForces:
-        """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s]."""
-        ...
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +28,7 @@ class ContactShape:
 
     @property
     def constants(self) -> Array:
-        """As the kernel takes them, shape (5,) [m], [1/m]."""
+        """Constants as the kernel takes them, shape (5,) [m], [1/m]."""
         axes = (self.semi_axis_x, self.semi_axis_y)
         curvatures = (0.5 / self.curvature_radius, self.curvature_difference)
         return np.array([*axes, self.radius_x, *curvatures])
@@ -63,10 +38,9 @@ class ContactShape:
 class EllipseLaw:
     """A coefficient of friction that depends on the local sliding, over the Hertz ellipse."""
 
-    shape: ContactShape
-    coefficient: Coefficient
+    shape: ContactShape  # ellipse and curvature of the contact
+    coefficient: Coefficient  # of friction by the local sliding
 
-    @property
     def kernel_arguments(self) -> tuple[Array, Array, Array]:
         """Nodes, law and shape as `_kernels.hertz_friction` takes them, [-], [m/s] and [m]."""
         return (
@@ -78,7 +52,24 @@ class EllipseLaw:
     def forces(
         self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
     ) -> TractionForces:
-        """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s]."""
+        """Integrate the coefficient over the ellipse, see `TractionLaw.forces`.
+
+        Parameters
+        ----------
+        load : float
+            normal load [N]
+        speed : float
+            entrainment speed [m/s]
+        slide_x, slide_y : float
+            sliding of body 1 along x and y [m/s]
+        spin : float
+            spin of body 1 [rad/s]
+
+        Returns
+        -------
+        TractionForces
+            forces and moments on body 1; film, stiffness and damping are zero
+        """
         out = np.empty(8)
-        _kernels.hertz_friction(*self.kernel_arguments, load, speed, slide_x, slide_y, spin, out)
+        _kernels.hertz_friction(*self.kernel_arguments(), load, speed, slide_x, slide_y, spin, out)
         return TractionForces._make((*map(float, out), ()))

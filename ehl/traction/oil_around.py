@@ -23,18 +23,18 @@ class OilAround:
         solution: ContactSolution,
         contact: ScaledContact,
         ball_radius: float | None,
-        layer: float,
+        inlet_film_thickness: float,
     ) -> None:
         assert contact.film_scale is not None and contact.semi_axis_x is not None
         self.solution = solution
         self.contact = contact
         self.ball_radius = ball_radius
-        self.layer = layer / contact.film_scale
+        self.inlet_film_thickness = inlet_film_thickness / contact.film_scale
         self.height_scale = contact.semi_axis_x / contact.film_scale
         self.field: FarField = far_field(contact)
 
-    def share_without(self) -> Array:
-        """Share of each node's moment that there is no oil for, shape (nx, ny) [-]: beyond the
+    def dry_moment_fraction(self) -> Array:
+        """Evaluate the fraction of each node's moment without oil, shape (nx, ny) [-]: beyond the
         meniscus, whose border is straight in a cell, and by the gap of circles.
         """
         solution, contact = self.solution, self.contact
@@ -49,7 +49,7 @@ class OilAround:
         rise = rise * np.gradient(solution.X)[:, None]
         across = np.abs(contact.curvature_y * Y + contact.curvature_xy * X)
         rise = rise + across * np.gradient(solution.Y)
-        filled = np.clip(0.5 + (self.layer - gap) / rise[outside], 0.0, 1.0)
+        filled = np.clip(0.5 + (self.inlet_film_thickness - gap) / rise[outside], 0.0, 1.0)
         without = np.zeros_like(solution.P)
         without[outside] = 1.0 - filled * (film / gap) ** 2
         return without
@@ -65,16 +65,25 @@ class OilAround:
         return 0.0 - self.integral_beyond_box(arm)
 
     def integral_beyond_box(self, integrand: Callable[[Array, Array, Array], Array]) -> float:
-        """Over the area from the edge of the box to the meniscus, of a function of x, y and the
-        gap, arrays of shape (rays, nodes) [its unit].
+        """Integrate a function over the area from the edge of the box to the meniscus.
+
+        Parameters
+        ----------
+        integrand : Callable[[Array, Array, Array], Array]
+            function of x, y and the gap, arrays of shape (rays, nodes), in any unit
+
+        Returns
+        -------
+        float
+            integral, in the unit of the function
         """
         angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
         every = _Ray(self, np.cos(angle), np.sin(angle))
-        wet = every.film < self.layer  # the meniscus of the others is in the box
+        wet = every.film < self.inlet_film_thickness  # the meniscus of the others is in the box
         ray = _Ray(self, every.x[wet], every.y[wet])
         span = np.log(ray.meniscus() / ray.start)[:, None]
-        places, weights = np.polynomial.legendre.leggauss(RAY_NODES)
-        r = ray.start[:, None] * np.exp(0.5 * span * (places + 1.0))
+        positions, weights = np.polynomial.legendre.leggauss(RAY_NODES)
+        r = ray.start[:, None] * np.exp(0.5 * span * (positions + 1.0))
         gap = np.maximum(ray.gap(r), ray.film[:, None])  # it opens outwards
         values = integrand(ray.x[:, None] * r, ray.y[:, None] * r, gap)
         rings = np.sum(0.5 * span * weights * values * r**2, axis=1)
@@ -83,24 +92,26 @@ class OilAround:
     def meniscus_ahead(self) -> float:
         """Distance of the meniscus from the centre, against the grid's x [-]."""
         ray = _Ray(self, np.array([-1.0]), np.array([0.0]))
-        if ray.film[0] < self.layer:
+        if ray.film[0] < self.inlet_film_thickness:
             return float(ray.meniscus()[0])
         X = self.solution.X
         ahead = X <= 0.0
         r = -X[ahead][::-1]
         middle = int(np.abs(self.solution.Y).argmin())
         gap = self.solution.H[ahead, middle][::-1] + self._excess(-r, np.zeros_like(r))
-        narrow = np.flatnonzero(gap < self.layer)
+        narrow = np.flatnonzero(gap < self.inlet_film_thickness)
         last = int(narrow[-1]) if narrow.size else 0
-        return float(np.interp(self.layer, gap[last : last + 2], r[last : last + 2]))
+        return float(
+            np.interp(self.inlet_film_thickness, gap[last : last + 2], r[last : last + 2])
+        )
 
     def _excess(self, x: Array, y: Array) -> Array:
-        """Of the gap of circles over that of parabolas at places outside the contact, less that
-        at the edge of the ellipse beside them, where the bodies conform; endless where the smaller
-        circle ends.
+        """Evaluate the gap of circles over that of parabolas outside the contact, less that at the
+        edge of the ellipse, where the bodies conform. It is infinite where the smaller circle
+        ends.
         """
         excess, reach = self._rigid_excess(x, y)
-        edge, _ = self._rigid_excess(*self._edge_beside(x, y))
+        edge, _ = self._rigid_excess(*self._nearest_edge(x, y))
         return np.asarray(np.where(reach < 1.0, excess - edge, np.inf))
 
     def _rigid_excess(self, x: Array, y: Array) -> tuple[Array, Array]:
@@ -113,7 +124,7 @@ class OilAround:
         excess = circles.excess(r, self.height_scale)
         return np.where(reach > PARABOLA_SHARE, excess, 0.0), reach
 
-    def _edge_beside(self, x: Array, y: Array) -> tuple[Array, Array]:
+    def _nearest_edge(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Place on the edge of Hertz' ellipse beside one outside it: with the same y or, past its
         ends, the end of its axis; in principal directions.
         """
@@ -127,7 +138,22 @@ class OilAround:
 
 
 def along_entrainment(contact: ScaledContact, x: Array, y: Array) -> Array:
-    """Distance along the entrainment at the centre of places in the frame of the grid [-]."""
+    """Project positions on the direction of the entrainment at the centre.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    x : Array
+        position along the grid, any shape [-]
+    y : Array
+        position across it, of the same shape [-]
+
+    Returns
+    -------
+    Array
+        distance along the entrainment [-]
+    """
     return contact.velocity_x * x + contact.velocity_y * y
 
 
@@ -162,7 +188,7 @@ class _Ray:
         high = np.maximum(self.end, low)
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
-            narrow = self.gap(middle[:, None])[:, 0] < self.oil.layer
+            narrow = self.gap(middle[:, None])[:, 0] < self.oil.inlet_film_thickness
             low, high = np.where(narrow, middle, low), np.where(narrow, high, middle)
         return low
 

@@ -16,7 +16,8 @@ from ..scaling import ScaledContact
 
 # share of a circle's radius from which on it is no parabola: its height is there 1.01 of it
 PARABOLA_SHARE = 0.2
-# of the radius, up to which a ray is followed: the circle ends, the slope of the gap is infinite
+# fraction of the radius up to which a ray is followed: the circle ends, the slope of the gap is
+# infinite
 CIRCLE_END = 1.0 - 1e-9
 HALVINGS = 40  # of the interval in which the meniscus of a ray lies: to 1e-12 of it
 
@@ -28,14 +29,35 @@ class Sections(NamedTuple):
     race: Array  # of body 2, negative where it is concave
 
     def excess(self, r: Array, height_scale: float) -> Array:
-        """Gap of the two circles less that of their parabolas at a distance, in a^2/Rx [-].
+        """Evaluate the gap of the two circles less that of their parabolas.
 
-        r: distance from the centre over a, at most `end`; height_scale: Rx/a [-].
+        Parameters
+        ----------
+        r : Array
+            distance from the centre over a, at most `end`, any shape [-]
+        height_scale : float
+            Rx/a [-]
+
+        Returns
+        -------
+        Array
+            difference of the gaps in a^2/Rx [-]
         """
         return height_scale * (_excess(self.ball, r) + _excess(self.race, r))
 
     def gap(self, r: Array) -> Array:
-        """Gap of the two circles at a distance over a, at most `end`, over a [-]."""
+        """Evaluate the gap of the two circles.
+
+        Parameters
+        ----------
+        r : Array
+            distance from the centre over a, at most `end`, any shape [-]
+
+        Returns
+        -------
+        Array
+            gap over a [-]
+        """
         return _height(self.ball, r) + _height(self.race, r)
 
     @property
@@ -64,9 +86,23 @@ def _excess(curvature: Array, r: Array) -> Array:
 
 
 def sections(contact: ScaledContact, ball_radius: float | None, x: Array, y: Array) -> Sections:
-    """Both circles in the directions (x, y), unit vectors in the frame of the grid.
+    """Cut both bodies in planes of the normal and a ray.
 
-    ball_radius: of body 1 [m]; None: body 2 is a plane.
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact of conditions with dimensions
+    ball_radius : float | None
+        radius of body 1; None: body 2 is a plane [m]
+    x : Array
+        component of the ray's unit vector along the grid, shape (n,) [-]
+    y : Array
+        component across it, shape (n,) [-]
+
+    Returns
+    -------
+    Sections
+        curvatures of both circles
     """
     a, scale = contact.semi_axis_x, contact.film_scale
     assert a is not None and scale is not None  # of conditions with dimensions
@@ -76,6 +112,21 @@ def sections(contact: ScaledContact, ball_radius: float | None, x: Array, y: Arr
 
 
 def ray_curvature(contact: ScaledContact | FarField, x: Array, y: Array) -> Array:
-    """Curvature of the gap in the directions (x, y), in units of 1/Rx [-]."""
+    """Evaluate the curvature of the gap along rays.
+
+    Parameters
+    ----------
+    contact : ScaledContact | FarField
+        scaled contact, or far field
+    x : Array
+        component of the ray's unit vector along the grid, any shape [-]
+    y : Array
+        component across it, of the same shape [-]
+
+    Returns
+    -------
+    Array
+        curvature in 1/Rx [-]
+    """
     along = contact.curvature_x * x**2 + contact.curvature_y * y**2
     return np.asarray(along + 2.0 * contact.curvature_xy * x * y)

@@ -41,7 +41,18 @@ class EllipseRule(Enum):
 
 @cache
 def ellipse_nodes(rule: EllipseRule) -> Array:
-    """x/a, y/b and share of the load of a rule's nodes, shape (3, n) [-]."""
+    """Give the nodes of a rule over the ellipse of Hertz.
+
+    Parameters
+    ----------
+    rule : EllipseRule
+        purpose of the quadrature
+
+    Returns
+    -------
+    Array
+        x/a, y/b and fraction of the load of each node, shape (3, n) [-]
+    """
     if rule is EllipseRule.FORCES:
         return ellipse_rings(16, 32)
     if rule is EllipseRule.BALANCE:
@@ -50,34 +61,71 @@ def ellipse_nodes(rule: EllipseRule) -> Array:
 
 
 def ellipse_rings(rings: int, rays: int, *, staggered: bool = False) -> Array:
-    """x/a, y/b and share of the load of nodes on rings, shape (3, rings * rays) [-].
+    """Place nodes on rings over the ellipse of Hertz.
 
-    Gauss-Legendre in the share of the load outside a radius, t = (1 - r^2)^(3/2), evenly spaced
-    around; staggered: each ring turned by half a step against the next.
+    Gauss-Legendre in the fraction of the load outside a radius, t = (1 - r^2)^(3/2), evenly
+    spaced around.
+
+    Parameters
+    ----------
+    rings : int
+        number of rings [-]
+    rays : int
+        nodes on each ring [-]
+    staggered : bool, default False
+        whether each ring is rotated by half a step against the next
+
+    Returns
+    -------
+    Array
+        x/a, y/b and fraction of the load of each node, shape (3, rings * rays) [-]
     """
     nodes, weights = np.polynomial.legendre.leggauss(rings)
     radius = np.sqrt(1.0 - (0.5 * (nodes + 1.0)) ** (2.0 / 3.0))[:, None]
     turn = 0.5 * (np.arange(rings) % 2)[:, None] + 0.25 if staggered else np.full((rings, 1), 0.5)
     angle = 2.0 * np.pi * (np.arange(rays) + turn) / rays
-    share = np.repeat(0.5 * weights / rays, rays)
-    return np.stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), share])
+    fraction = np.repeat(0.5 * weights / rays, rays)
+    return np.stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), fraction])
 
 
 def ellipse_lines(lines: int, nodes: int) -> Array:
-    """x/a, y/b and share of the load of nodes on lines along x, shape (3, lines * nodes) [-].
+    """Place nodes on lines along x over the ellipse of Hertz.
 
     Gauss-Legendre across; along each line Gauss-Chebyshev of the second kind, whose weight is
     Hertz' pressure.
+
+    Parameters
+    ----------
+    lines : int
+        number of lines [-]
+    nodes : int
+        nodes on each line [-]
+
+    Returns
+    -------
+    Array
+        x/a, y/b and fraction of the load of each node, shape (3, lines * nodes) [-]
     """
     y, across = np.polynomial.legendre.leggauss(lines)
     angle = np.pi * (np.arange(nodes) + 1.0) / (nodes + 1.0)
     along = 2.0 / (nodes + 1.0) * np.sin(angle) ** 2
     x = np.sqrt(1.0 - y**2)[:, None] * np.cos(angle)
-    share = 0.75 * ((1.0 - y**2) * across)[:, None] * along
-    return np.stack([x.ravel(), np.repeat(y, nodes), share.ravel()])
+    fraction = 0.75 * ((1.0 - y**2) * across)[:, None] * along
+    return np.stack([x.ravel(), np.repeat(y, nodes), fraction.ravel()])
 
 
 def unit_gauss(nodes: int) -> Array:
-    """Nodes and weights of Gauss and Legendre on [0, 1], shape (2, nodes) [-]."""
-    places, weights = np.polynomial.legendre.leggauss(nodes)
-    return np.stack([0.5 * (places + 1.0), 0.5 * weights])
+    """Give nodes and weights of Gauss and Legendre on [0, 1].
+
+    Parameters
+    ----------
+    nodes : int
+        number of nodes [-]
+
+    Returns
+    -------
+    Array
+        nodes and weights, shape (2, nodes) [-]
+    """
+    positions, weights = np.polynomial.legendre.leggauss(nodes)
+    return np.stack([0.5 * (positions + 1.0), 0.5 * weights])

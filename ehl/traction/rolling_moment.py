@@ -43,9 +43,9 @@ SAME_ANGLE = 1e-9  # [rad]
 # the central film from the finest grid to its limit [-]: 95 % of 71 random contacts are within
 # 0.16, 0.24, 0.32, 0.39 of it on 65, 129, 257, 513 points (`benchmarks/rolling_moment.py`)
 MESH_ERROR = 0.4
-# Of films solved with shear or heat, whose balance has more terms, the error of the lever arm of
-# the load over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the
-# sixteen contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
+# films solved with shear or heat, whose balance has more terms: error of the lever arm of the load
+# over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the sixteen
+# contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
 LEVER_ERROR = 0.4
 # Relative error of the moment over the residual [-]: below 1 in most, some 10 at most in 30
 # contacts on 129 points and six on 257 and 513, cycled on until the residual had vanished
@@ -65,36 +65,58 @@ class RollingMoment:
     """
 
     value: float  # of the oil up to its meniscus [N m]
-    # of the mesh, of the equations left unsolved and of the far field; not of the layer [N m]
+    # error by the mesh, the residual of the equations and the far field; not of the layer [N m]
     uncertainty: float
     box: float  # of the solved box alone [N m]
     layer: float  # of oil at the inlet, as wide as the gap at the meniscus [m]
-    # of the meniscus ahead of the centre [m]; None where the oil ends on the edge of a fixed box
+    # distance of the meniscus ahead of the centre [m]; None where the oil ends on the edge of a
+    # fixed box
     extent: float | None
     note: str = ""  # why the layer does not end the oil, or does not flood the contact
 
 
-def rolling_moment(solution: ContactSolution, layer: float | None = None) -> RollingMoment:
-    """Hydrodynamic rolling moment of the oil up to its meniscus.
+def rolling_moment(
+    solution: ContactSolution, inlet_film_thickness: float | None = None
+) -> RollingMoment:
+    """Integrate the hydrodynamic rolling moment of the oil up to its meniscus, Kapitza (1955).
 
-    Kapitza (1955); his field holds far outside the ellipse, where the oil is isoviscous and the
-    deflection small. In a box that was fixed the oil ends on the edge, without pressure there.
-    layer: at the inlet, both surfaces together [m]; None: that of the lubricant. Where the film
-    did not converge the moment is not a number. ValueError where conditions have no dimensions.
+    His field holds far outside the ellipse, where the oil is isoviscous and the deflection small.
+    In a box that was prescribed the oil ends on the edge, without pressure there.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    inlet_film_thickness : float | None, optional
+        inlet film thickness, both surfaces together; None: that of the lubricant [m]
+
+    Returns
+    -------
+    RollingMoment
+        moment with its error bar; not a number where the film did not converge
+
+    Raises
+    ------
+    ValueError
+        if the conditions have no dimensions
     """
     conditions, a = _dimensions(solution)
-    layer = conditions.lubricant.flooded_layer if layer is None else layer
-    if not layer > 0.0:
-        raise ValueError(f"layer must be positive, got {layer!r}")
+    inlet_film_thickness = (
+        conditions.lubricant.flooded_layer
+        if inlet_film_thickness is None
+        else inlet_film_thickness
+    )
+    if not inlet_film_thickness > 0.0:
+        raise ValueError(f"layer must be positive, got {inlet_film_thickness!r}")
     scale = solution.hertz_pressure * a**3
     if not solution.converged:
-        return _unknown(layer, "the film did not converge")
+        return _unknown(inlet_film_thickness, "the film did not converge")
     contact = scaled_as_solved(solution)
     moments = -trapezoidal_weights(solution.X, solution.Y) * solution.P * scale
     moments *= along_entrainment(contact, solution.X[:, None], solution.Y[None, :])
     box = float(moments.sum())
     if solution.supply is not None:
-        return _behind_layer(solution, conditions, contact, box)
+        return _with_inlet_film(solution, conditions, contact, box)
     change = 0.0 if solution.state else scale * pressure_moment(solution, contact)[1]
     box += change
     if solution.options.domain is not None:
@@ -102,34 +124,36 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
             value=box,
             uncertainty=_solution_error(solution, contact, (box, change)),
             box=box,
-            layer=layer,
+            layer=inlet_film_thickness,
             extent=None,
             note="the box is fixed by [ehl] domain, the oil ends on its edge",
         )
-    oil = OilAround(solution, contact, conditions.ball_radius, layer)
+    oil = OilAround(solution, contact, conditions.ball_radius, inlet_film_thickness)
     beyond = scale * oil.moment_beyond_box()
-    value = box - float(np.sum(moments * oil.share_without())) + beyond
+    value = box - float(np.sum(moments * oil.dry_moment_fraction())) + beyond
     left = _solution_error(solution, contact, (value, change))
     extent = oil.meniscus_ahead()
     return RollingMoment(
         value=value,
         uncertainty=left + FAR_FIELD_ERROR * abs(beyond),
         box=box,
-        layer=layer,
+        layer=inlet_film_thickness,
         extent=a * extent,
         note=_starved_note(solution, contact, extent),
     )
 
 
-def _unknown(layer: float, note: str) -> RollingMoment:
-    return RollingMoment(value=nan, uncertainty=inf, box=nan, layer=layer, extent=None, note=note)
+def _unknown(inlet_film_thickness: float, note: str) -> RollingMoment:
+    return RollingMoment(
+        value=nan, uncertainty=inf, box=nan, layer=inlet_film_thickness, extent=None, note=note
+    )
 
 
-def _behind_layer(
+def _with_inlet_film(
     solution: ContactSolution, conditions: ContactConditions, contact: ScaledContact, box: float
 ) -> RollingMoment:
-    """Of a film that was solved behind a layer: its pressure ends at its own meniscus, and beyond
-    an open box that the layer floods where the gap is as wide as it.
+    """Integrate the moment of a film that was solved behind a layer. Its pressure ends at its own
+    meniscus, and beyond an open box that the layer floods where the gap is as wide as it.
 
     box: by the integral of the pressure [N m]. The value is that by the heat of its flow; the
     difference of both is in the error bar whole, with the share of the film's step that a flooded
@@ -140,16 +164,16 @@ def _behind_layer(
     assert solution.supply is not None and conditions.inlet_layer is not None
     a = solution.semi_axis_x
     assert a is not None
-    layer = conditions.inlet_layer.central
+    inlet_film_thickness = conditions.inlet_layer.central
     scale = solution.hertz_pressure * a**3
     if solution.supply.law is not None:
-        return _by_law(solution, layer, scale)
+        return _by_law(solution, inlet_film_thickness, scale)
     change = scale * pressure_moment(solution, contact)[1]
     extent = solution.supply.meniscus
     beyond = 0.0
     note = ""
     if extent is None and solution.options.domain is None:
-        oil = OilAround(solution, contact, conditions.ball_radius, layer)
+        oil = OilAround(solution, contact, conditions.ball_radius, inlet_film_thickness)
         beyond = scale * oil.moment_beyond_box()
         extent = -oil.meniscus_ahead()
     elif extent is None:
@@ -159,32 +183,32 @@ def _behind_layer(
         value=value,
         uncertainty=abs(change)
         + MESH_ERROR * _film_step(solution) * abs(value)
-        + _left_by_cycles(solution, value)
+        + _cycle_error(solution, value)
         + FAR_FIELD_ERROR * abs(beyond),
         box=box + change,
-        layer=layer,
+        layer=inlet_film_thickness,
         extent=None if extent is None else -a * extent,
         note=note,
     )
 
 
-def _by_law(solution: ContactSolution, layer: float, scale: float) -> RollingMoment:
-    """What the law of starvation leaves of the moment in the box of the flooded film; its error
-    bar holds the law's, and the difference of the two ways to sum that moment.
+def _by_law(solution: ContactSolution, inlet_film_thickness: float, scale: float) -> RollingMoment:
+    """Reduce the moment in the box of the flooded film by the law of starvation. The error bar
+    includes the law's, and the difference of the two ways to sum that moment.
 
-    layer: at the inlet [m]; scale: of moments, p_h a^3 [N m].
+    inlet_film_thickness: at the inlet [m]; scale: of moments, p_h a^3 [N m].
     """
     supply = solution.supply
     assert supply is not None and supply.law is not None
-    share = supply.law.rolling_moment
+    fraction = supply.law.rolling_moment
     flooded = scale * sum(supply.flooded_moment)
-    value = share.value * flooded
-    of_film = scale * abs(supply.flooded_moment[1]) + _left_by_cycles(solution, flooded)
+    value = fraction.value * flooded
+    of_film = scale * abs(supply.flooded_moment[1]) + _cycle_error(solution, flooded)
     return RollingMoment(
         value=value,
-        uncertainty=hypot(share.value * of_film, share.uncertainty * flooded),
+        uncertainty=hypot(fraction.value * of_film, fraction.uncertainty * flooded),
         box=value,
-        layer=layer,
+        layer=inlet_film_thickness,
         extent=None,
         note="the law of starvation knows no meniscus",
     )
@@ -201,8 +225,22 @@ def _dimensions(solution: ContactSolution) -> tuple[ContactConditions, float]:
 
 
 def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
-    """The dimensionless contact in the frame of the solution's grid [-]; ValueError where that is
-    neither of the solver's two.
+    """Scale the conditions of a solution in the frame of its grid.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    ScaledContact
+        scaled contact
+
+    Raises
+    ------
+    ValueError
+        if the frame is neither of the solver's two
     """
     for along in (False, True):
         contact = scale_contact(solution.conditions, along_entrainment=along)
@@ -215,11 +253,11 @@ def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
 def _solution_error(
     solution: ContactSolution, contact: ScaledContact, moment: tuple[float, float]
 ) -> float:
-    """What mesh and residual of a solution leave open of its moment, of which the second is what
-    the balance of power changed [N m].
+    """Estimate the error of a solution's moment by mesh and residual, of which the second is the
+    change by the balance of power [N m].
     """
     value, change = moment
-    cycles = _left_by_cycles(solution, value)
+    cycles = _cycle_error(solution, value)
     if solution.state is None:
         return MESH_ERROR * (abs(change) + _film_step(solution) * abs(value)) + cycles
     conditions, a = _dimensions(solution)
@@ -235,14 +273,14 @@ def _film_step(solution: ContactSolution) -> float:
     return abs(film.value - film.finest) / abs(film.value)
 
 
-def _left_by_cycles(solution: ContactSolution, moment: float) -> float:
-    """What the cycles of a solution leave open of a moment, in its unit."""
+def _cycle_error(solution: ContactSolution, moment: float) -> float:
+    """Estimate the error of a moment by the cycles of a solution, in its unit."""
     residual = solution.record.residual[-1] if solution.record.residual else 0.0
     return RESIDUAL_ERROR * residual * abs(moment)
 
 
 def _starved_note(solution: ContactSolution, contact: ScaledContact, extent: float) -> str:
-    """That a layer does not flood the contact, by its meniscus ahead of the centre [-]."""
+    """Note on a layer that does not flood the contact, by its meniscus ahead of the centre [-]."""
     half_length = contact.half_extent_x
     factor, power = FLOODED_DISTANCE
     film = solution.film_central_dimensionless.value

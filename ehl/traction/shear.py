@@ -47,7 +47,7 @@ OUTLET_GROWTH = 1.25  # of their distance, to 1.25^24 = 200 times the first
 
 
 class Cavitation(Enum):
-    """What shears where the pressure is zero.
+    """Model of the sheared width where the pressure is zero.
 
     FULL_WIDTH: a film as wide and thick as the gap. STRIATED: strips of oil as thick as the gap
     with the flow of the last full film upstream, so that a share h_rupture/h of the width is
@@ -116,10 +116,30 @@ def shear_fields(
     temperature: float | None = None,
     cavitation: Cavitation = Cavitation.STRIATED,
 ) -> ShearFields:
-    """Shear over a solved contact of dimensional conditions, kinematics in the frame of its grid.
+    """Evaluate the shear over a solved contact of dimensional conditions.
 
-    temperature: of the film, for the limiting stress [K]; that of the solution where it was solved
-    with heat.
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    kinematics : ContactKinematics
+        motion of the bodies in the frame of its grid
+    rheology : Rheology
+        shear law of the oil
+    temperature : float | None, optional
+        temperature of the film, for the limiting stress; a solution with heat has its own [K]
+    cavitation : Cavitation, default Cavitation.STRIATED
+        model of the sheared width behind the contact
+
+    Returns
+    -------
+    ShearFields
+        shear stress, heat and slip over the grid
+
+    Raises
+    ------
+    ValueError
+        if the conditions have no dimensions
     """
     x, y, h = dimensional_grid(solution)
     p = solution.pressure
@@ -156,11 +176,53 @@ def integrate_traction(
     cavitation: Cavitation = Cavitation.STRIATED,
     rolling_resistance: float | None = None,
 ) -> TractionResult:
-    """Forces [N] and moments [N m] of a solved contact on its bodies, and the power lost [W];
-    arguments as in `shear_fields`.
+    """Integrate forces, moments and power loss of a solved contact on its bodies.
 
-    rolling_resistance: minus the hydrodynamic moment on body 1, of all oil [N m]; None: of that
-    in the box.
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    kinematics : ContactKinematics
+        motion of the bodies in the frame of its grid
+    rheology : Rheology
+        shear law of the oil
+    temperature : float | None, optional
+        temperature of the film, for the limiting stress; a solution with heat has its own [K]
+    cavitation : Cavitation, default Cavitation.STRIATED
+        model of the sheared width behind the contact
+    rolling_resistance : float | None, optional
+        minus the hydrodynamic moment on body 1, of all oil; None: of that in the box [N m]
+
+    Returns
+    -------
+    TractionResult
+        forces [N], moments [N m] and power [W]
+
+    Raises
+    ------
+    ValueError
+        if the conditions have no dimensions
+
+    Examples
+    --------
+    >>> from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=18e-9)
+    >>> contact = ContactConditions(
+    ...     load=60.0,
+    ...     radius_x=0.01,
+    ...     radius_y=0.01,
+    ...     reduced_modulus=226e9,
+    ...     entrainment_speed=1.5,
+    ...     lubricant=oil,
+    ... )
+    >>> solution = solve_contact(contact, SolverOptions(points=65))
+    >>> from ehl.kinematics import ContactKinematics
+    >>> from ehl.oil.rheology import Rheology, ShearLaw
+    >>> motion = ContactKinematics(entrainment_speed=1.5, sliding_x=0.05, rolling=150.0)
+    >>> rheology = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
+    >>> traction = integrate_traction(solution, motion, rheology)
+    >>> f"{traction.force_x:.2f} N, {traction.power_loss:.3f} W"
+    '-1.31 N, 0.135 W'
     """
     solution = with_outlet(solution) if cavitation is Cavitation.STRIATED else solution
     k = kinematics
@@ -198,7 +260,7 @@ def integrate_traction(
 def _integrals(
     solution: ContactSolution, kinematics: ContactKinematics, fields: ShearFields
 ) -> dict[str, float]:
-    """Those of a `TractionResult` that are integrals over the contact, by name."""
+    """Integrate the fields of a `TractionResult` that are integrals over the contact, by name."""
     x, y, _ = dimensional_grid(solution)
     p = solution.pressure
     X = x[:, None]
@@ -225,14 +287,39 @@ def _integrals(
 
 
 def solution_rheology(solution: ContactSolution, rheology: Rheology) -> Rheology:
-    """The rheology with the stresses [Pa] that depend on the contact's mean pressure."""
+    """Set the stresses of a rheology that depend on the contact's mean pressure.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact of dimensional conditions
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    Rheology
+        rheology with its stresses [Pa]
+    """
     oil = dimensional_conditions(solution).lubricant
     return contact_rheology(rheology, oil, solution.mean_pressure)
 
 
 def film_viscosity(solution: ContactSolution) -> Array:
-    """Viscosity at the pressure of each node, shape (nx, ny) [Pa s]; of a film solved with heat or
-    shear at its temperature, and thinned by the pressure's flow.
+    """Evaluate the viscosity at the pressure of each node.
+
+    Of a film solved with heat or shear it is that at its temperature, thinned by the pressure's
+    flow.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact of dimensional conditions
+
+    Returns
+    -------
+    Array
+        viscosity, shape (nx, ny) [Pa s]
     """
     oil = dimensional_conditions(solution).lubricant
     state = solution.state
@@ -244,20 +331,63 @@ def film_viscosity(solution: ContactSolution) -> Array:
 
 
 def film_temperature(solution: ContactSolution, inlet: float | None) -> Array | float | None:
-    """Temperature of the sheared oil [K]: shape (nx, ny) with heat, else the inlet's."""
+    """Give the temperature of the sheared oil.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    inlet : float | None
+        temperature of the oil at the inlet [K]
+
+    Returns
+    -------
+    Array | float | None
+        field of shape (nx, ny) with heat, else that of the inlet [K]
+    """
     state = solution.state
     return inlet if state is None or state.temperature is None else state.temperature
 
 
 def bounded_viscosity(pressure: Array, oil: Lubricant, temperature: Array | None = None) -> Array:
-    """Viscosity [Pa s] at pressures [Pa] and temperatures [K], at most `LARGEST_VISCOSITY`."""
+    """Evaluate the viscosity, at most `LARGEST_VISCOSITY`.
+
+    Parameters
+    ----------
+    pressure : Array
+        pressure, any shape [Pa]
+    oil : Lubricant
+        lubricant
+    temperature : Array | None, optional
+        temperature, of the same shape; None: that of the lubricant [K]
+
+    Returns
+    -------
+    Array
+        viscosity, shape of `pressure` [Pa s]
+    """
     with np.errstate(over="ignore"):
         return np.minimum(viscosity(pressure, oil, temperature), LARGEST_VISCOSITY)
 
 
 def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array:
-    """Share of the width that is sheared, shape (nx, ny) [-], for films h [m] and pressures [Pa];
-    strips start from the last node of each line along x that has pressure.
+    """Evaluate the fraction of the width that is sheared.
+
+    Strips start from the last node of each line along x that has pressure.
+
+    Parameters
+    ----------
+    film : Array
+        film thickness, shape (nx, ny) [m]
+    pressure : Array
+        shape (nx, ny) [Pa]
+    cavitation : Cavitation
+        model of the sheared width behind the contact
+
+    Returns
+    -------
+    Array
+        fraction, shape (nx, ny) [-]
     """
     full = pressure > 0.0
     if cavitation is Cavitation.FULL_WIDTH:
@@ -273,16 +403,25 @@ def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array
 
 
 def with_outlet(solution: ContactSolution) -> ContactSolution:
-    """A solution of dimensional conditions [m] with `OUTLET_NODES` more lines downstream of its
-    box, ever wider apart, where the gap opens further; the deflection stays that of its end.
+    """Extend a solution by `OUTLET_NODES` lines downstream of its box, ever wider apart.
 
-    Strips of oil shear behind the contact far beyond the box, whose end would show in the friction
-    of thick films.
+    The gap opens there; the deflection stays that of the box's end. Strips of oil shear behind the
+    contact far beyond the box, whose end would show in the friction of thick films.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact of dimensional conditions
+
+    Returns
+    -------
+    ContactSolution
+        solution with the further lines
     """
     x, y, h = dimensional_grid(solution)
     assert solution.semi_axis_x is not None and solution.film_scale is not None
     start = max(x[-1] - x[-2], 1e-3 * solution.semi_axis_x)
-    further = further_lines(x[-1], start)
+    further = outlet_lines(x[-1], start)
     along, mixed = _curvatures(solution)
     opened = 0.5 * along * (further**2 - x[-1] ** 2)[:, None]
     opened = opened + mixed * (further - x[-1])[:, None] * y
@@ -303,22 +442,42 @@ def with_outlet(solution: ContactSolution) -> ContactSolution:
     )
 
 
-def further_lines(end: float, start: float) -> Array:
-    """Places of the lines beyond the end of a box, by the distance of the first, shape
-    (OUTLET_NODES,) [m].
+def outlet_lines(end: float, start: float) -> Array:
+    """Place the lines beyond the end of a box.
+
+    Parameters
+    ----------
+    end : float
+        end of the box [m]
+    start : float
+        distance of the first line from it [m]
+
+    Returns
+    -------
+    Array
+        positions, shape (OUTLET_NODES,) [m]
     """
     return np.asarray(end + start * np.cumsum(OUTLET_GROWTH ** np.arange(OUTLET_NODES)))
 
 
 def with_outlet_values(field: Array) -> Array:
-    """A field of the grid [any unit], shape (nx, ny), with those of its last line on all lines of
-    `with_outlet`.
+    """Extend a field by the values of its last line to all lines of `with_outlet`.
+
+    Parameters
+    ----------
+    field : Array
+        values over the grid, shape (nx, ny) [any unit]
+
+    Returns
+    -------
+    Array
+        values, shape (nx + OUTLET_NODES, ny) [same unit]
     """
     return np.pad(field, ((0, OUTLET_NODES), (0, 0)), mode="edge")
 
 
 def _curvatures(solution: ContactSolution) -> tuple[float, float]:
-    """Of the gap along the grid's x, and mixed [1/m]."""
+    """Evaluate the curvature of the gap along the grid's x, and the mixed one [1/m]."""
     c = dimensional_conditions(solution)
     cosine, sine = np.cos(solution.frame_angle), np.sin(solution.frame_angle)
     along = cosine**2 / c.radius_x + sine**2 / c.radius_y
@@ -337,7 +496,20 @@ def _film_balance(solution: ContactSolution, traction: float) -> float:
 
 
 def trapezoidal_weights(x: Array, y: Array) -> Array:
-    """Weights of the trapezoidal rule over a grid, shape (nx, ny) [m^2]."""
+    """Give the weights of the trapezoidal rule over a grid.
+
+    Parameters
+    ----------
+    x : Array
+        nodes along the grid, shape (nx,) [m]
+    y : Array
+        nodes across it, shape (ny,) [m]
+
+    Returns
+    -------
+    Array
+        weights, shape (nx, ny) [m^2]
+    """
     weights: Array = np.gradient(x)[:, None] * np.gradient(y)[None, :]
     for edge in (np.s_[0, :], np.s_[-1, :], np.s_[:, 0], np.s_[:, -1]):
         weights[edge] *= 0.5
@@ -345,14 +517,50 @@ def trapezoidal_weights(x: Array, y: Array) -> Array:
 
 
 def dimensional_grid(solution: ContactSolution) -> tuple[Array, Array, Array]:
-    """x, y and film of a solution that has them [m]."""
+    """Give nodes and film of a solution that has lengths.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    x
+        nodes along the grid, shape (nx,) [m]
+    y
+        nodes across it, shape (ny,) [m]
+    film
+        film thickness, shape (nx, ny) [m]
+
+    Raises
+    ------
+    ValueError
+        if the conditions are Moes' groups alone
+    """
     if solution.x is None or solution.y is None or solution.film is None:
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
     return solution.x, solution.y, solution.film
 
 
 def dimensional_conditions(solution: ContactSolution) -> ContactConditions:
-    """Of a solution that has them [N], [m]; ValueError where Moes' groups alone are known."""
+    """Give the conditions of a solution that has lengths.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    ContactConditions
+        conditions in SI
+
+    Raises
+    ------
+    ValueError
+        if the conditions are Moes' groups alone
+    """
     if not isinstance(solution.conditions, ContactConditions):
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
     return solution.conditions

@@ -38,14 +38,29 @@ class Feature(Protocol):
 
     @property
     def symmetric(self) -> bool:
-        """Whether it is even in y."""
+        """True if the feature is even in y."""
 
     @property
     def size(self) -> float:
         """Largest height or depth [m]."""
 
     def height(self, x: Array, y: Array, front: float) -> Array:
-        """z at places from its point [m]; a wave without end begins at x = `front`."""
+        """Evaluate the height z of the feature; a wave without end begins at x = `front`.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float
+            distance at which a wave begins [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
 
 
 def _require_body(feature: Feature) -> None:
@@ -60,7 +75,7 @@ class Waviness:
     Over the first wavelength behind its front the amplitude rises smoothly.
     """
 
-    body: int
+    body: int  # 1 or 2
     amplitude: float  # A [m]
     wavelength: float  # lambda_x [m]
     wavelength_across: float | None = None  # lambda_y [m]; None: no waves across
@@ -83,7 +98,22 @@ class Waviness:
         return abs(self.amplitude)
 
     def height(self, x: Array, y: Array, front: float = inf) -> Array:
-        """z [m]."""
+        """Evaluate the height z of the waviness.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            distance at which the wave begins [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
         wave = self.amplitude * np.sin(2.0 * pi * x / self.wavelength + self.phase)
         if self.wavelength_across is not None:
             wave = wave * np.cos(2.0 * pi * y / self.wavelength_across)
@@ -95,7 +125,7 @@ class Waviness:
 class Dent:
     """A round or oval dent, z = -depth exp(-(x/r_x)^2 - (y/r_y)^2); a bump of negative depth."""
 
-    body: int
+    body: int  # 1 or 2
     depth: float  # [m]
     radius: float  # r_x, at which 1/e of the depth is left [m]
     radius_across: float | None = None  # r_y [m]; None: round
@@ -111,12 +141,12 @@ class Dent:
 
     @property
     def reach(self) -> float:
-        """Of its radius [m]."""
+        """Half the extent of the feature on y = 0 [m]."""
         return REACH * self.radius
 
     @property
     def symmetric(self) -> bool:
-        """Whether its middle is on y = 0."""
+        """True if the feature is even in y."""
         return self.place_across == 0.0
 
     @property
@@ -125,7 +155,22 @@ class Dent:
         return abs(self.depth)
 
     def height(self, x: Array, y: Array, front: float = inf) -> Array:
-        """z [m]."""
+        """Evaluate the height z of the dent.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
         across = self.radius if self.radius_across is None else self.radius_across
         far = (x / self.radius) ** 2 + ((y - self.place_across) / across) ** 2
         return np.asarray(-self.depth * np.exp(-far))
@@ -137,7 +182,7 @@ class Ridge:
     height. At the angle 0 it lies across the entrainment.
     """
 
-    body: int
+    body: int  # 1 or 2
     ridge_height: float  # h [m]
     width: float  # w, at which 1/e of the height is left [m]
     angle: float = 0.0  # of the crest from y, towards -x [rad]
@@ -152,12 +197,12 @@ class Ridge:
 
     @property
     def reach(self) -> float:
-        """Of its width, on y = 0 [m]."""
+        """Half the extent of the feature on y = 0 [m]."""
         return REACH * self.width / abs(cos(self.angle))
 
     @property
     def symmetric(self) -> bool:
-        """Whether it lies across."""
+        """True if the feature is even in y."""
         return self.angle == 0.0
 
     @property
@@ -166,7 +211,22 @@ class Ridge:
         return abs(self.ridge_height)
 
     def height(self, x: Array, y: Array, front: float = inf) -> Array:
-        """z [m]."""
+        """Evaluate the height z of the ridge.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
         away = (x * cos(self.angle) + y * sin(self.angle)) / self.width
         return np.asarray(self.ridge_height * np.exp(-(away**2)))
 
@@ -179,7 +239,7 @@ class Profile:
     be near zero.
     """
 
-    body: int
+    body: int  # 1 or 2
     x: Array  # rising, shape (n,) [m]
     heights: Array  # shape (n,), or (n, m) with y [m]
     y: Array | None = None  # rising, shape (m,) [m]
@@ -190,8 +250,8 @@ class Profile:
         shape = (self.x.size,) if self.y is None else (self.x.size, self.y.size)
         if self.heights.shape != shape or self.x.size < 2:
             raise ValueError(f"heights must have the shape {shape}, got {self.heights.shape}")
-        for places in (self.x, self.x if self.y is None else self.y):
-            if not (np.diff(places) > 0.0).all():
+        for positions in (self.x, self.x if self.y is None else self.y):
+            if not (np.diff(positions) > 0.0).all():
                 raise ValueError("places of a profile must rise")
         if not np.isfinite(self.heights).all():
             raise ValueError("heights must be finite")
@@ -200,7 +260,7 @@ class Profile:
 
     @property
     def symmetric(self) -> bool:
-        """Whether it is the same at all y."""
+        """True if the feature is even in y."""
         return self.y is None
 
     @property
@@ -209,7 +269,22 @@ class Profile:
         return float(np.abs(self.heights).max())
 
     def height(self, x: Array, y: Array, front: float = inf) -> Array:
-        """z [m]."""
+        """Interpolate the height z of the measured profile.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
         along = x + self.x[-1]
         if self.y is None:
             return np.asarray(np.interp(along, self.x, self.heights, 0.0, 0.0) + 0.0 * y)

@@ -1,4 +1,4 @@
-"""What changes over time, and the options of a run."""
+"""Inputs that change over time, and the options of a run."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -36,11 +36,33 @@ class Course:
             raise ValueError("times of a course must rise")
 
     def at(self, time: float) -> float:
-        """Value at a time [s]."""
+        """Interpolate the value at a time.
+
+        Parameters
+        ----------
+        time : float
+            time [s]
+
+        Returns
+        -------
+        float
+            value [N] or [m/s]
+        """
         return float(np.interp(time, self.times, self.values))
 
     def integral(self, time: float) -> float:
-        """Integral over time from the first [s] times the unit of the values."""
+        """Integrate the values from the first time on.
+
+        Parameters
+        ----------
+        time : float
+            end of the integral [s]
+
+        Returns
+        -------
+        float
+            integral [N s] or [m]
+        """
         if time <= self.times[0]:
             return (time - self.times[0]) * self.values[0]
         inner = [t for t in self.times if t < time]
@@ -69,12 +91,12 @@ class TransientConditions:
     The load of the contact is to be the largest, or that of the impact: the box is made for it.
     """
 
-    contact: ContactConditions
+    contact: ContactConditions  # sets the scales
     end_time: float  # [s]
     load: Course | None = None  # [N]
     speed: Course | None = None  # mean surface speed u_m, negative backwards [m/s]
-    features: tuple[Feature, ...] = ()
-    impact: Impact | None = None
+    features: tuple[Feature, ...] = ()  # of both surfaces
+    impact: Impact | None = None  # None: the bodies follow the load at once
 
     def __post_init__(self) -> None:
         require_positive(self, "end_time")
@@ -96,52 +118,114 @@ class TransientConditions:
         return (self.contact.load,) if self.load is None else self.load.values
 
     def load_at(self, time: float) -> float:
-        """Load at a time [N]; none on bodies that meet by their mass, unless it is given."""
+        """Give the load at a time; none on bodies that meet by their mass, unless it is
+        prescribed.
+
+        Parameters
+        ----------
+        time : float
+            time [s]
+
+        Returns
+        -------
+        float
+            load [N]
+        """
         if self.load is not None:
             return self.load.at(time)
         return self.contact.load if self.impact is None else 0.0
 
     def speed_at(self, time: float) -> float:
-        """Mean surface speed at a time [m/s]."""
+        """Give the mean surface speed at a time.
+
+        Parameters
+        ----------
+        time : float
+            time [s]
+
+        Returns
+        -------
+        float
+            mean surface speed u_m [m/s]
+        """
         return self.contact.entrainment_speed if self.speed is None else self.speed.at(time)
 
-    def way(self, time: float) -> float:
-        """Of the mean surface speed since t = 0 [m]."""
+    def displacement(self, time: float) -> float:
+        """Integrate the mean surface speed from t = 0 on.
+
+        Parameters
+        ----------
+        time : float
+            time [s]
+
+        Returns
+        -------
+        float
+            displacement [m]
+        """
         if self.speed is None:
             return self.contact.entrainment_speed * time
         return self.speed.integral(time) - self.speed.integral(0.0)
 
-    def body_share(self, body: int) -> tuple[float, float]:
-        """Speed of a body over u_m, along the entrainment and across [-]."""
+    def body_speed_ratio(self, body: int) -> tuple[float, float]:
+        """Relate the surface speed of a body to u_m.
+
+        Parameters
+        ----------
+        body : int
+            1 or 2
+
+        Returns
+        -------
+        along
+            ratio along the entrainment [-]
+        across
+            ratio across it [-]
+        """
         sign = 0.5 if body == 1 else -0.5
         c = self.contact
         return 1.0 + sign * c.slide_roll_ratio, sign * c.lateral_slide_ratio
 
-    def body_way(self, body: int, time: float) -> tuple[float, float]:
-        """Of the surface of a body since t = 0, along the entrainment and across [m]."""
-        along, across = self.body_share(body)
-        way = self.way(time)
-        return along * way, across * way
+    def body_displacement(self, body: int, time: float) -> tuple[float, float]:
+        """Give the displacement of the surface of a body since t = 0.
+
+        Parameters
+        ----------
+        body : int
+            1 or 2
+        time : float
+            time [s]
+
+        Returns
+        -------
+        along
+            displacement along the entrainment [m]
+        across
+            displacement across it [m]
+        """
+        along, across = self.body_speed_ratio(body)
+        displacement = self.displacement(time)
+        return along * displacement, across * displacement
 
     @property
     def symmetric(self) -> bool:
-        """Whether all features stay even in y."""
+        """True if all features stay even in y."""
         return all(
-            one.symmetric and (self.body_share(one.body)[1] == 0.0) for one in self.features
+            one.symmetric and (self.body_speed_ratio(one.body)[1] == 0.0) for one in self.features
         )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TransientOptions:
-    """What the user may choose about a run."""
+    """Options of a run."""
 
     points: int = 257  # nodes along the entrainment, 2^k + 1 [-]
     # box (x_in, x_out, y_half) in Hertz semi-axes [-]; None: the solver's own, open
     domain: tuple[float, float, float] | None = None
-    scheme: Scheme = Scheme.CHARACTERISTIC
+    scheme: Scheme = Scheme.CHARACTERISTIC  # discretisation of flow and storage
     # step at most [s]; None: four times that in which the film moves from node to node
     largest_step: float | None = None
     frames: int = 60  # fields that are kept, at even times, the first and last among them
     cycles: int = 2  # multigrid cycles a step at least
-    most_cycles: int = 20
+    most_cycles: int = 20  # multigrid cycles a step at most
     tolerance: float = 1e-3  # error of a step over the film, or a feature that is smaller [-]

@@ -1,4 +1,4 @@
-"""What a run leaves: values at every step, fields at some of them."""
+"""Results of a run: values at every step, fields at some of them."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ import numpy as np
 from ..arrays import Array
 from .inputs import TransientConditions, TransientOptions
 
-# of every step, in the order of the columns of a series
+# quantities of every step, in the order of the columns of a series
 QUANTITIES = (
     "time",  # [s]
     "speed",  # mean surface speed u_m [m/s]
@@ -47,11 +47,11 @@ class Frame:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MeshError:
-    """What the mesh leaves of the steady films at the start, by the solutions on coarser ones."""
+    """Error of the steady films at the start by the mesh, from the solutions on coarser ones."""
 
     central: float  # error of the nodal film over the film without mesh, with its bar [-]
     minimum: float  # likewise [-]
-    resolved: bool
+    resolved: bool  # whether the mesh resolves the film
     message: str  # of the steady solution
 
 
@@ -59,25 +59,36 @@ class MeshError:
 class TransientSolution:
     """One contact over time, SI."""
 
-    conditions: TransientConditions
-    options: TransientOptions
+    conditions: TransientConditions  # contact over time
+    options: TransientOptions  # of the run
     x: Array  # along the entrainment, shape (nx,) [m]
     y: Array  # across, y >= 0 where fields are even, shape (ny,) [m]
-    symmetric: bool
+    symmetric: bool  # whether fields are even in y
     semi_axes: tuple[float, float]  # of Hertz' ellipse along x and y of the grid [m]
     hertz_pressure: float  # of the scales [Pa]
     moes: tuple[float, float]  # M and L of the scales [-]
     domain: tuple[float, float, float]  # x_in, x_out, y_half in Hertz semi-axes [-]
     planned: int  # steps from t = 0 to the end
     steps: tuple[StepRecord, ...]  # the start first
-    frames: tuple[Frame, ...]
-    converged: bool
-    message: str
+    frames: tuple[Frame, ...]  # fields at some steps
+    converged: bool  # whether all steps were solved
+    message: str  # status of the run
     mesh: MeshError | None = None  # of an impact, which has no steady start
     starts: tuple[float, ...] = ()  # places of the features at t = 0 [m]; inf: everywhere
 
     def series(self, name: str) -> Array:
-        """A quantity at every step, shape (n,), SI."""
+        """Give a quantity at every step.
+
+        Parameters
+        ----------
+        name : str
+            one of `QUANTITIES`
+
+        Returns
+        -------
+        Array
+            values in SI, shape (n,)
+        """
         column = QUANTITIES.index(name)
         return np.array([step.values[column] for step in self.steps])
 

@@ -12,46 +12,46 @@ from .features import Feature
 from .inputs import Scheme, TransientConditions, TransientOptions
 from .plan import nodes_moved, step_times
 from .record import QUANTITIES, Frame, MeshError, StepRecord, TransientSolution
-from .start import Begin, NoStart, begin, levels_over_time
-from .step import Diverged, Move, Past, Stepper, StepReport
+from .start import InitialState, NoStart, initial_state, levels_over_time
+from .step import Diverged, Past, StepConditions, Stepper, StepReport
 
 DIVERGED = "step {step} of {planned}, t = {time:.4g} s, did not converge with any damping"
 # error of single steps over the tolerance, and share of all steps that may be above it: what they
 # leave is handed on to the next step and no more there
-MOST_EXCESS = 10.0
-MOST_MISSED = 0.02
-CLOSED = (
+MAX_EXCESS = 10.0
+MAX_MISSED_FRACTION = 0.02
+FILM_NOT_POSITIVE = (
     "not converged: the film is not positive on this mesh at t = {time:.4g} s; try more points"
 )
-LEFT = "the cycles left {share:.1e} of the film or the feature, above {tolerance:g}"
+RESIDUAL_MESSAGE = "the cycles left {share:.1e} of the film or the feature, above {tolerance:g}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StepResult:
     """One step done, not yet part of the run."""
 
-    past: Past
+    past: Past  # fields that the next step starts from
     exterior: float  # load outside the box [-]
-    halvings: int
-    record: StepRecord
-    frame: Frame | None
+    halvings: int  # of the damping so far [-]
+    record: StepRecord  # values of the step
+    frame: Frame | None  # fields, where they are recorded
 
 
 @dataclass(slots=True, kw_only=True)
 class TransientRun:
     """One contact over time, as far as it has come."""
 
-    conditions: TransientConditions
-    options: TransientOptions
+    conditions: TransientConditions  # contact over time
+    options: TransientOptions  # of the run
     times: Array  # of all steps planned [s]
     nodes: Array  # by which the film moves in each [-]
-    stepper: Stepper
-    past: Past
+    stepper: Stepper  # multigrid of the contact
+    past: Past  # fields of the last two steps
     starts: tuple[float, ...]  # of the features [m]
     domain: tuple[float, float, float]  # x_in, x_out, y_half in Hertz semi-axes [-]
-    mesh: MeshError | None = None
-    steps: list[StepRecord] = field(default_factory=list)
-    frames: list[Frame] = field(default_factory=list)
+    mesh: MeshError | None = None  # error of the start by the mesh
+    steps: list[StepRecord] = field(default_factory=list)  # records, the start first
+    frames: list[Frame] = field(default_factory=list)  # fields at some steps
     message: str = ""  # of a step that failed
     exterior: float = 0.0  # load outside the box [-]
 
@@ -67,7 +67,7 @@ class TransientRun:
 
     @property
     def finished(self) -> bool:
-        """Whether there is no step left, or none that can be made."""
+        """True if no step remains, or none can be made."""
         return self.done >= self.planned or bool(self.message)
 
     def advance(self) -> StepResult | None:
@@ -82,7 +82,7 @@ class TransientRun:
             time = float(self.times[number])
             self.message = DIVERGED.format(step=number, planned=self.planned, time=time)
             return None
-        frame = self._frame(number, past) if number in self._kept() else None
+        frame = self._frame(number, past) if number in self._frame_steps() else None
         return StepResult(
             past=past,
             exterior=self.stepper.state.exterior,
@@ -92,7 +92,13 @@ class TransientRun:
         )
 
     def accept(self, result: StepResult) -> None:
-        """Make a step part of the run."""
+        """Append a step to the run.
+
+        Parameters
+        ----------
+        result : StepResult
+            step that `advance` computed
+        """
         self.past = result.past
         self.exterior = result.exterior
         self.steps.append(result.record)
@@ -102,8 +108,16 @@ class TransientRun:
     def go_on_from(
         self, past: Past, state: tuple[float, int], records: tuple[list[StepRecord], list[Frame]]
     ) -> None:
-        """Stand where an earlier run of the same case stood: fields of its last steps, load
-        outside the box [-] and halvings of the damping, records.
+        """Resume an earlier run of the same case.
+
+        Parameters
+        ----------
+        past : Past
+            fields of its last two steps
+        state : tuple[float, int]
+            load outside the box [-] and halvings of the damping [-]
+        records : tuple[list[StepRecord], list[Frame]]
+            records of its steps, and its frames
         """
         self.past = past
         self.exterior, self.stepper.halvings = state
@@ -128,11 +142,11 @@ class TransientRun:
         self.frames = [self._frame(0, self.past)]
 
     def solution(self) -> TransientSolution:
-        """What there is so far."""
+        """Collect the results so far."""
         contact = self.stepper.state.contact
         grid = self.stepper.level.grid
         a, _ = _lengths(contact)
-        converged, message = self._verdict()
+        converged, message = self._status()
         return TransientSolution(
             conditions=self.conditions,
             options=self.options,
@@ -152,29 +166,32 @@ class TransientRun:
             starts=self.starts,
         )
 
-    def _verdict(self) -> tuple[bool, str]:
+    def _status(self) -> tuple[bool, str]:
         if self.message:
             return False, self.message
         least = QUANTITIES.index("film_minimum")
         for step in self.steps:
             if not step.values[least] > 0.0:
-                return False, CLOSED.format(time=float(step.values[0]))
+                return False, FILM_NOT_POSITIVE.format(time=float(step.values[0]))
         error = QUANTITIES.index("error")
         errors = np.array([step.values[error] for step in self.steps])
         tolerance = self.options.tolerance
         worst = float(errors.max())
         missed = float(np.mean(errors > tolerance))
-        if worst > MOST_EXCESS * tolerance or missed > MOST_MISSED:
-            return False, f"not converged: {LEFT.format(share=worst, tolerance=tolerance)}"
+        if worst > MAX_EXCESS * tolerance or missed > MAX_MISSED_FRACTION:
+            return (
+                False,
+                f"not converged: {RESIDUAL_MESSAGE.format(share=worst, tolerance=tolerance)}",
+            )
         if self.done < self.planned:
             return False, f"not converged: {self.done} of {self.planned} steps made"
         return True, "converged"
 
-    def _kept(self) -> set[int]:
+    def _frame_steps(self) -> set[int]:
         count = min(self.options.frames, self.planned + 1)
         return set(np.round(np.linspace(0, self.planned, count)).astype(int).tolist())
 
-    def _move(self, number: int) -> Move:
+    def _move(self, number: int) -> StepConditions:
         contact = self.stepper.state.contact
         c = self.conditions.contact
         a, scale = _lengths(contact)
@@ -186,17 +203,19 @@ class TransientRun:
             # mu: mass times film scale over the square of the time, over the unit of the load
             force = c.load / contact.load
             mass = self.conditions.impact.mass * scale / unit**2 / force
-        return Move(
+        return StepConditions(
             step=step,
             nodes=float(self.nodes[number - 1]) if number else 0.0,
             speed=self.conditions.speed_at(time) / c.entrainment_speed,
             load=contact.load * self.conditions.load_at(time) / c.load,
-            rough=roughness(self.conditions, self.starts, self.stepper, time),
+            feature_gap=gap_by_features(self.conditions, self.starts, self.stepper, time),
             upstream=self.options.scheme is Scheme.UPSTREAM,
             mass=mass,
         )
 
-    def _record(self, number: int, move: Move, past: Past, report: StepReport) -> StepRecord:
+    def _record(
+        self, number: int, move: StepConditions, past: Past, report: StepReport
+    ) -> StepRecord:
         stepper = self.stepper
         state = stepper.state
         level = stepper.level
@@ -237,25 +256,89 @@ class TransientRun:
         contact = self.stepper.state.contact
         _, scale = _lengths(contact)
         full = past.content[0] if number == 0 else self.stepper.density_and_film()[1]
-        share = past.content[0] / np.where(full > 0.0, full, 1.0)
+        fraction = past.content[0] / np.where(full > 0.0, full, 1.0)
         return Frame(
             step=number,
             time=float(self.times[number]),
             pressure=level.P * contact.hertz_pressure,
             film=level.H * scale,
-            filled=np.clip(share, 0.0, 1.0),
+            filled=np.clip(fraction, 0.0, 1.0),
         )
 
 
-def transient_run(conditions: TransientConditions, options: TransientOptions) -> TransientRun:
-    """A run at its start, with the steady film of t = 0 solved.
+def solve_transient(
+    conditions: TransientConditions, options: TransientOptions | None = None
+) -> TransientSolution:
+    """Solve a contact over time, from the steady film of t = 0 to its end time.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    options : TransientOptions | None, optional
+        options of the run; None: the defaults
+
+    Returns
+    -------
+    TransientSolution
+        film and pressure over time; `converged` and `message` tell whether all steps were solved
 
     Raises
     ------
     NoStart
-        If that does not converge.
+        if the steady film does not converge
     ValueError
-        If the conditions do not fit each other, or the run takes too many steps.
+        if the conditions do not fit each other, or the run takes too many steps
+
+    Examples
+    --------
+    >>> from ehl import ContactConditions, Lubricant
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=18e-9)
+    >>> contact = ContactConditions(
+    ...     load=60.0,
+    ...     radius_x=0.01,
+    ...     radius_y=0.01,
+    ...     reduced_modulus=226e9,
+    ...     entrainment_speed=1.5,
+    ...     lubricant=oil,
+    ... )
+    >>> from ehl.transient.inputs import Course, TransientConditions, TransientOptions
+    >>> falling = Course(times=(0.0, 2e-4), values=(60.0, 30.0))
+    >>> conditions = TransientConditions(contact=contact, end_time=3e-4, load=falling)
+    >>> options = TransientOptions(points=33, domain=(-2.5, 1.5, 2.0), frames=2)
+    >>> solution = solve_transient(conditions, options)
+    >>> solution.converged
+    True
+    >>> [f"{film * 1e9:.0f} nm" for film in solution.series("film_central")[[0, -1]]]
+    ['190 nm', '211 nm']
+    """
+    run = transient_run(conditions, options or TransientOptions())
+    for _ in run.complete():
+        pass
+    return run.solution()
+
+
+def transient_run(conditions: TransientConditions, options: TransientOptions) -> TransientRun:
+    """Start a run: the steady film of t = 0 is solved.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    options : TransientOptions
+        options of the run
+
+    Returns
+    -------
+    TransientRun
+        run at its start
+
+    Raises
+    ------
+    NoStart
+        if the steady film does not converge
+    ValueError
+        if the conditions do not fit each other, or the run takes too many steps
     """
     state, contact, _ = levels_over_time(conditions, options)
     level = state.levels[-1]
@@ -271,7 +354,7 @@ def transient_run(conditions: TransientConditions, options: TransientOptions) ->
         tolerance=options.tolerance,
         cycles=(options.cycles, options.most_cycles),
     )
-    first = begin(conditions, options, roughness(conditions, starts, stepper, 0.0))
+    first = initial_state(conditions, options, gap_by_features(conditions, starts, stepper, 0.0))
     stepper.state = first.state
     stepper.smooth = first.smooth
     stepper.fields = first.fields
@@ -308,8 +391,8 @@ def _film(conditions: TransientConditions, stepper: Stepper) -> float:
     return float(level.H[origin, int(np.abs(level.grid.X).argmin())])
 
 
-def _before_the_start(conditions: TransientConditions, first: Begin, times: Array) -> Past:
-    """What is steady, or bodies in free flight."""
+def _before_the_start(conditions: TransientConditions, first: InitialState, times: Array) -> Past:
+    """Give the steady state before the start, or that of bodies in free flight."""
     a, scale = _lengths(first.state.contact)
     unit = a / conditions.contact.entrainment_speed
     rate = 0.0
@@ -329,22 +412,52 @@ def _before_the_start(conditions: TransientConditions, first: Begin, times: Arra
 
 
 def planned_steps(conditions: TransientConditions, options: TransientOptions) -> int:
-    """Steps that a run will make [-]."""
+    """Count the steps that a run will take.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    options : TransientOptions
+        options of the run
+
+    Returns
+    -------
+    int
+        number of steps [-]
+    """
     state, contact, _ = levels_over_time(conditions, options)
     mesh = state.levels[-1].grid.hx * _lengths(contact)[0]
     return len(step_times(conditions, mesh, options.largest_step)) - 1
 
 
-def roughness(
+def gap_by_features(
     conditions: TransientConditions, starts: tuple[float, ...], stepper: Stepper, time: float
 ) -> Array:
-    """Gap by all features at a time, shape (ny, nx) [-]."""
+    """Sum the gap by all features at a time.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    starts : tuple[float, ...]
+        positions of the features at t = 0 [m]
+    stepper : Stepper
+        multigrid of the contact
+    time : float
+        time [s]
+
+    Returns
+    -------
+    Array
+        gap, shape (ny, nx) [-]
+    """
     grid = stepper.level.grid
     contact = stepper.state.contact
     a, scale = _lengths(contact)
     gap = np.zeros((grid.ny, grid.nx))
     for one, start in zip(conditions.features, starts, strict=True):
-        along, across = conditions.body_way(one.body, time)
+        along, across = conditions.body_displacement(one.body, time)
         begin_at = 0.0 if start == inf else start
         x = grid.X[None, :] * a - along - begin_at
         y = grid.Y[:, None] * a - across
@@ -356,8 +469,8 @@ def _start(feature: Feature, conditions: TransientConditions, inlet: float) -> f
     """Place of a feature at t = 0 [m]: as given, else ahead of the box, everywhere at rest."""
     if feature.start is not None:
         return feature.start
-    share = conditions.body_share(feature.body)[0]
-    moving = share * conditions.speed_at(0.0)
+    fraction = conditions.body_speed_ratio(feature.body)[0]
+    moving = fraction * conditions.speed_at(0.0)
     if abs(moving) < 1e-9 * conditions.contact.entrainment_speed:
         return inf
     if moving < 0.0:

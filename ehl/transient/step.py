@@ -6,11 +6,11 @@ import numpy as np
 
 from ..arrays import Array
 from ..multigrid.cycle import cycle, flow, load_error, reynolds_operator, update_film
-from ..multigrid.far_field import FarField, far_field, over_time
+from ..multigrid.far_field import FarField, far_field, transient_far_field
 from ..multigrid.levels import Level, Multigrid, TimeStep
 from ..multigrid.settling import PRESSURE_LIMIT, snapshot
 from ..scaling import ScaledContact
-from .content import moved, weights
+from .content import advected, weights
 
 HALVINGS = 3  # of the damping in one step before the run is given up
 # over the load of the scales, that cycles may leave unbalanced
@@ -22,7 +22,7 @@ class Past:
     """Fields of the last two steps, arrays of shape (ny, nx), and how bodies moved; all [-]."""
 
     content: tuple[Array, Array]  # m of the last step and the one before
-    pressure: tuple[Array, Array]
+    pressure: tuple[Array, Array]  # P of the last step and the one before
     approach: tuple[float, float]  # H0
     rate: tuple[float, float]  # dH0/dT
     step: float  # T of the last step; zero before the first
@@ -30,23 +30,23 @@ class Past:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Move:
-    """What one step does; all [-]."""
+class StepConditions:
+    """Conditions of one step; all [-]."""
 
     step: float  # duration
     nodes: float  # by which the film moves along the lines
     speed: float  # over u_m, at the end of the step
     load: float  # integral of P at the end
-    rough: Array  # gap by the features at the end, shape (ny, nx)
+    feature_gap: Array  # gap by the features at the end, shape (ny, nx)
     upstream: bool  # the scheme to compare with
     mass: float = 0.0  # mu of the bodies; zero: they follow the load at once
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StepReport:
-    """What a step left; all [-]."""
+    """Errors that a step left; all [-]."""
 
-    cycles: int
+    cycles: int  # of the multigrid
     # mean of |residual| H_c/(sigma max(H, H_c)) where oil carries: error of the film
     residual: float
     load_error: float  # over the load of the scales
@@ -57,7 +57,7 @@ class StepReport:
 class Stepper:
     """The multigrid of a contact over time."""
 
-    state: Multigrid
+    state: Multigrid  # levels of the contact
     smooth: Array  # gap without features, shape (ny, nx) [-]
     film: float  # H_c; in a wider gap an error counts over the gap [-]
     scale: float  # that the error of a step is counted in: the film, or a smaller feature [-]
@@ -65,7 +65,7 @@ class Stepper:
     cycles: tuple[int, int]  # at least and at most
     predicts: bool = True  # first guess from two steps
     fields: dict[bool, FarField] = field(default_factory=dict)  # forwards and backwards
-    halvings: int = 0
+    halvings: int = 0  # of the damping so far
 
     @property
     def level(self) -> Level:
@@ -80,8 +80,28 @@ class Stepper:
         density = self.level.storage[0] / self.state.time_step.rate
         return density, density * self.level.H
 
-    def advance(self, past: Past, move: Move) -> tuple[Past, StepReport]:
-        """Make a step; `Diverged` where no damping leads to one."""
+    def advance(self, past: Past, move: StepConditions) -> tuple[Past, StepReport]:
+        """Solve one step in time.
+
+        Parameters
+        ----------
+        past : Past
+            fields of the last two steps
+        move : StepConditions
+            duration, speed, load and features of the step
+
+        Returns
+        -------
+        past
+            fields that the next step starts from
+        report
+            cycles and errors of the step
+
+        Raises
+        ------
+        Diverged
+            if the step converges with no damping
+        """
         index = len(self.state.levels) - 1
         before = snapshot(self.state, index)
         for _ in range(HALVINGS + 1):
@@ -96,7 +116,7 @@ class Stepper:
             self.halvings += 1
         raise Diverged
 
-    def _begin(self, past: Past, move: Move) -> None:
+    def _begin(self, past: Past, move: StepConditions) -> None:
         """Equations of the step, and the first guess of pressure and H0."""
         first = past.step == 0.0
         ratio = 1.0 if first else move.step / past.step
@@ -104,7 +124,7 @@ class Stepper:
         nodes = (0.0, 0.0) if move.upstream else (move.nodes, move.nodes)
         back = nodes[1] + (0.0 if move.upstream else move.nodes if first else past.nodes)
         last, before = past.content
-        source = c1 * moved(last, nodes[0]) - c2 * moved(before, back)
+        source = c1 * advected(last, nodes[0]) - c2 * advected(before, back)
         # 1. the bodies, by second order backwards twice
         inertia = 0.0
         free = 0.0
@@ -120,13 +140,13 @@ class Stepper:
             inertia=inertia,
             free=free,
         )
-        # 2. where everything stands
+        # 2. gap and source of the step
         level = self.level
-        level.gap = self.smooth + move.rough
+        level.gap = self.smooth + move.feature_gap
         level.s = level.gap
         level.f = -source / move.step
         self._open_edge(past, move)
-        # 3. as the last two steps say
+        # 3. first guess from the last two steps
         if self.predicts and not first:
             p1, p2 = past.pressure
             level.P = np.where(p1 > 0.0, np.maximum(p1 + ratio * (p1 - p2), 0.0), 0.0)
@@ -135,15 +155,15 @@ class Stepper:
         level.load = move.load - self.state.exterior
         update_film(self.state, len(self.state.levels) - 1)
 
-    def _open_edge(self, past: Past, move: Move) -> None:
+    def _open_edge(self, past: Past, move: StepConditions) -> None:
         """Far field of an open box at the speed of the step, with the squeeze of the last one."""
         if not self.fields:
             return
         field = self.fields[move.speed >= 0.0]
         contact = self.state.contact
-        self.state.far_field = over_time(field, contact, abs(move.speed), past.rate[0])
+        self.state.far_field = transient_far_field(field, contact, abs(move.speed), past.rate[0])
 
-    def _cycles(self, move: Move) -> StepReport | None:
+    def _cycles(self, move: StepConditions) -> StepReport | None:
         """Cycle until the step is solved; None where the cycles diverge."""
         least, most = self.cycles
         for count in range(1, most + 1):
@@ -164,8 +184,8 @@ class Stepper:
         residual = self._residual()
         wet = level.P > 0.0
         residual = np.where(wet | (residual < 0.0), residual, 0.0)
-        share = self.film / np.maximum(level.H, self.film)
-        size = float((np.abs(residual) * share).sum()) / max(int(wet.sum()), 1)
+        fraction = self.film / np.maximum(level.H, self.film)
+        size = float((np.abs(residual) * fraction).sum()) / max(int(wet.sum()), 1)
         if not np.isfinite(size):
             return None
         step = state.time_step
@@ -188,7 +208,7 @@ class Stepper:
             residual[0] = 0.0
         return residual
 
-    def _ended(self, past: Past, move: Move) -> Past:
+    def _ended(self, past: Past, move: StepConditions) -> Past:
         """The step as the past of the next one."""
         assert self.state.time_step is not None
         level = self.level
@@ -216,7 +236,18 @@ class Diverged(Exception):  # noqa: N818
     """A step that no damping leads through."""
 
 
-def directions(contact: ScaledContact) -> dict[bool, FarField]:
-    """Far field of an entrainment forwards (True) and backwards [-]."""
+def far_fields_by_direction(contact: ScaledContact) -> dict[bool, FarField]:
+    """Solve the far field of an entrainment forwards (True) and backwards (False).
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    dict[bool, FarField]
+        far field by direction [-]
+    """
     back = replace(contact, velocity_x=-contact.velocity_x, velocity_y=-contact.velocity_y)
     return {True: far_field(contact), False: far_field(back)}

@@ -13,12 +13,12 @@ from .record import TransientSolution
 FIT_LUBRICANT = 10.0  # least L that the fit holds for
 FIT_RANGE = (0.8, 7.0)  # of (lambda/a) sqrt(M/L)
 WAVES = 1.5  # that pass before the amplitude is taken, the first of which rises
-ROUND = 1e-3  # deviation of the ellipse from a circle
+CIRCULARITY = 1e-3  # deviation of the ellipse from a circle
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WaveResult:
-    """What the film leaves of one waviness, at the contact's centre."""
+    """Amplitude of one waviness in the film at the contact's centre."""
 
     feature: int  # number of the waviness among the features, from 0
     frequency: float | None = None  # of its passing [Hz]
@@ -29,8 +29,21 @@ class WaveResult:
 
 
 def harmonic(times: Array, values: Array, frequency: float) -> complex:
-    """First harmonic of values at uneven times [s], by least squares beside their mean, as the
-    factor of exp(2 pi i f t), f [Hz].
+    """Fit the first harmonic and the mean to values at uneven times by least squares.
+
+    Parameters
+    ----------
+    times : Array
+        times, shape (n,) [s]
+    values : Array
+        values, shape (n,), in any unit
+    frequency : float
+        frequency f of the harmonic [Hz]
+
+    Returns
+    -------
+    complex
+        factor of exp(2 pi i f t), in the unit of the values
     """
     angle = 2.0 * pi * frequency * times
     columns = np.stack((np.ones_like(times), np.cos(angle), np.sin(angle)), axis=1)
@@ -39,7 +52,18 @@ def harmonic(times: Array, values: Array, frequency: float) -> complex:
 
 
 def wave_results(solution: TransientSolution) -> tuple[WaveResult, ...]:
-    """Of all wavinesses, over the last period that passed the centre."""
+    """Evaluate all wavinesses over the last period that passed the centre.
+
+    Parameters
+    ----------
+    solution : TransientSolution
+        contact over time
+
+    Returns
+    -------
+    tuple[WaveResult, ...]
+        one result a waviness
+    """
     return tuple(
         _wave(solution, number, one)
         for number, one in enumerate(solution.conditions.features)
@@ -50,13 +74,13 @@ def wave_results(solution: TransientSolution) -> tuple[WaveResult, ...]:
 def _wave(solution: TransientSolution, number: int, wave: Waviness) -> WaveResult:
     conditions = solution.conditions
     time = solution.series("time")
-    share = conditions.body_share(wave.body)[0]
+    fraction = conditions.body_speed_ratio(wave.body)[0]
     for name in ("speed", "load"):
         if np.ptp(solution.series(name)) > 0.0:
             return WaveResult(feature=number, reason=f"the {name} changes")
     if conditions.impact is not None:
         return WaveResult(feature=number, reason="the bodies meet")
-    speed = share * conditions.speed_at(0.0)
+    speed = fraction * conditions.speed_at(0.0)
     if speed == 0.0:
         return WaveResult(feature=number, reason="its body is at rest")
     frequency = abs(speed) / wave.wavelength
@@ -87,7 +111,7 @@ def _fit(solution: TransientSolution, wave: Waviness) -> float | None:
     c = solution.conditions.contact
     load, lubricant = solution.moes
     rolling = c.slide_roll_ratio == 0.0 and c.lateral_slide_ratio == 0.0
-    circular = abs(c.radius_x / c.radius_y - 1.0) < ROUND
+    circular = abs(c.radius_x / c.radius_y - 1.0) < CIRCULARITY
     if not rolling or not circular or lubricant < FIT_LUBRICANT * (1.0 - 1e-3):
         return None
     a = solution.semi_axes[0]

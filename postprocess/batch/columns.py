@@ -88,7 +88,13 @@ class Layouts:
         self._names: dict[str, tuple[list[str], list[str]]] = {}
 
     def add(self, layout: str) -> None:
-        """Columns of one more layout; in the order in which they come, main results first."""
+        """Add the columns of one more layout, main results first.
+
+        Parameters
+        ----------
+        layout : str
+            Names of the numbers of a point, JSON.
+        """
         if layout not in self._names:
             main, others = json.loads(layout) or ([], [])
             self._names[layout] = (main, others)
@@ -96,12 +102,34 @@ class Layouts:
             self.others |= dict.fromkeys(others)
 
     def names(self, layout: str) -> list[str]:
-        """Names of the numbers of a layout, in their order."""
+        """Names of the numbers of a layout, in their order.
+
+        Parameters
+        ----------
+        layout : str
+            Names of the numbers of a point, JSON.
+
+        Returns
+        -------
+        list[str]
+            Names of the numbers.
+        """
         main, others = self._names[layout]
         return [*main, *others]
 
     def columns(self, without: Sequence[str]) -> list[str]:
-        """All names but some."""
+        """All names but some.
+
+        Parameters
+        ----------
+        without : Sequence[str]
+            Names to leave out.
+
+        Returns
+        -------
+        list[str]
+            Names of the columns.
+        """
         names = dict.fromkeys([*self.main, *self.others])
         return [name for name in names if name not in without]
 
@@ -139,13 +167,24 @@ class Columns:
 
 def _way(names: list[str], places: dict[str, int]) -> tuple[Any, Any]:
     """Places of numbers in a layout, and those in the columns."""
-    known = [(k, places[name]) for k, name in enumerate(names) if name in places]
-    own = np.array([k for k, _ in known], dtype=np.intp)
-    return own, np.array([place for _, place in known], dtype=np.intp)
+    available = [(k, places[name]) for k, name in enumerate(names) if name in places]
+    own = np.array([k for k, _ in available], dtype=np.intp)
+    return own, np.array([place for _, place in available], dtype=np.intp)
 
 
 def columns_of(source: Source) -> Columns:
-    """The columns of a batch, in one pass over its points."""
+    """The columns of a batch, in one pass over its points.
+
+    Parameters
+    ----------
+    source : Source
+        Points of the batch.
+
+    Returns
+    -------
+    Columns
+        Columns with the kinds of their values.
+    """
     layouts = Layouts()
     seen: dict[str, Any] = {}  # kinds by layout: a truth value for each byte and number
     counts: dict[str, int] = {}
@@ -162,21 +201,21 @@ def columns_of(source: Source) -> Columns:
             for key, kinds in keys.items():
                 kinds.add(_kind_of(row.values.get(key)))
     names = layouts.columns((*STATE, *source.keys))
-    found: dict[str, set[str]] = {name: set() for name in names}
+    result: dict[str, set[str]] = {name: set() for name in names}
     points = dict.fromkeys(names, 0)
     for layout, table in seen.items():
         for k, name in enumerate(layouts.names(layout)):
-            if name in found:
-                found[name] |= {KINDS[kind] for kind in np.flatnonzero(table[:, k]).tolist()}
+            if name in result:
+                result[name] |= {KINDS[kind] for kind in np.flatnonzero(table[:, k]).tolist()}
                 points[name] += counts[layout]
     gaps = {name for name in names if points[name] < sum(counts.values())}
-    found |= keys
+    result |= keys
     return Columns(
         source=source,
         layouts=layouts,
         names=tuple(names),
-        kinds={name: _common(kinds) for name, kinds in found.items()},
-        gaps=frozenset(gaps | {name for name, kinds in found.items() if "nothing" in kinds}),
+        kinds={name: _common(kinds) for name, kinds in result.items()},
+        gaps=frozenset(gaps | {name for name, kinds in result.items() if "nothing" in kinds}),
     )
 
 
@@ -190,9 +229,9 @@ def _kind_of(value: Any) -> str:
 
 def _common(kinds: set[str]) -> str:
     """The kind that holds all values of a column."""
-    known = kinds - {"nothing"}
-    if len(known) < 2:
-        return next(iter(known), "nothing")
-    if known <= {"bool", "int", "float"}:
+    available = kinds - {"nothing"}
+    if len(available) < 2:
+        return next(iter(available), "nothing")
+    if available <= {"bool", "int", "float"}:
         return "float"
-    return "word" if known <= {"bool", "word"} else "text"
+    return "word" if available <= {"bool", "word"} else "text"

@@ -19,8 +19,21 @@ MORRIS = "morris"
 
 
 def main_values(columns: Columns) -> tuple[list[str], Array, list[str]]:
-    """Names of the main results, their values, shape (points, results), NaN where a point did not
-    converge, and the blocks of the points.
+    """Names and values of the main results, and the blocks of the points.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+
+    Returns
+    -------
+    value
+        Names of the main results.
+    value
+        Values, shape (points, results), NaN where a point did not converge.
+    value
+        Block of each point.
     """
     names = [n for n in columns.names if n in columns.layouts.main and "_uncertainty_" not in n]
     places = [columns.names.index(name) for name in names]
@@ -41,15 +54,22 @@ def sobol_indices(values: Array, keys: int, samples: int) -> tuple[Any, Any, Any
 
     Parameters
     ----------
-    values : ndarray, shape (samples (keys + 2),)
-        Results at the points of Saltelli's design: A, B, A with one column from B after the other.
+    values : Array
+        Results at the points of Saltelli's design, shape (samples (keys + 2),): A, B, A with one
+        column from B after the other.
+    keys : int
+        Varied keys [-].
+    samples : int
+        Rows of A [-].
 
     Returns
     -------
-    first, total : ndarray, shape (keys,)
-        Indices [-].
-    intervals : ndarray, shape (2, keys, 2)
-        Ends of the intervals of 95 % of the first and of the total indices [-].
+    first
+        First indices, shape (keys,) [-].
+    total
+        Total indices, shape (keys,) [-].
+    intervals
+        Ends of the intervals of 95 % of both, shape (2, keys, 2) [-].
     """
     from scipy.stats import DegenerateDataWarning
     from scipy.stats import sobol_indices as of_scipy
@@ -60,23 +80,48 @@ def sobol_indices(values: Array, keys: int, samples: int) -> tuple[Any, Any, Any
     # resamples without any spread give no interval, which is null then
     with np.errstate(divide="ignore", invalid="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore", DegenerateDataWarning)
-        found = of_scipy(func=functions, n=samples)
-        bars = found.bootstrap(confidence_level=CONFIDENCE, n_resamples=RESAMPLES)
+        result = of_scipy(func=functions, n=samples)
+        bars = result.bootstrap(confidence_level=CONFIDENCE, n_resamples=RESAMPLES)
     ends = [bar.confidence_interval for bar in (bars.first_order, bars.total_order)]
     intervals = np.array([np.column_stack([end.low.ravel(), end.high.ravel()]) for end in ends])
-    return found.first_order.ravel(), found.total_order.ravel(), intervals
+    return result.first_order.ravel(), result.total_order.ravel(), intervals
 
 
-def known(value: float) -> float | None:
-    """A number that is finite, else null."""
+def finite_or_none(value: float) -> float | None:
+    """A finite number; None of another one.
+
+    Parameters
+    ----------
+    value : float
+        Number in any unit.
+
+    Returns
+    -------
+    float | None
+        The number, or None.
+    """
     return float(value) if np.isfinite(value) else None
 
 
 def sobol_document(names: list[str], values: Array, design: Design) -> dict[str, Any]:
-    """Under each main result that varies, for each key `first` and `total` index [-] with the ends
-    of their intervals of 95 %; a reason in place of them where points have no result.
+    """Sobol indices of the keys, under each main result that varies.
 
-    `names`, `values`: of the main results of all points of the batch.
+    For each key `first` and `total` index [-] with the ends of their intervals of 95 %; a reason
+    in place of them where points have no result.
+
+    Parameters
+    ----------
+    names : list[str]
+        Names of the main results.
+    values : Array
+        Main results of all points of the batch, shape (points, results).
+    design : Design
+        Block of points that belong together.
+
+    Returns
+    -------
+    dict[str, Any]
+        `samples`, `points` and `results`.
     """
     count = design.samples * (len(design.keys) + 2)
     block = values[design.start : design.start + count]
@@ -92,11 +137,11 @@ def sobol_document(names: list[str], values: Array, design: Design) -> dict[str,
         document["results"][name] = {
             key: {
                 "first": float(first[k]),
-                "first_low": known(intervals[0, k, 0]),
-                "first_high": known(intervals[0, k, 1]),
+                "first_low": finite_or_none(intervals[0, k, 0]),
+                "first_high": finite_or_none(intervals[0, k, 1]),
                 "total": float(total[k]),
-                "total_low": known(intervals[1, k, 0]),
-                "total_high": known(intervals[1, k, 1]),
+                "total_low": finite_or_none(intervals[1, k, 0]),
+                "total_high": finite_or_none(intervals[1, k, 1]),
             }
             for k, key in enumerate(design.keys)
         }
@@ -116,7 +161,7 @@ def elementary_effects(values: Array, places: Array) -> tuple[Array, Array]:
     Returns
     -------
     effects, steps : ndarray, shape (trajectories, keys)
-        Change of the result over that of the key, and whether it is known is told by NaN; the
+        Change of the result over that of the key, NaN where it is not known; the
         signed steps of the keys.
     """
     moved = np.diff(places, axis=1)
@@ -134,11 +179,27 @@ def elementary_effects(values: Array, places: Array) -> tuple[Array, Array]:
 def morris_document(
     names: list[str], values: Array, design: Design, places: Array
 ) -> dict[str, Any]:
-    """Under each main result, for each key the mean of its effects `mean`, of their magnitudes
-    `mean_magnitude` with the ends of its interval of 95 %, and their `standard_deviation`, in the
-    unit of the result for the whole range of the key; `trajectories` that are complete.
+    """Elementary effects of the keys, under each main result, after Morris.
 
-    `places`: values of the keys over their ranges [-], shape (points, keys).
+    For each key the mean of its effects `mean`, of their magnitudes `mean_magnitude` with the ends
+    of its interval of 95 %, and their `standard_deviation`, in the unit of the result for the
+    whole range of the key; `trajectories` that are complete.
+
+    Parameters
+    ----------
+    names : list[str]
+        Names of the main results.
+    values : Array
+        Main results of all points of the batch, shape (points, results).
+    design : Design
+        Block of points that belong together.
+    places : Array
+        Keys over their ranges, shape (points, keys) [-].
+
+    Returns
+    -------
+    dict[str, Any]
+        `trajectories`, `points` and `results`.
     """
     keys = len(design.keys)
     shape = (design.samples, keys + 1)
@@ -169,7 +230,20 @@ def morris_document(
 
 
 def design_documents(columns: Columns, designs: Sequence[Design]) -> dict[str, Any]:
-    """What the designs of a batch tell, under `sobol_indices` and `morris`; null without one."""
+    """Results of the designs of a batch: Sobol indices and Morris' effects.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+    designs : Sequence[Design]
+        Designs of the batch.
+
+    Returns
+    -------
+    dict[str, Any]
+        Documents under `sobol_indices` and `morris`; null without such a design.
+    """
     document: dict[str, Any] = {SOBOL: None, MORRIS: None}
     if not any(design.block in document for design in designs):
         return document

@@ -1,4 +1,4 @@
-"""What is looked at first in a summary of any kind, by keys with their units."""
+"""Main results of a summary of any kind, by keys with their units."""
 
 from operator import itemgetter
 from typing import Any
@@ -75,7 +75,18 @@ BATCH_PANELS = (  # the first ones are drawn where the sweep file names none
 
 
 def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
-    """The main results of a run, a contact, a simulation, slip maps or traction tables."""
+    """The main results of a run, a contact, a simulation, slip maps or traction tables.
+
+    Parameters
+    ----------
+    summary : dict[str, Any] | None
+        Summary of any kind, or None.
+
+    Returns
+    -------
+    dict[str, Any]
+        Main results by key; empty without a summary.
+    """
     if summary is None:
         return {}
     if "contacts" in summary:
@@ -90,9 +101,17 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
 
 
 def result_names(kind: str) -> tuple[str, ...]:
-    """Names of numbers of a point of a batch, as in its table; `kind` is what is computed there.
+    """Names of the numbers of a point of a batch, as in its table.
 
-    Main results, every torque, supply, self-heating.
+    Parameters
+    ----------
+    kind : str
+        Command that computes a point, such as "run".
+
+    Returns
+    -------
+    tuple[str, ...]
+        Names of the numbers.
     """
     table = {"largest_coefficient": None, "error": {"quantile": None}, "films": None}
     nothing: dict[str, dict[str, Any]] = {
@@ -135,27 +154,50 @@ def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
 
 
 def point_error(numbers: dict[str, Any], head: str, unit: str) -> float | None:
-    """Error of a main result that two points do not share: of films what mesh or atlas leave open,
-    without the range of the heat of the inlets; None without one.
+    """Error of a main result that two points do not share, without the range of the heat of the
+    inlets; None without one.
+
+    Parameters
+    ----------
+    numbers : dict[str, Any]
+        Main results of a point.
+    head : str
+        Name of the result without its unit.
+    unit : str
+        Unit at the end of the key.
+
+    Returns
+    -------
+    float | None
+        Error in the unit of the result.
     """
     own: float | None = numbers.get(f"{head}_mesh_uncertainty_{unit}")
     return numbers.get(f"{head}_uncertainty_{unit}") if own is None else own
 
 
 def thinnest_film(contacts: list[dict[str, Any]]) -> dict[str, Any] | None:
-    """The contact of a summary with the thinnest film; None where a film is not known that may be
-    the thinnest: one that did not converge, or of a contact that has none, neither solved nor in
-    the film atlas, with more than `THINNER_LOAD` of the load of the one found.
+    """The contact of a summary with the thinnest film; None if another one may have a thinner one
+    that is not known.
+
+    Parameters
+    ----------
+    contacts : list[dict[str, Any]]
+        Contacts of a summary.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        The contact.
     """
     if any(contact.get("converged") is False for contact in contacts):
         return None
     films = [contact for contact in contacts if contact.get("film_minimum_um") is not None]
-    found = min(films, key=itemgetter("film_minimum_um"), default=None)
-    if found is None:
+    result = min(films, key=itemgetter("film_minimum_um"), default=None)
+    if result is None:
         return None
-    least = THINNER_LOAD * found["load_N"]
+    least = THINNER_LOAD * result["load_N"]
     others = (contact for contact in contacts if contact.get("film_minimum_um") is None)
-    return None if any(contact["load_N"] > least for contact in others) else found
+    return None if any(contact["load_N"] > least for contact in others) else result
 
 
 def _loads(summary: dict[str, Any]) -> dict[str, Any]:

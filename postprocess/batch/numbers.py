@@ -11,7 +11,20 @@ MOST_COMPONENTS = 3  # of a vector, each a column
 
 
 def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
-    """Every single number of a summary by its dotted path; parts of vectors as .x, .y, .z."""
+    """Every single number of a summary by its dotted path; parts of vectors as .x, .y, .z.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    path : str, default ''
+        Path of the summary in a larger one.
+
+    Returns
+    -------
+    dict[str, float]
+        Numbers by dotted path.
+    """
     numbers: dict[str, float] = {}
     for key, value in summary.items():
         name = f"{path}.{key}" if path else key
@@ -28,7 +41,20 @@ def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
 
 
 def components(key: str, count: int) -> tuple[str, ...]:
-    """Names of the components of a short list: of a vector, a tilt, or the ends of a range."""
+    """Names of the components of a short list: of a vector, a tilt, or the ends of a range.
+
+    Parameters
+    ----------
+    key : str
+        Key of the list.
+    count : int
+        Entries of the list, 1 to 3.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Names of the components.
+    """
     if count == MOST_COMPONENTS:
         return ("x", "y", "z")
     return (("y", "z") if key.startswith(("tilt", "ring_moment")) else ("first", "last"))[:count]

@@ -27,6 +27,13 @@ def write_batch_parquet(columns: Columns, path: Path) -> None:
     """Write the columns of batch.csv with types, null for no value; units in the metadata of each.
 
     A row group for some thousand points, compressed by zstd.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+    path : Path
+        File to write.
     """
     keys = columns.source.keys
     schema = pyarrow.schema([_field(name, columns) for name in (*STATE, *keys, *columns.names)])

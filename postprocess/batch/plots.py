@@ -17,9 +17,9 @@ from ehl.solution import Array
 from ehl.units import unit_of, unit_symbol, without_unit
 
 from ..bearing.quantities import TORQUE_PARTS, torque_model
-from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
+from ..plot_style import INK, REFERENCE, titled_panels, write_figure
 from ..text import evenly_chosen
-from .keys import Varied, are_told_apart, families, varied_keys
+from .keys import Varied, are_distinguishable, families, varied_keys
 from .main_results import BATCH_PANELS, MAIN_QUANTITY
 from .results import BatchResults
 from .summary import point_numbers
@@ -39,7 +39,20 @@ LOGARITHMIC = ("film_", "rating")  # in the names of what may have a logarithmic
 
 
 def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]:
-    """Draw the figure of a batch into its folder `plots`; what could not be drawn, and why."""
+    """Draw the figure of a batch into its folder `plots`.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    directory : Path
+        Folder of the batch.
+
+    Returns
+    -------
+    tuple[str, ...]
+        What could not be drawn, and why.
+    """
     keys = list(varied_keys(results).values())
     shown = quantities(results)
     if not keys or not shown:
@@ -59,25 +72,44 @@ def write_diagram(
 ) -> Path:
     """Draw numbers of a batch over keys of one's choice, as `draw_batch`, into a PNG, PDF or SVG.
 
-    The keys in `over` come first: axis, colours, styles; a key is named by its last part, too.
-    ValueError for a key that does not vary, or a number that no point has.
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    path : Path
+        File that ends in .png, .pdf or .svg.
+    over : tuple[str, ...], default ()
+        Keys that come first: along the axis, by colour, by style; the last part of a key names it,
+        too.
+    numbers : tuple[str, ...], default ()
+        Names of the numbers to draw; main results if empty.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        For a key that does not vary, or a number that no point has.
     """
     keys = varied_keys(results)
     chosen = [_one_named(name, keys, "varied key") for name in over]
-    known = quantities(results)
+    available = quantities(results)
     if numbers:
         every = dict.fromkeys(name for p in results.points for name in point_numbers(p))
-        known = [_one_named(name, every, "number") for name in numbers]
-    if not keys or not known:
+        available = [_one_named(name, every, "number") for name in numbers]
+    if not keys or not available:
         raise ValueError("there is nothing to draw: no key varies, or no point has a result")
     order = [keys[name] for name in (*chosen, *(name for name in keys if name not in chosen))]
-    write_figure(path, partial(draw_batch, results=results, keys=order, shown=known))
+    write_figure(path, partial(draw_batch, results=results, keys=order, shown=available))
     return path
 
 
-def _one_named(name: str, known: Iterable[str], kind: str) -> str:
+def _one_named(name: str, available: Iterable[str], kind: str) -> str:
     """The one of the known names that is meant; ValueError if there is none, or several."""
-    names = list(known)
+    names = list(available)
     meant = [own for own in names if own == name] or [
         own for own in names if own.endswith(f".{name}")
     ]
@@ -85,12 +117,23 @@ def _one_named(name: str, known: Iterable[str], kind: str) -> str:
         return meant[0]
     close = get_close_matches(name, names, n=1, cutoff=0.3)
     hint = f"; did you mean {close[0]!r}?" if close else ""
-    found = "several have this name" if meant else f"there is no {kind} of this name"
-    raise ValueError(f"{name}: {found}{hint}")
+    result = "several have this name" if meant else f"there is no {kind} of this name"
+    raise ValueError(f"{name}: {result}{hint}")
 
 
 def quantities(results: BatchResults) -> list[str]:
-    """Numbers that the sweep file wants drawn; else as many main results, not all zero, as fit."""
+    """Numbers that the sweep file wants drawn; else as many main results, not all zero, as fit.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+
+    Returns
+    -------
+    list[str]
+        Names of the numbers.
+    """
     rows = [point_numbers(point) for point in results.points]
     if results.plot:
         return [name for name in results.plot if any(row.get(name) is not None for row in rows)]
@@ -104,18 +147,27 @@ def draw_batch(
 
     Where lines are too many, points have colours by the second. Keys as `varied_keys` orders
     them; units [um], [GPa], [N mm] as the names of the numbers say.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BatchResults
+        Results of the batch.
+    keys : list[Varied]
+        Varied keys in the order of `varied_keys`.
+    shown : list[str]
+        Names of the numbers to draw.
     """
     every = keys
     keys = families(keys)
-    figure.set_size_inches(PAGE_WIDTH, 2.9)
-    figure.suptitle(results.title, fontsize=8.5)
-    panels: Any = figure.subplots(1, len(shown), squeeze=False)[0]
+    panels: Any = titled_panels(figure, results.title, 2.9, 1, len(shown), squeeze=False)[0]
     mapped = None
     for axes, name in zip(panels, shown, strict=True):
         data = _data(results, keys, name)
         if len(keys) == 1:
             _line(axes, data, data.error, color=INK, linestyle="" if keys[0].words else "-")
-        elif are_told_apart(keys):
+        elif are_distinguishable(keys):
             _family(axes, data, keys)
         else:
             converged = data[data.converged]
@@ -130,19 +182,19 @@ def draw_batch(
     elif len(keys) > 1:
         _family_legend(figure, panels[0], keys)
     bars = shown[0].startswith("film") and mapped is None
-    told = len(keys) if len(keys) < len(every) or mapped is None else 2
-    hidden = [] if len(keys) < len(every) else every[told:]
+    distinguished = len(keys) if len(keys) < len(every) or mapped is None else 2
+    hidden = [] if len(keys) < len(every) else every[distinguished:]
     _note(figure, results, hidden, ["error bars: uncertainty of the film"] if bars else [])
 
 
 def _values_axis(axes: Axes, name: str, data: Any) -> None:
     """From zero, or logarithmic where films or lives differ by many times."""
-    known = data.y[data.y > 0.0]
-    spread = known.max() / known.min() if known.size == data.size > 0 else 1.0
+    available = data.y[data.y > 0.0]
+    spread = available.max() / available.min() if available.size == data.size > 0 else 1.0
     if spread > MANY_TIMES and any(word in name for word in LOGARITHMIC):
         axes.set_yscale("log")
-        axes.set_ylim(0.7 * known.min(), 1.4 * known.max())
-        if known.max() < LARGE:
+        axes.set_ylim(0.7 * available.min(), 1.4 * available.max())
+        if available.max() < LARGE:
             axes.yaxis.set_major_formatter("{x:g}")
     else:
         axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
@@ -154,14 +206,25 @@ def draw_together(
     """Numbers of one unit as lines over the first key, a panel for each value of the second one.
 
     Keys as `varied_keys` orders them; units [N mm] ... as the names of the numbers say.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BatchResults
+        Results of the batch.
+    keys : list[Varied]
+        Varied keys in the order of `varied_keys`.
+    shown : list[str]
+        Names of the numbers to draw.
     """
     values = np.zeros(1)
     if len(keys) > 1:
         values = np.unique([v for v in keys[1].values if v is not None])
         values = values[evenly_chosen(len(values), MOST_TOGETHER)]
-    figure.set_size_inches(PAGE_WIDTH, 3.0)
-    figure.suptitle(results.title, fontsize=8.5)
-    panels: Any = figure.subplots(1, len(values), squeeze=False, sharey=True)[0]
+    panels: Any = titled_panels(
+        figure, results.title, 3.0, 1, len(values), squeeze=False, sharey=True
+    )[0]
     model = common_model(shown)
     least = np.inf
     for axes, value in zip(panels, values, strict=True):
@@ -195,7 +258,7 @@ def draw_together(
 
 
 def _note(figure: Figure, results: BatchResults, hidden: list[Varied], notes: list[str]) -> None:
-    """What a figure does not show by itself, below it; `hidden` keys vary and are not told."""
+    """Write below a figure which keys vary unseen, and further remarks."""
     notes = notes + ["crosses: not converged"] * (not results.converged)
     if 0 < len(hidden) <= MOST_PANELS:
         notes.append(f"further keys vary: {', '.join(key.label for key in hidden)}")
@@ -214,7 +277,20 @@ def _first_key(axes: Axes, key: Varied) -> None:
 
 
 def quantity_label(name: str, model: str | None = None) -> str:
-    """A number in words; of a torque its model and part, without the `model` of all numbers."""
+    """A number in words; of a torque its model and part, without the `model` of all numbers.
+
+    Parameters
+    ----------
+    name : str
+        Dotted name of the number.
+    model : str | None, optional
+        Torque model that all numbers of the figure are of.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     if name.startswith(MODELS):
         own, part = name.removeprefix(MODELS).split(".")
         part_title = TORQUE_PARTS.get(part, part)
@@ -226,14 +302,36 @@ def quantity_label(name: str, model: str | None = None) -> str:
 
 
 def common_model(names: list[str]) -> str | None:
-    """The torque model that all numbers are of, if there is one."""
+    """The torque model that all numbers are of, if there is one.
+
+    Parameters
+    ----------
+    names : list[str]
+        Dotted names of the numbers.
+
+    Returns
+    -------
+    str | None
+        Name of the model.
+    """
     models = {name.removeprefix(MODELS).split(".")[0] for name in names}
     of_models = all(name.startswith(MODELS) for name in names)
     return models.pop() if of_models and len(models) == 1 else None
 
 
 def quantity_unit(name: str) -> str:
-    """Unit of a quantity for a label."""
+    """Unit of a quantity for a label.
+
+    Parameters
+    ----------
+    name : str
+        Dotted name of the number.
+
+    Returns
+    -------
+    str
+        Unit as in labels.
+    """
     return "a²/Rx" if name.endswith("_dimensionless") else unit_symbol(name) or "-"
 
 
@@ -266,14 +364,14 @@ def _family(axes: Axes, data: Any, keys: list[Varied]) -> None:
 
 def _colours(key: Varied) -> list[tuple[Any, float]]:
     """A colour for each value of a key."""
-    values = key.known
+    values = key.distinct
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, len(values)))
     return list(zip(colours, values, strict=True))
 
 
 def _styles(keys: list[Varied]) -> list[tuple[dict[str, Any], float]]:
     """A style of line and marker for each value of a third key; one style without one."""
-    values = keys[2].known if len(keys) > 2 else [0.0]
+    values = keys[2].distinct if len(keys) > 2 else [0.0]
     return [
         ({"linestyle": STYLES[k], "marker": MARKERS[k]}, value) for k, value in enumerate(values)
     ]
@@ -290,7 +388,7 @@ def _family_legend(figure: Any, axes: Axes, keys: list[Varied]) -> None:
         return
     entries = [_heading(keys[1]), *lines]
     for style, value in _styles(keys) if len(keys) > 2 else ():
-        if value == keys[2].known[0]:
+        if value == keys[2].distinct[0]:
             entries += [_heading(None), _heading(keys[2])]
         style |= {"markersize": 3, "color": REFERENCE, "label": keys[2].text(value)}
         entries.append(Line2D([], [], **style))

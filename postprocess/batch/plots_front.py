@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from ehl.arrays import Array
 from ehl.units import unit_symbol, without_unit
 
-from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
+from ..plot_style import INK, REFERENCE, titled_panels, write_figure
 from .main_results import MAIN_QUANTITY
 
 FRONT = "#b23a3a"
@@ -34,16 +34,30 @@ class Designs:
 
 
 def write_front(designs: Designs, path: Path) -> None:
-    """Draw the designs into a PNG, PDF or SVG."""
+    """Draw the designs into a PNG, PDF or SVG.
+
+    Parameters
+    ----------
+    designs : Designs
+        Designs of an optimisation.
+    path : Path
+        File that ends in .png, .pdf or .svg.
+    """
     draw = draw_front if len(designs.names) > 1 else draw_progress
     write_figure(path, lambda figure: draw(figure, designs))
 
 
 def draw_front(figure: Figure, designs: Designs) -> None:
-    """One goal over the other: all designs, those that meet the constraints, the front."""
-    figure.set_size_inches(PAGE_WIDTH, 3.4)
-    figure.suptitle(designs.title, fontsize=8.5)
-    axes = figure.subplots()
+    """One goal over the other: all designs, those that meet the constraints, the front.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    designs : Designs
+        Designs of an optimisation with two goals.
+    """
+    axes = titled_panels(figure, designs.title, 3.4)
     met, front = np.array(designs.feasible), np.array(designs.front)
     x, y = designs.goals[:, 0], designs.goals[:, 1]
     axes.scatter(x[~met], y[~met], s=14, marker="x", color=REFERENCE, label="limits not met")
@@ -61,10 +75,16 @@ def draw_front(figure: Figure, designs: Designs) -> None:
 
 
 def draw_progress(figure: Figure, designs: Designs) -> None:
-    """The goal of each design in the order in which they were computed, and the best so far."""
-    figure.set_size_inches(PAGE_WIDTH, 3.0)
-    figure.suptitle(designs.title, fontsize=8.5)
-    axes = figure.subplots()
+    """The goal of each design in the order in which they were computed, and the best so far.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    designs : Designs
+        Designs of an optimisation.
+    """
+    axes = titled_panels(figure, designs.title, 3.0)
     met = np.array(designs.feasible)
     number = np.arange(1, len(met) + 1)
     goal, error = designs.goals[:, 0], designs.errors[:, 0]
@@ -84,6 +104,6 @@ def draw_progress(figure: Figure, designs: Designs) -> None:
 
 
 def _label(name: str) -> str:
-    known = MAIN_QUANTITY.get(name)
-    words = without_unit(name.rpartition(".")[2]) if known is None else known.title
+    available = MAIN_QUANTITY.get(name)
+    words = without_unit(name.rpartition(".")[2]) if available is None else available.title
     return f"{words} [{unit_symbol(name) or '-'}]"

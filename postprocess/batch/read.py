@@ -12,9 +12,22 @@ from .store import StoredPoints, store_files, whole_records
 
 
 def read_batch(directory: str | Path) -> BatchResults:
-    """The points of a finished batch with their summaries; ValueError if the folder holds none.
+    """Read the points of a finished batch with their summaries.
 
-    A point whose file is missing or damaged has no summary.
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the batch.
+
+    Returns
+    -------
+    BatchResults
+        The batch; a point whose file is missing or damaged has no summary.
+
+    Raises
+    ------
+    ValueError
+        If the folder holds no batch, or one whose points are too many to be listed.
     """
     folder = Path(directory)
     document = read_summary(folder)
@@ -42,7 +55,18 @@ def read_batch(directory: str | Path) -> BatchResults:
 
 
 def stored_summaries(directory: str | Path) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Name and summary of every finished point in the folder of a batch, one after the other."""
+    """Name and summary of every finished point in the folder of a batch, one after the other.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the batch.
+
+    Yields
+    ------
+    Iterator[tuple[str, dict[str, Any]]]
+        Name and summary of a point.
+    """
     for path in store_files(Path(directory)):
         for _, record in whole_records(path):
             summary = None if record is None else summary_of(record)

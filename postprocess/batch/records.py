@@ -25,7 +25,7 @@ NO_VALUES: Mapping[str, Any] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Record:
-    """What is kept of a point, as bytes and text, so that a digest covers all of it."""
+    """A point as bytes and text, so that a digest covers all of it."""
 
     key: str
     status: str
@@ -46,10 +46,23 @@ class Record:
 def content_digest(
     texts: tuple[str, str, str, str, str], layout: str, numbers: bytes, summary: bytes
 ) -> bytes:
-    """Hash of what a record holds; texts: key, status, message, values, files.
+    """Hash of the content of a record.
 
-    Of the summary, most of a record, its checksum: a batch that goes on reads all records first,
-    and a hash of every byte would take most of that time.
+    Parameters
+    ----------
+    texts : tuple[str, str, str, str, str]
+        Key, status, message, values, files.
+    layout : str
+        Names of the numbers, JSON.
+    numbers : bytes
+        Kinds and values.
+    summary : bytes
+        Compressed JSON.
+
+    Returns
+    -------
+    bytes
+        16 bytes.
     """
     return whole_digest(texts, layout, numbers, b"%d %d" % (len(summary), zlib.crc32(summary)))
 
@@ -57,11 +70,28 @@ def content_digest(
 def whole_digest(
     texts: tuple[str, str, str, str, str], layout: str, numbers: bytes, summary: bytes
 ) -> bytes:
-    """Hash of every byte of what is given: as of whole records before 2026-11-25."""
-    known = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(layout))
-    known.update(numbers)
-    known.update(summary)
-    return known.digest()
+    """Hash of every byte, as of whole records before 2026-11-25.
+
+    Parameters
+    ----------
+    texts : tuple[str, str, str, str, str]
+        Key, status, message, values, files.
+    layout : str
+        Names of the numbers, JSON.
+    numbers : bytes
+        Kinds and values.
+    summary : bytes
+        Compressed JSON, or its length and checksum.
+
+    Returns
+    -------
+    bytes
+        16 bytes.
+    """
+    digest = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(layout))
+    digest.update(numbers)
+    digest.update(summary)
+    return digest.digest()
 
 
 @lru_cache(maxsize=256)
@@ -77,10 +107,30 @@ def record_of(
     files: Mapping[str, str] = NO_FILES,
     text: bytes = b"",
 ) -> Record:
-    """The record of a computed point; ValueError if its summary is no JSON.
+    """Record of a computed point.
 
-    `values`: of the varied keys; `files`: digests of other files of the point, by suffix; `text`:
-    the summary as JSON where it was written before.
+    Parameters
+    ----------
+    key : str
+        Name of the point.
+    summary : dict[str, Any]
+        Summary of the point, plain JSON.
+    values : Mapping[str, Any], default NO_VALUES
+        Varied keys as run.
+    files : Mapping[str, str], default NO_FILES
+        Digests of other files of the point, by suffix.
+    text : bytes, default b''
+        The summary as JSON where it exists already.
+
+    Returns
+    -------
+    Record
+        The record.
+
+    Raises
+    ------
+    ValueError
+        If the summary is no JSON.
     """
     text = text or json.dumps(summary, ensure_ascii=False, allow_nan=False).encode()
     layout, numbers = packed_numbers(summary)
@@ -98,12 +148,38 @@ def record_of(
 def summary_of(
     record: Record, read: Callable[[bytes], dict[str, Any]] = json.loads
 ) -> dict[str, Any] | None:
-    """The summary of a point; None of one without a result. `read`: what reads JSON."""
+    """Summary of a stored point.
+
+    Parameters
+    ----------
+    record : Record
+        Record of a point.
+    read : Callable[[bytes], dict[str, Any]], default json.loads
+        Reads JSON.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        The summary; None of a point without a result.
+    """
     return read(zlib.decompress(record.summary)) if record.summary else None
 
 
 def packed_numbers(summary: dict[str, Any]) -> tuple[str, bytes]:
-    """Names of the numbers of a point as JSON, main results first, and their kinds and values."""
+    """Names of the numbers of a point as JSON, main results first, and their kinds and values.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    value
+        Names of the numbers, JSON: main results, then the others.
+    value
+        Kinds, a byte each, then values as float64.
+    """
     main = main_results(summary)
     others = scalar_numbers(summary)
     others = {name: value for name, value in others.items() if name not in main}
@@ -124,6 +200,21 @@ def _kind(value: Any) -> int:
 def unpacked_numbers(
     numbers: bytes, count: int
 ) -> tuple[np.ndarray[Any, np.dtype[np.uint8]], np.ndarray[Any, np.dtype[np.float64]]]:
-    """Kinds and values of `count` numbers, shape (count,) each; NaN for null."""
+    """Kinds and values of packed numbers.
+
+    Parameters
+    ----------
+    numbers : bytes
+        Packed numbers.
+    count : int
+        Numbers [-].
+
+    Returns
+    -------
+    value
+        Kinds, shape (count,).
+    value
+        Values, shape (count,), NaN for null.
+    """
     kinds = np.frombuffer(numbers, dtype=np.uint8, count=count)
     return kinds, np.frombuffer(numbers, dtype="<f8", offset=count, count=count)

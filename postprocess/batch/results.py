@@ -5,6 +5,7 @@ from typing import Any
 
 from ehl.units import notebook_html
 
+from ..text import number
 from .main_results import BATCH_COLUMNS, main_results
 
 MOST_SHOWN = 20  # points in a notebook; the files have all
@@ -26,7 +27,7 @@ class BatchPoint:
 
     @property
     def converged(self) -> bool:
-        """Whether the point was computed and everything in it converged."""
+        """True if the point was computed and everything in it converged."""
         return self.summary is not None and bool(self.summary.get("converged"))
 
     @property
@@ -86,7 +87,7 @@ class BatchResults:
 
     @property
     def converged(self) -> bool:
-        """Whether every point converged."""
+        """True if every point converged."""
         if self.counts is not None:
             return self.counts.converged == self.counts.points
         return all(point.converged for point in self.points)
@@ -95,20 +96,16 @@ class BatchResults:
         """How the points ended, and main results of the first ones, for a notebook."""
         first = self.points[:MOST_SHOWN]
         main = [main_results(point.summary) for point in first]
-        names = [name for name in BATCH_COLUMNS if any(row.get(name) is not None for row in main)]
+        shown = [name for name in BATCH_COLUMNS if any(row.get(name) is not None for row in main)]
         columns = {"point": [str(point.number) for point in first]}
-        columns |= {key: [_text(point.values.get(key)) for point in first] for key in self.keys}
-        columns |= {name: [_text(row.get(name)) for row in main] for name in names}
+        for names, rows in ((self.keys, [point.values for point in first]), (shown, main)):
+            columns |= {name: [number(row.get(name), ".5g") for row in rows] for name in names}
         columns["ended"] = [_ended(point) for point in first]
         count = len(self.points) if self.counts is None else self.counts.points
         facts = {"points": str(count), "converged": str(self.converged)}
         if count > len(first):
             facts["shown"] = f"the first {len(first)}"
         return notebook_html(self.title or "Batch", facts, columns)
-
-
-def _text(value: Any) -> str:
-    return "–" if value is None else f"{value:.5g}" if isinstance(value, float) else str(value)
 
 
 def _ended(point: BatchPoint) -> str:

@@ -8,13 +8,13 @@ import numpy as np
 from ehl.arrays import Array
 
 from .columns import Columns
-from .indices import known, main_values
+from .indices import finite_or_none, main_values
 from .main_results import main_results, point_error
 from .results import BatchPoint, BatchResults
 
 QUANTILES = (0.05, 0.5, 0.95)
 SAMPLED = ("latin_hypercube", "sample")  # blocks of points drawn at random
-FEWEST = 5  # sampled points that bands need
+MIN_POINTS = 5  # sampled points that bands need
 
 
 def sensitivities(results: BatchResults) -> list[dict[str, Any]]:
@@ -24,6 +24,16 @@ def sensitivities(results: BatchResults) -> list[dict[str, Any]]:
     [-], and under `results` for every main result its `value`, the `sensitivity` [-] and whether
     it is `resolved`: whether the change is larger than the error bars of the two films, None for
     results without one. Empty without such points.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        A row for each key.
     """
     block = [point for point in results.points if point.block == "sensitivity"]
     points = [point for point in block if point.summary is not None]
@@ -50,8 +60,8 @@ def _results(
     below, above = main_results(low.summary), main_results(high.summary)
     rows = {}
     for name, value in reference.items():
-        known = value and below.get(name) is not None and above.get(name) is not None
-        if not known or "_uncertainty_" in name:
+        available = value and below.get(name) is not None and above.get(name) is not None
+        if not available or "_uncertainty_" in name:
             continue
         change = above[name] - below[name]
         head, _, unit = name.rpartition("_")
@@ -70,18 +80,28 @@ def bands(columns: Columns) -> dict[str, dict[str, Any]]:
     For every one `points` [-], and in its unit `mean`, `standard_deviation` and the quantiles
     `q05`, `q50`, `q95`, each with the ends of its interval of 95 % (`q05_low`, `q05_high`), null
     where so few points do not bound it; empty with fewer than five points.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+
+    Returns
+    -------
+    dict[str, dict[str, Any]]
+        Spread by main result.
     """
     names, values, blocks = main_values(columns)
     sampled = values[np.isin(blocks, SAMPLED)]
     spread: dict[str, dict[str, Any]] = {}
     for name, column in zip(names, sampled.T, strict=True):
-        known = column[~np.isnan(column)]
-        if known.size >= FEWEST:
+        available = column[~np.isnan(column)]
+        if available.size >= MIN_POINTS:
             spread[name] = {
-                "points": int(known.size),
-                "mean": float(np.mean(known)),
-                "standard_deviation": float(np.std(known, ddof=1)),
-                **_quantiles(known),
+                "points": int(available.size),
+                "mean": float(np.mean(available)),
+                "standard_deviation": float(np.std(available, ddof=1)),
+                **_quantiles(available),
             }
     return spread
 
@@ -92,10 +112,13 @@ def _quantiles(values: Array) -> dict[str, float | None]:
     """
     from scipy.stats import quantile_test
 
-    found: dict[str, float | None] = {}
+    result: dict[str, float | None] = {}
     for share, value in zip(QUANTILES, np.quantile(values, QUANTILES), strict=True):
         name = f"q{round(100 * share):02d}"
         ends: Any = quantile_test(values, p=share).confidence_interval(0.95)
-        found[name] = float(value)
-        found |= {f"{name}_low": known(ends.low), f"{name}_high": known(ends.high)}
-    return found
+        result[name] = float(value)
+        result |= {
+            f"{name}_low": finite_or_none(ends.low),
+            f"{name}_high": finite_or_none(ends.high),
+        }
+    return result

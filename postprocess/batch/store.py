@@ -51,7 +51,18 @@ class PointStore:
         self._since = monotonic()
 
     def put(self, record: Record) -> None:
-        """Keep a record; on disk after `PATIENCE` or with some others."""
+        """Store a record; on disk after `PATIENCE` or with some others.
+
+        Parameters
+        ----------
+        record : Record
+            Record of a finished point.
+
+        Raises
+        ------
+        OSError
+            If the disk takes no more.
+        """
         row = tuple(_column(record, name) for name in COLUMNS)
         places = ", ".join("?" * (len(COLUMNS) + 2))
         with _disk_failures(self.path):
@@ -71,7 +82,18 @@ class PointStore:
         return self._layouts[text]
 
     def flush(self, *, at_once: bool = False) -> None:
-        """Put on disk what is due."""
+        """Put on disk what is due.
+
+        Parameters
+        ----------
+        at_once : bool, default False
+            Also what is not due.
+
+        Raises
+        ------
+        OSError
+            If the disk takes no more.
+        """
         if self._pending and (at_once or monotonic() - self._since > PATIENCE):
             with _disk_failures(self.path):
                 self._file.commit()
@@ -82,6 +104,16 @@ class PointStore:
         """Close the file such that it can be read where nothing can be written.
 
         Where a full disk does not let it, what was on disk before is there still.
+
+        Parameters
+        ----------
+        keep : bool, default True
+            Raise an error of the disk.
+
+        Raises
+        ------
+        OSError
+            If the disk takes no more, unless `keep` is false.
         """
         with closing(self._file), _disk_failures(self.path) if keep else suppress(sqlite3.Error):
             self._file.commit()
@@ -123,12 +155,34 @@ def _connected(path: Path, wait: float) -> sqlite3.Connection:
 
 
 def store_files(directory: Path) -> list[Path]:
-    """The files of points of a batch, sorted."""
+    """The files of points of a batch, sorted.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the batch.
+
+    Returns
+    -------
+    list[Path]
+        The files, sorted.
+    """
     return sorted(directory.glob(PATTERN))
 
 
 def whole_records(path: Path) -> Iterator[tuple[int, Record | None]]:
-    """Number of each row of a file, and its record, None where the row is damaged."""
+    """Records of all rows of a file.
+
+    Parameters
+    ----------
+    path : Path
+        File of points.
+
+    Yields
+    ------
+    Iterator[tuple[int, Record | None]]
+        Number of the row and its record, None of a damaged row.
+    """
     for number, row in _rows(path):
         yield number, None if row is None else _record(row)
 
@@ -165,7 +219,7 @@ def _for_reading(path: Path) -> sqlite3.Connection:
 
 
 def _is_whole(row: tuple[Any, ...]) -> bool:
-    """Whether a row is as it was written."""
+    """True if a row is as it was written."""
     _, digest, layout, key, status, message, values, numbers, summary, files = row
     try:
         content = ((key, status, message, values, files), layout or "[]", numbers, summary)
@@ -184,7 +238,18 @@ def _record(row: tuple[Any, ...]) -> Record | None:
 
 
 def is_sound(path: Path) -> bool:
-    """Whether SQLite can open a file and its tables."""
+    """True if SQLite can open a file and its tables.
+
+    Parameters
+    ----------
+    path : Path
+        File of points.
+
+    Returns
+    -------
+    bool
+        True if the tables can be read.
+    """
     try:
         with closing(_for_reading(path)) as file:
             file.execute("SELECT max(id) FROM points").fetchone()
@@ -195,7 +260,18 @@ def is_sound(path: Path) -> bool:
 
 
 def holds_rows(path: Path) -> bool:
-    """Whether a file has points, or cannot be read and may have some."""
+    """True if a file has points, or cannot be read and may have some.
+
+    Parameters
+    ----------
+    path : Path
+        File of points.
+
+    Returns
+    -------
+    bool
+        True if there are, or may be, points.
+    """
     try:
         with closing(_for_reading(path)) as file:
             return file.execute("SELECT 1 FROM points LIMIT 1").fetchone() is not None
@@ -225,8 +301,19 @@ class StoredPoints:
                         self.with_files.add(key)
 
     def records(self, keys: Sequence[str]) -> list[Record | None]:
-        """The records of points; None where there is none."""
-        found: dict[str, Record | None] = {}
+        """The records of points; None where there is none.
+
+        Parameters
+        ----------
+        keys : Sequence[str]
+            Names of the points.
+
+        Returns
+        -------
+        list[Record | None]
+            Records in the order of the keys; None where there is none.
+        """
+        result: dict[str, Record | None] = {}
         for number, path in enumerate(self.paths):
             rows = {
                 self._places[key][1]
@@ -234,17 +321,17 @@ class StoredPoints:
                 if key in self._places and self._places[key][0] == number
             }
             if rows:
-                found |= _chosen(path, sorted(rows))
-        return [found.get(key) for key in keys]
+                result |= _chosen(path, sorted(rows))
+        return [result.get(key) for key in keys]
 
 
 def _chosen(path: Path, rows: list[int]) -> dict[str, Record | None]:
     """Records of some rows of a file, by their keys."""
-    found: dict[str, Record | None] = {}
+    result: dict[str, Record | None] = {}
     with closing(_for_reading(path)) as file:
         for row in rows:
             with suppress(sqlite3.DatabaseError):
                 line = file.execute(f"{SELECT} WHERE points.id = ?", (row,)).fetchone()
                 if line is not None and (record := _record(line)) is not None:
-                    found[record.key] = record
-    return found
+                    result[record.key] = record
+    return result

@@ -11,7 +11,7 @@ from .records import FAILED, LOST
 from .results import BatchPoint, BatchResults, Counts
 from .sensitivity import bands, sensitivities
 
-# of a point: name in the summary and in the table, attribute
+# state of a point: name in the summary and in the table, attribute
 STATE = {"point": "number", "block": "block", "status": "status", "converged": "converged"}
 COUNTS = ("points", "done", "failed", "lost", "missing", "converged")
 MOST_NAMED = 10  # points listed in a message
@@ -21,8 +21,19 @@ OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
 def batch_summary(results: BatchResults, columns: Columns | None = None) -> dict[str, Any]:
     """The document of a batch: each point with its keys and main results, or its message.
 
-    Of a batch too large to list, `points` is null; `columns` are those of all points, made of
-    `results` if left out.
+    Of a batch too large to list, `points` is null.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    columns : Columns | None, optional
+        Numbers of all points; computed from `results` if None.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
     """
     columns = columns or columns_of(InMemory(results))
     counts = results.counts or counts_of(results)
@@ -62,7 +73,18 @@ def _entry(results: BatchResults, point: BatchPoint) -> dict[str, Any]:
 
 
 def counts_of(results: BatchResults) -> Counts:
-    """How the points of results in memory ended."""
+    """How the points of results in memory ended.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+
+    Returns
+    -------
+    Counts
+        Numbers of points by their end.
+    """
     points = results.points
     done = sum(point.summary is not None for point in points)
     failed, lost = (sum(point.status == own for point in points) for own in (FAILED, LOST))
@@ -78,7 +100,7 @@ def counts_of(results: BatchResults) -> Counts:
 
 
 def _counted(counts: Counts) -> Iterator[str]:
-    """What a batch says whose points are too many to be listed."""
+    """Messages of a batch whose points are too many to be listed."""
     yield f"points: null, {counts.points} points are listed in the other files only"
     off = counts.done - counts.converged
     if off:
@@ -107,10 +129,21 @@ def _messages(results: BatchResults) -> Iterator[str]:
 
 
 def _is_outside(point: BatchPoint) -> bool:
-    """Whether contacts of a point lie outside its traction tables."""
+    """True if contacts of a point lie outside its traction tables."""
     return any(OUTSIDE in message for message in (point.summary or {}).get("messages", ()))
 
 
 def point_numbers(point: BatchPoint) -> dict[str, Any]:
-    """Every single number of a point by the name that it has in the table of the batch."""
+    """Every single number of a point by the name that it has in the table of the batch.
+
+    Parameters
+    ----------
+    point : BatchPoint
+        Point of a batch.
+
+    Returns
+    -------
+    dict[str, Any]
+        Numbers by name.
+    """
     return scalar_numbers(point.summary or {}) | main_results(point.summary)

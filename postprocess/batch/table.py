@@ -5,11 +5,10 @@ from typing import Any
 
 from rich.console import Group
 from rich.table import Table
-from rich.text import Text
 
 from ehl.units import unit_symbol, without_unit
 
-from ..table import number_table
+from ..table import number_table, titled
 from ..text import NOTHING, in_figures, number
 from .columns import Columns, InMemory, columns_of
 from .indices import MORRIS, SOBOL, design_documents
@@ -24,14 +23,24 @@ CELL = 10  # characters of a column of results
 
 
 def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
-    """The points of a batch, the ends of many, with the results that fit beside the keys; of one
-    too large to list, how many there are, and the bands over its `columns`.
+    """The points of a batch, the ends of many, with the results that fit beside the keys.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    columns : Columns | None, optional
+        Numbers of all points; computed from `results` if None.
+
+    Returns
+    -------
+    Group
+        The table.
     """
     columns = columns or columns_of(InMemory(results))
     if results.counts is not None:
         text = f"{results.counts.points} points, {results.counts.converged} converged"
-        title = Text(results.title, style="bold")
-        return Group(title, text, *_uncertainties(results, columns))
+        return titled(results.title, text, *_uncertainties(results, columns))
     main = [main_results(point.summary) for point in results.points]
     given = {key: [point.values.get(key) for point in results.points] for key in results.keys}
     keys = [key for key, varied in given.items() if len({*map(str, varied)}) > 1]
@@ -56,9 +65,7 @@ def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
     flags = {_flag(point) for point in results.points}
     meanings = {"!": "! not converged", "x": "x failed, see the messages"}
     notes = [text for flag, text in meanings.items() if flag in flags]
-    return Group(
-        Text(results.title, style="bold"), table, *notes, *_uncertainties(results, columns)
-    )
+    return titled(results.title, table, *notes, *_uncertainties(results, columns))
 
 
 def _uncertainties(results: BatchResults, columns: Columns) -> list[Table]:
@@ -100,8 +107,8 @@ def _indices(documents: dict[str, Any]) -> Iterator[Table]:
         MORRIS: ("mean_magnitude", "mean magnitude of Morris' effects over the range of the key"),
     }
     for kind, (value, title) in kinds.items():
-        found = (documents[kind] or {}).get("results", {})
-        shown = {n: r for n, r in found.items() if n in BATCH_COLUMNS and isinstance(r, dict)}
+        result = (documents[kind] or {}).get("results", {})
+        shown = {n: r for n, r in result.items() if n in BATCH_COLUMNS and isinstance(r, dict)}
         names = list(shown)[-MOST_INDICES:]
         if not names:
             continue

@@ -22,7 +22,15 @@ TYPES = {"bool": np.int8, "int": np.int64}
 
 
 def write_batch_csv(columns: Columns, path: Path) -> None:
-    """Write one line for every point, units in the header, nothing for null."""
+    """Write one line for every point, units in the header, nothing for null.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+    path : Path
+        File to write.
+    """
     names = (*STATE, *columns.source.keys, *columns.names)
     units = {name: column_unit(name, columns) for name in names}
     header = [f"{name} [{unit}]" if unit else name for name, unit in units.items()]
@@ -42,14 +50,14 @@ def _lines(columns: Columns) -> Iterator[tuple[Any, ...]]:
 
 def _cells(values: Numbers, kinds: Kinds) -> list[Any]:
     """A column of a chunk as Python has it: truth values, whole numbers, None for null."""
-    found: list[Any] = values.tolist()
+    result: list[Any] = values.tolist()
     for kind in np.unique(kinds):
         places = np.flatnonzero(kinds == kind)
         if kind == NOTHING:
-            found = _replaced(found, places, lambda value: None)
+            result = _replaced(result, places, lambda value: None)
         elif kind in (BOOL, INTEGER):
-            found = _replaced(found, places, bool if kind == BOOL else int)
-    return found
+            result = _replaced(result, places, bool if kind == BOOL else int)
+    return result
 
 
 def _replaced(values: list[Any], places: Any, convert: Callable[[Any], Any]) -> list[Any]:
@@ -59,7 +67,20 @@ def _replaced(values: list[Any], places: Any, convert: Callable[[Any], Any]) -> 
 
 
 def column_unit(name: str, columns: Columns) -> str:
-    """Unit of a column; words and truth values have none."""
+    """Unit of a column.
+
+    Parameters
+    ----------
+    name : str
+        Name of the column.
+    columns : Columns
+        Numbers of all points as columns.
+
+    Returns
+    -------
+    str
+        The unit; empty of words and truth values.
+    """
     kind = columns.kinds.get(name) or STATE_KINDS[name]
     return "" if kind in ("bool", "word") else unit_of(name)
 
@@ -70,7 +91,17 @@ def write_batch_netcdf(
     """Write the table's columns over `point`, numbers of balls and contacts over ball and race.
 
     Units are attributes, the input of every point is the variable `case`; NaN for no value.
-    `whole`: with the numbers of balls and contacts and the input, of the points in `results`.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+    path : Path
+        File to write.
+    results : BatchResults
+        Results of the batch.
+    whole : bool, default True
+        With the numbers of balls and contacts and the input, of the points in `results`.
     """
     keys = columns.source.keys
     # netCDF lists them with spaces between
@@ -123,7 +154,7 @@ def _parts(columns: Columns, types: dict[str, type]) -> Iterator[dict[str, Any]]
 
 
 def _state(rows: Sequence[Row]) -> dict[str, Any]:
-    """What became of the points."""
+    """State of the points as columns."""
     return {
         "point": _array([row.number for row in rows], np.int64),
         "block": _array([row.block for row in rows], object),
@@ -190,7 +221,7 @@ def _filled(
 
 
 def _are_numbers(name: str, values: Sequence[Any]) -> bool:
-    """Whether a key holds a number or null in every entry."""
+    """True if a key holds a number or null in every entry."""
     return name != "note" and all(issubclass(kind, NUMBERS) for kind in set(map(type, values)))
 
 

@@ -16,7 +16,7 @@ from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
 from ..files import plain_document
 from ..quantities import values_of
 from ..results import Results
-from ..table import number_table
+from ..table import number_table, titled
 from ..text import NOTHING, number, value_with_error
 from .contacts import CONTACT_QUANTITY
 from .film_heat import HEAT_QUANTITIES, film_values, heat_messages
@@ -38,7 +38,7 @@ class BearingAtlasRecord(AtlasRecord):
 
     @property
     def loaded(self) -> bool:
-        """Whether it carries a load."""
+        """True if it carries a load."""
         return self.contact.load > 0.0
 
     @property
@@ -58,16 +58,27 @@ class AtlasBearingResults(Results):
     @property
     def refusals(self) -> dict[tuple[str, str], list[str]]:
         """Balls of loaded contacts without films, by race and reason."""
-        found: dict[tuple[str, str], list[str]] = {}
+        result: dict[tuple[str, str], list[str]] = {}
         for record in self.records:
             if record.loaded and record.films is None:
                 place = (record.contact.race.value, record.reason)
-                found.setdefault(place, []).append(str(record.contact.ball))
-        return found
+                result.setdefault(place, []).append(str(record.contact.ball))
+        return result
 
 
 def atlas_bearing_summary(results: AtlasBearingResults) -> dict[str, Any]:
-    """The document of a bearing: films of each contact, null with the reason in its note."""
+    """The document of a bearing: films of each contact, null with the reason in its note.
+
+    Parameters
+    ----------
+    results : AtlasBearingResults
+        Contacts of a bearing with their films of the atlas.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     document = {
         "source": SOURCE,
         "contacts": [_values(record) for record in results.records],
@@ -84,7 +95,7 @@ def _values(record: BearingAtlasRecord) -> dict[str, Any]:
 
 
 def _messages(results: AtlasBearingResults) -> Iterator[str]:
-    """What the films are, and why some are null."""
+    """Describe the films, and name reasons for null."""
     yield MODEL.replace("isothermal, ", "")
     yield from heat_messages([record.operating for record in results.records])
     if any(not record.loaded for record in results.records):
@@ -98,7 +109,18 @@ def _messages(results: AtlasBearingResults) -> Iterator[str]:
 
 
 def atlas_bearing_table(results: AtlasBearingResults) -> Group:
-    """A line for each loaded contact, units in the head; below it why films are missing."""
+    """A line for each loaded contact, units in the head; below it why films are missing.
+
+    Parameters
+    ----------
+    results : AtlasBearingResults
+        Contacts of a bearing with their films of the atlas.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     rows = []
     for record in results.records:
         if record.loaded:
@@ -111,8 +133,7 @@ def atlas_bearing_table(results: AtlasBearingResults) -> Group:
         Text(f"{race} race, {balls_text(balls)}: no film, {reason}")
         for (race, reason), balls in results.refusals.items()
     ]
-    title = Text(results.title, style="bold")
-    return Group(title, number_table(HEADERS, rows, left=("race",)), *lacks)
+    return titled(results.title, number_table(HEADERS, rows, left=("race",)), *lacks)
 
 
 def _film(values: dict[str, Any], name: str) -> str:

@@ -27,7 +27,7 @@ LAMBDA_FORMULA = "hamrock_dowson_minimum"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactRecord(FilmRecord):
-    """What is known of one contact of a bearing; None where it does not apply."""
+    """One contact of a bearing with all that is computed of it; None where it does not apply."""
 
     contact: BearingContact
     stress: ContactStress | None
@@ -40,7 +40,7 @@ class ContactRecord(FilmRecord):
 
     @property
     def loaded(self) -> bool:
-        """Whether it carries a load."""
+        """True if it carries a load."""
         return self.contact.load > 0.0
 
     @property
@@ -347,7 +347,18 @@ def lambda_ratio(
 
 
 def contact_messages(results: BearingResults) -> Iterator[str]:
-    """Contacts without a film, stresses at shoulders, and ratios that are null."""
+    """Contacts without a film, stresses at shoulders, and ratios that are null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     yield from _absent_films(results)
     yield from heat_messages(
         [film for film in results.operating if film is not None and not film.solved_with_heat]
@@ -362,7 +373,7 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _absent_films(results: BearingResults) -> Iterator[str]:
-    """Why contacts have no film, race by race."""
+    """Give the reason why contacts have no film, race by race."""
     complete = results.quasistatic.converged and not results.interrupted
     absent: dict[tuple[str, str], list[str]] = {}
     films = results.operating
@@ -399,7 +410,7 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
 
 
 def _gross_slip(results: BearingResults) -> Iterator[str]:
-    """That under an axial load no ball reaches the ratio below which Hirano's balls slipped."""
+    """Warn if under an axial load no ball reaches the ratio below which Hirano's balls slipped."""
     ratios = [c.hirano_ratio for c in results.contacts if c.hirano_ratio is not None]
     if not ratios or abs(float(results.quasistatic.ring_force[0])) == 0.0:
         return
@@ -413,7 +424,7 @@ def _gross_slip(results: BearingResults) -> Iterator[str]:
 
 
 def _ratio_messages(results: BearingResults) -> Iterator[str]:
-    """Why Hirano's ratio or the lambda ratio are null."""
+    """Give the reason why Hirano's ratio or the lambda ratio are null."""
     yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
     if not any(force > 0.0 for force in results.quasistatic.centrifugal_force):
         yield "contacts: hirano_ratio null, there is no centrifugal force"

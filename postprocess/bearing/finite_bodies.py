@@ -55,7 +55,18 @@ FINITE_BODY_QUANTITIES = (  # at the most heavily loaded contact of a race
 
 
 def finite_body_block(results: BearingResults) -> dict[str, Any] | None:
-    """Differences at both races; None where films are those of half-spaces."""
+    """Differences at both races; None where films are those of half-spaces.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        The block.
+    """
     bodies = results.finite_bodies
     if bodies is None or bodies.inner is None or bodies.outer is None:
         return None
@@ -67,7 +78,18 @@ def finite_body_block(results: BearingResults) -> dict[str, Any] | None:
 
 
 def finite_body_messages(results: BearingResults) -> Iterator[str]:
-    """What finite bodies change, or why films are those of half-spaces."""
+    """State the changes by finite bodies, or the reason why films are those of half-spaces.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     bodies = results.finite_bodies
     if bodies is None:
         return
@@ -88,7 +110,18 @@ def finite_body_messages(results: BearingResults) -> Iterator[str]:
 
 
 def shoulder_messages(results: BearingResults) -> Iterator[str]:
-    """Where the diameters of shoulders are from, and ellipses that they cut."""
+    """State the origin of the shoulder diameters, and name ellipses that shoulders cut.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     estimates = []
     for race in Race:
         name = race.value
@@ -116,11 +149,11 @@ def _cut_messages(results: BearingResults, race: Race) -> Iterator[str]:
     cut = {}
     for contact in results.contacts:
         if contact.race is race and contact.hertz is not None:
-            found = truncation(
+            result = truncation(
                 results.quasistatic.bearing, race, contact.contact_angle, contact.hertz
             )
-            if found is not None and found.truncated:
-                cut[str(contact.ball)] = (contact.hertz.pressure, found)
+            if result is not None and result.truncated:
+                cut[str(contact.ball)] = (contact.hertz.pressure, result)
     if cut:
         ball = min(cut, key=lambda name: cut[name][1].distance_ratio)
         pressure, worst = cut[ball]

@@ -5,7 +5,7 @@ from typing import Any
 
 from bearing.geometry import Array
 from bearing.heating.network import NODES
-from bearing.heating.remedy import least_heat_transfer, least_oil_flow
+from bearing.heating.required_cooling import required_heat_transfer, required_oil_flow
 from bearing.heating.self_heating import SelfHeatingSolution
 from ehl.units import from_si
 
@@ -17,7 +17,18 @@ AGREEMENT = 1.0  # of temperatures that count as one [K]
 
 
 def heating_block(results: BearingResults) -> dict[str, Any]:
-    """Temperature, torque, power, oil, clearance; None without a balance of heat."""
+    """Temperature, torque, power, oil, clearance; None without a balance of heat.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     heating = results.heating
     return {
         **values_of(_balanced(results), HEATING),
@@ -35,8 +46,18 @@ def _balanced(results: BearingResults) -> SelfHeatingSolution | None:
 
 
 def network_blocks(results: BearingResults) -> dict[str, Any]:
-    """Temperatures by node with their ends, flows of heat by path, margin against runaway; None
-    without a balance of heat.
+    """Temperatures by node, heat flows by path, margin against runaway; None without a heat
+    balance.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Blocks of the summary by key.
     """
     keys = ("temperatures_C", "temperatures_low_C", "temperatures_high_C", "heat_flows_W")
     heating = _balanced(results)
@@ -55,7 +76,7 @@ def network_blocks(results: BearingResults) -> dict[str, Any]:
         keys[3]: {path.name: flow for path, flow in named},
         "heat_sources_W": dict(zip(NODES, state.sources.tolist(), strict=True)),
         "heat_paths": [
-            {"path": path.name, "what": path.what, **values_of(path.conductance, PATH)}
+            {"path": path.name, "what": path.description, **values_of(path.conductance, PATH)}
             for path in network.paths
         ],
         **values_of(heating, STABILITY),
@@ -69,7 +90,18 @@ def _by_node(temperatures: Array) -> dict[str, float]:
 
 
 def temperature_messages(results: BearingResults) -> Iterator[str]:
-    """That the results are those of another temperature than the balance of heat finds."""
+    """Warn if the results are those of another temperature than the heat balance gives.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     heating = results.heating
     if heating is None or heating.balance is None or not heating.converged:
         return
@@ -85,14 +117,25 @@ def temperature_messages(results: BearingResults) -> Iterator[str]:
 
 
 def heating_messages(results: BearingResults) -> Iterator[str]:
-    """What the block means for the results, or why it is null."""
+    """Explain the block `self_heating`, or the reason why it is null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     heating = results.heating
     if results.interrupted:
         return
     if heating is None:
         yield "self_heating: null, the case gives no friction.heat_transfer_W_K, or nothing turns"
     elif heating.balance is None or not heating.converged:
-        yield f"self_heating: null, not converged: {heating.note}; {_remedy(results, heating)}"
+        yield f"self_heating: null, not converged: {heating.note}; {_advice(results, heating)}"
     else:
         balanced = from_si("temperature_C", heating.balance.temperature)
         given = from_si("temperature_C", results.quasistatic.operation.temperature)
@@ -101,7 +144,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
                 f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; "
                 f"all else was computed at operation.temperature_C = {given:.4g}"
             )
-        elif results.case["operation"].get("temperature") != "self-heated":  # told already
+        elif results.case["operation"].get("temperature") != "self-heated":  # has its message
             yield f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C"
         if heating.model == "integrated" and abs(balanced - given) > AGREEMENT:
             yield (
@@ -117,17 +160,17 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
             yield f"self_heating: {heating.note}"
 
 
-def _remedy(results: BearingResults, heating: SelfHeatingSolution) -> str:
-    """What to change of a bearing that is heated more than it is cooled."""
+def _advice(results: BearingResults, heating: SelfHeatingSolution) -> str:
+    """Advice for a bearing that is heated more than it is cooled."""
     state = heating.state
     oil = results.lubricant
     if state is None or state.found_temperature <= state.film_temperature:
         return "try another friction.heat_transfer_W_K or heating_torque"
     ways = []
-    transfer = least_heat_transfer(state)
+    transfer = required_heat_transfer(state)
     if transfer is not None:
         ways.append(f"heat_transfer_W_K above {transfer:.3g}")
-    flow = None if oil.thermal is None else least_oil_flow(state)
+    flow = None if oil.thermal is None else required_oil_flow(state)
     if flow is not None and oil.thermal is not None:
         volume = flow / (oil.density * oil.thermal.specific_heat)
         ways.append(f"cooling_oil_mL_min above {from_si('flow_mL_min', volume):.2g}")

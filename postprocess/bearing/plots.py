@@ -44,7 +44,7 @@ from .results import BearingResults, distinct_contacts
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
-# of the central film, contour lines of small maps
+# contour lines of small maps over the central film [-]
 FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])
 PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
 WIDE_LABEL = 8  # characters of azimuths that fit above a map
@@ -98,6 +98,16 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
     """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS`.
 
     Azimuths in [deg], ascending; all views show one window.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    tuple[BallColumn, ...]
+        The columns.
     """
     groups: dict[tuple[Any, ...], list[float]] = {}
     pairs: dict[tuple[Any, ...], tuple[ContactSolution | None, ...]] = {}
@@ -160,6 +170,20 @@ def write_bearing_plots(
     """Draw load zone, torque and contacts, equal ones once; figures that failed are messages.
 
     All pictures, or the one of that kind and number from 0, if there is one.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    directory : Path
+        Folder to write into.
+    picture : tuple[str, int] | None, optional
+        Kind of a picture and its number from 0; all if None.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on figures that failed.
     """
     if picture is None:
         return write_figures(directory, chain(*(figures(results) for figures in FIGURES.values())))
@@ -189,7 +213,14 @@ FIGURES = {FILMS: _film_figures, OTHERS: other_figures}
 def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> None:
     """Maps of both races on one colour scale, above the values over the azimuth.
 
-    Film in [um] or pressure in [GPa], as `quantity` says: "film" or "pressure".
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+    quantity : str
+        "film" [um] or "pressure" [GPa].
     """
     columns = ball_columns(results)
     # fixed boxes: the layout engine takes as long as the drawing
@@ -236,9 +267,9 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
 def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:
     """How many of the balls with films have a map, where not all have one."""
     films = results.solutions
-    known = sum(map(any, zip(films[::2], films[1::2], strict=True)))
+    available = sum(map(any, zip(films[::2], films[1::2], strict=True)))
     drawn = sum(len(column.azimuths) for column in columns)
-    return f"; maps: {drawn} of the {known} balls with films" if drawn < known else ""
+    return f"; maps: {drawn} of the {available} balls with films" if drawn < available else ""
 
 
 def _middle(axes: Axes) -> float:
@@ -333,11 +364,11 @@ def _logarithmic_film(axes: Axes, results: BearingResults) -> None:
     """A logarithmic axis where films differ by many times, else the thin ones are not seen."""
     every = [s for s in results.solutions if s is not None]
     films = [FIELDS["film"].in_unit(h) for s in every for h in (s.film_central, s.film_minimum)]
-    known = [h for h in films if h is not None and 0.0 < h < np.inf]
-    if not known or max(known) < MANY_TIMES * min(known):
+    available = [h for h in films if h is not None and 0.0 < h < np.inf]
+    if not available or max(available) < MANY_TIMES * min(available):
         return
     axes.set_yscale("log")
-    axes.set_ylim(0.5 * min(known), 2.0 * max(known))
+    axes.set_ylim(0.5 * min(available), 2.0 * max(available))
     axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_major_formatter("{x:.3g}")
     axes.yaxis.set_minor_formatter(NullFormatter())
@@ -367,7 +398,15 @@ def _pressure_points(
 
 
 def draw_load_zone(figure: Figure, results: BearingResults) -> None:
-    """Contact loads [N] over the azimuth, seen against the axis x: load line upwards."""
+    """Contact loads [N] over the azimuth, seen against the axis x: load line upwards.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+    """
     state = results.quasistatic
     rows = len(state.rows)
     figure.set_size_inches(min(0.5 * rows, 1.0) * PAGE_WIDTH, 3.9 if rows == 1 else 4.3)

@@ -4,11 +4,16 @@ every ball; of the film after the supply of oil has stopped.
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
+from io import StringIO
 from typing import Any
+from xml.etree import ElementTree
 
+import matplotlib
 import numpy as np
+from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
 from bearing.torque.models import ModelTorque
 
@@ -18,6 +23,7 @@ from ..plot_style import (
     INNER_COLOUR,
     OUTER_COLOUR,
     PAGE_WIDTH,
+    RC,
     REFERENCE,
 )
 from ..quantities import by_key
@@ -52,12 +58,24 @@ KINDS = (  # what one colour stands for, and the components of the models that a
     ("churning", DRAG, ("drag",)),
     ("seals", SEAL, ("seal",)),
 )
+SVG = "http://www.w3.org/2000/svg"
+METADATA = ("Creator", "Date", "Format", "Type")  # of SVG, left out
 VISIBLE = 1.0e-4  # of the largest torque: smaller parts are not drawn
 
 
 def other_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], None]]]:
-    """Names without suffix and drawings of all that is not of the films: torque, strength of the
-    rings, film after the supply has stopped, as far as there are any.
+    """Figures beside those of the films: torque, strength of the rings, film after the supply
+    stops.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[tuple[str, Callable[[Figure], None]]]
+        Name without suffix and function that draws.
     """
     if results.torque is not None and results.torque.total is not None:
         yield "plots/torque", partial(draw_torque, results=results)
@@ -68,25 +86,48 @@ def other_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figu
 
 
 def draw_torque(figure: Figure, results: BearingResults) -> None:
-    """Stacked bars of the models [N mm], and below the torque of each ball over its azimuth."""
+    """Stacked bars of the models [N mm], and below the torque of each ball over its azimuth.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+
+    Raises
+    ------
+    ValueError
+        If the results have no torque.
+    """
     torque = results.torque
     if torque is None:
         raise ValueError("no torque to draw")
-    known = shown_torques(results)
+    available = shown_torques(results)
     shares = None if torque.shear is None else torque.shear.torque.per_ball
-    height = 1.1 + 0.26 * len(known) + (1.9 if shares is not None else 0.0)
+    height = 1.1 + 0.26 * len(available) + (1.9 if shares is not None else 0.0)
     figure.set_size_inches(PAGE_WIDTH, height)
     figure.suptitle(f"{results.title}\nfriction torque by model", fontsize=8.5)
     if shares is None:
-        draw_models(figure.subplots(), known, torque.chosen)
+        draw_models(figure.subplots(), available, torque.chosen)
         return
-    upper, lower = figure.subplots(2, 1, height_ratios=[0.26 * len(known) + 0.5, 1.6])
-    draw_models(upper, known, torque.chosen)
+    upper, lower = figure.subplots(2, 1, height_ratios=[0.26 * len(available) + 0.5, 1.6])
+    draw_models(upper, available, torque.chosen)
     _draw_balls(lower, results, TORQUE.in_unit(shares))
 
 
 def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None = None) -> None:
-    """Horizontal stacked bars of models [N mm], the chosen one in bold."""
+    """Horizontal stacked bars of models [N mm], the chosen one in bold.
+
+    Parameters
+    ----------
+    axes : Axes
+        Axes to draw into.
+    models : dict[str, ModelTorque]
+        Torque of each model by its name.
+    chosen : str | None, optional
+        Name of the model of the total.
+    """
     sizes = [sum(map(abs, model.components.values())) for model in models.values()]
     visible = VISIBLE * max(sizes, default=0.0)
     own = [name for name in TORQUE_MODELS if name in models]
@@ -112,20 +153,58 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
     axes.legend(handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.42, 1.0))
 
 
+def torque_svg(models: dict[str, ModelTorque]) -> Markup:
+    """The bars of models [N mm] as an SVG element, which names each part below the mouse.
+
+    Parameters
+    ----------
+    models : dict[str, ModelTorque]
+        Torque of each model by its name.
+
+    Returns
+    -------
+    Markup
+        The SVG element.
+    """
+    content = StringIO()
+    with matplotlib.rc_context(RC | {"svg.fonttype": "none"}):
+        figure = Figure(figsize=(PAGE_WIDTH, 0.8 + 0.24 * len(models)))
+        axes = figure.subplots()
+        draw_models(axes, models)
+        drawn = [bar for bar in axes.patches if isinstance(bar, Rectangle) and bar.get_width()]
+        bars = {f"part{n}": bar for n, bar in enumerate(drawn)}
+        for bar in axes.patches:
+            bar.set_clip_on(False)
+        for name, bar in bars.items():
+            bar.set_gid(name)
+        figure.savefig(content, format="svg", metadata=dict.fromkeys(METADATA))
+    ElementTree.register_namespace("", SVG)
+    fonts = content.getvalue().replace("'DejaVu Sans'", "system-ui, 'DejaVu Sans', sans-serif")
+    svg = ElementTree.fromstring(fonts.replace("xlink:href", "href"))
+    for group in svg.iter(f"{{{SVG}}}g"):
+        if (name := group.get("id", "")) in bars:
+            title = ElementTree.SubElement(group, f"{{{SVG}}}title")
+            title.text = str(bars[name].get_label())
+    svg.attrib |= {"role": "img", "aria-label": "bars of the friction torque", "width": "860"}
+    del svg.attrib["height"]
+    return Markup(ElementTree.tostring(svg, encoding="unicode"))
+
+
 def _others(components: Iterable[str]) -> tuple[str, str, tuple[str, ...]]:
     """Components of plug-ins, which are of no kind here."""
-    known = {part for _, _, members in KINDS for part in members}
-    return "other parts", OTHER_PARTS, tuple(part for part in components if part not in known)
+    available = {part for _, _, members in KINDS for part in members}
+    return "other parts", OTHER_PARTS, tuple(part for part in components if part not in available)
 
 
 def _draw_bar(axes: Axes, row: int, model: ModelTorque, visible: float) -> None:
     right = left = 0.0
-    for _, colour, members in [*KINDS, _others(model.components)]:
+    for kind, colour, members in [*KINDS, _others(model.components)]:
         value = TORQUE.in_unit(sum(model.components.get(part, 0.0) for part in members))
         if abs(value) <= TORQUE.in_unit(visible):
             continue
         start = right if value > 0.0 else left
-        axes.barh(row, value, left=start, color=colour, height=0.72)
+        label = f"{kind} {value:.4g}".replace("-", "\N{MINUS SIGN}")
+        axes.barh(row, value, left=start, color=colour, height=0.72, label=[label])
         right, left = (right + value, left) if value > 0.0 else (right, left + value)
     total = f" {TORQUE.in_unit(model.total or 0.0):.4g}"
     axes.text(max(right, 0.0), row, total, va="center", fontsize=7)
@@ -137,10 +216,10 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
     several = len(state.rows) > 1
     width = min(18.0, 200.0 / len(shares))
     for row in range(len(state.rows)):
-        mine = state.row_of_ball == row
-        azimuth = np.degrees(state.azimuth[mine]) % 360.0 + (row - 0.5) * width * several
+        in_row = state.row_of_ball == row
+        azimuth = np.degrees(state.azimuth[in_row]) % 360.0 + (row - 0.5) * width * several
         style: Any = {"color": BALL_COLOUR, "alpha": 1.0 if row == 0 else 0.5}
-        axes.bar(azimuth, shares[mine], width=width, label=f"row {row + 1}", **style)
+        axes.bar(azimuth, shares[in_row], width=width, label=f"row {row + 1}", **style)
     if several:
         axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))  # off the bars
     axes.set_xlim(-20.0, 380.0)
@@ -151,7 +230,20 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
 
 
 def draw_decay(figure: Figure, results: BearingResults) -> None:
-    """Central film [um] over the time [s] after the supply stops, both logarithmic."""
+    """Central film [um] over the time [s] after the supply stops, both logarithmic.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+
+    Raises
+    ------
+    ValueError
+        If the results have no decay.
+    """
     decay = results.decay
     if decay is None:
         raise ValueError("no decay to draw")

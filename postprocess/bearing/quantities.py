@@ -296,7 +296,20 @@ TORQUE_MODELS = {
 
 
 def torque_model(name: str, parts: Iterable[str] = ()) -> TorqueModel:
-    """Title and components of a model; one of a plug-in has its own name and the given `parts`."""
+    """Title and components of a torque model; one of a plug-in has its name as title.
+
+    Parameters
+    ----------
+    name : str
+        Name of the model.
+    parts : Iterable[str], default ()
+        Components of a plug-in's model.
+
+    Returns
+    -------
+    TorqueModel
+        Title and components.
+    """
     return TORQUE_MODELS.get(name) or TorqueModel(name.replace("_", " "), tuple(parts))
 
 

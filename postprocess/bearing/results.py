@@ -55,7 +55,7 @@ class BearingResults(Results):
     # None where the case leaves all bodies half-spaces
     finite_bodies: FiniteBodies | None = None
     strength: Strength | None = None  # of the rings
-    # of the contacts with films and a brittle body; empty is None for all
+    # tension of the contacts with films and a brittle body; empty is None for all
     tensions: tuple[SurfaceTension | None, ...] = ()
     duty_cycle: DutyCycle | None = None  # None where the case has no load cases
     supply_torque: SupplyTorque | None = None  # None where no supply is given
@@ -83,15 +83,15 @@ class BearingResults(Results):
 
     @cached_property
     def rolling_moments(self) -> tuple[RollingMoment | None, ...]:
-        """Of the contacts [N m]; None without a solved film that converged."""
+        """Rolling moments of the contacts [N m]; None without a solved film that converged."""
         return rolling_moments(
             [film if film and film.converged else None for film in self.solutions]
         )
 
     @cached_property
     def instruments(self) -> tuple[FilmInstruments | None, ...]:
-        """What would be measured of the films of the contacts, with the heat of their inlets; None
-        where none is solved.
+        """Readings of instruments on the films, with the heat of their inlets; None where none is
+        solved.
         """
         permittivity = oil_permittivity(self.case)
         found: dict[int, FilmInstruments | None] = {}
@@ -121,7 +121,18 @@ class BearingResults(Results):
         return extent.scaled(rolling / extent.within_extent)
 
     def conductance(self, index: int) -> Conductance | None:
-        """Of heat through one film [W/K]; None without a film or heat properties."""
+        """Heat conductance of one film.
+
+        Parameters
+        ----------
+        index : int
+            Number of the contact, from 0.
+
+        Returns
+        -------
+        Conductance | None
+            Conductance with its ends [W/K]; None without a film or heat properties.
+        """
         if self.conductances is None:
             return None
         ends = self.conductances.reshape(3, -1)[:, index]
@@ -134,7 +145,7 @@ class BearingResults(Results):
 
     @property
     def converged(self) -> bool:
-        """Whether equilibrium, films, balance of the balls and heat balance converged, as far as
+        """True if equilibrium, films, balance of the balls and heat balance converged, as far as
         asked for.
         """
         films = all(s.converged for s in self.solutions if s is not None)
@@ -195,12 +206,34 @@ class DistinctContact:
 
 
 def balls_text(numbers: list[str]) -> str:
-    """Numbers of balls in words."""
+    """Numbers of balls in words.
+
+    Parameters
+    ----------
+    numbers : list[str]
+        Numbers of the balls as text.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     return f"ball{'s' if len(numbers) > 1 else ''} {listed(numbers)}"
 
 
 def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
-    """The solved contacts grouped by solution, inner race first, in the order of the balls."""
+    """The solved contacts grouped by solution, inner race first, in the order of the balls.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    tuple[DistinctContact, ...]
+        The groups.
+    """
     groups: dict[tuple[str, int], list[tuple[BearingContact, ContactSolution]]] = {}
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         if solution is not None:

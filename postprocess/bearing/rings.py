@@ -52,7 +52,18 @@ class RingBody:
 
 
 def ring_bodies(state: QuasistaticSolution) -> tuple[RingBody, ...]:
-    """The elastic rings of an equilibrium, inner ring first."""
+    """The elastic rings of an equilibrium, inner ring first.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    tuple[RingBody, ...]
+        The rings.
+    """
     rings = state.model.rings
     pairs = () if rings is None else (("inner", rings.inner), ("outer", rings.outer))
     return tuple(
@@ -68,7 +79,18 @@ def ring_bodies(state: QuasistaticSolution) -> tuple[RingBody, ...]:
 
 
 def ring_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
-    """Seat, compliance, movements and finite elements of each elastic ring; none, if rigid."""
+    """Seat, compliance, movements and finite elements of each elastic ring; none, if rigid.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Values by key, a dictionary for each ring.
+    """
     return [
         {
             "race": body.race,
@@ -84,7 +106,18 @@ def ring_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
 
 
 def ring_messages(state: QuasistaticSolution) -> Iterator[str]:
-    """What the seats are, and what was estimated."""
+    """Describe the seats of the elastic rings, and what was estimated.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     for body in ring_bodies(state):
         estimate = ", its shoulders estimated" if body.ring.estimated_shoulder else ""
         yield (
@@ -107,8 +140,20 @@ def ring_messages(state: QuasistaticSolution) -> Iterator[str]:
 
 
 def seat_tension(state: QuasistaticSolution, body: RingBody) -> float:
-    """Largest pull of a loose seat, of the pressure that goes with the cosine from the load, F/(pi
-    R B) [Pa]; zero for other seats.
+    """Largest pull of a loose seat, F/(pi R B), with the cosine from the load; zero for other
+    seats.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+    body : RingBody
+        Elastic ring.
+
+    Returns
+    -------
+    float
+        Largest pull [Pa].
     """
     if body.ring.seat is not Seat.FREE:
         return 0.0
@@ -120,7 +165,18 @@ def seat_tension(state: QuasistaticSolution, body: RingBody) -> float:
 
 
 def ring_lines(state: QuasistaticSolution) -> dict[str, str]:
-    """A line of the terminal's table for each elastic ring."""
+    """A line of the terminal's table for each elastic ring.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
     lines = {}
     for block in ring_blocks(state):
         compliance = f"{block['radial_compliance_um_kN']:.3g} µm/kN beyond Hertz"

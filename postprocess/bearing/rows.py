@@ -12,7 +12,18 @@ from .results import BearingResults
 
 
 def kinematic_block(results: BearingResults) -> dict[str, float]:
-    """Frequencies of rolling at the nominal contact angle, as catalogues have them [Hz]."""
+    """Frequencies of rolling at the nominal contact angle, as catalogues have them [Hz].
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, float]
+        Frequencies by key [Hz].
+    """
     state = results.quasistatic
     life = results.life
     angle = state.bearing.free_contact_angle if life is None else life.rating.nominal_contact_angle
@@ -20,14 +31,36 @@ def kinematic_block(results: BearingResults) -> dict[str, float]:
 
 
 def frequency_lines(results: BearingResults) -> dict[str, str]:
-    """A line of the terminal's table [Hz]; none where the rings turn together."""
+    """A line of the terminal's table [Hz]; none where the rings turn together.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
     own = results.frequencies
     texts = [f"{frequency.symbol} {frequency.value(own):.1f}" for frequency in FREQUENCIES]
     return {"frequencies": f"{', '.join(texts)} Hz"} if own.ball_spin > 0.0 else {}
 
 
 def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
-    """Place, offset, load, cage and frequencies of each row."""
+    """Place, offset, load, cage and frequencies of each row.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Values by key, a dictionary for each row.
+    """
     blocks = []
     for index, row in enumerate(state.rows):
         alone = state.row(index)
@@ -45,7 +78,18 @@ def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
 
 
 def row_messages(results: BearingResults) -> Iterator[str]:
-    """What values of the whole mean where there are several rows."""
+    """Explain the values of the whole bearing where there are several rows.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     rows = len(results.quasistatic.rows)
     if rows > 1:
         own = "each row's own stand in rows"
@@ -53,7 +97,18 @@ def row_messages(results: BearingResults) -> Iterator[str]:
 
 
 def row_lines(state: QuasistaticSolution) -> dict[str, str]:
-    """Lines of the terminal's table, one a row, none for a single row; loads in [N]."""
+    """Lines of the terminal's table, one a row, none for a single row; loads in [N].
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
     lines = {}
     for block in row_blocks(state) if len(state.rows) > 1 else ():
         x, y, z = (round(force, 1) + 0.0 for force in block["force_N"])

@@ -32,8 +32,17 @@ LOOSE = (
 
 
 def strength_block(results: BearingResults) -> dict[str, Any]:
-    """Hoop tension, strength and probability of failure of both rings, and the map of the inner
-    one over temperature and speed.
+    """Tension, strength and failure probability of both rings, and the map of the inner ring.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        The block.
     """
     strength = results.strength
     rings = {} if strength is None else {ring.race: ring for ring in strength.rings}
@@ -57,14 +66,16 @@ def _ring(results: BearingResults, race: Race, ring: RingStrength | None) -> dic
     }
 
 
-def _map(found: StrengthMap) -> dict[str, Any]:
+def _map(result: StrengthMap) -> dict[str, Any]:
     """Rows over the temperature, columns over the speed."""
     names = {"": "probability", "_low": "low", "_high": "high"}
-    failures = {end: getattr(found, f"failure_{name}") for end, name in names.items()}
+    failures = {end: getattr(result, f"failure_{name}") for end, name in names.items()}
     return {
-        "temperature_C": [round(from_si("temperature_C", float(t)), 9) for t in found.temperature],
-        "inner_speed_rpm": [round(from_si("speed_rpm", float(n)), 9) for n in found.speed],
-        "hoop_tension_MPa": from_si("tension_MPa", found.hoop_tension).tolist(),
+        "temperature_C": [
+            round(from_si("temperature_C", float(t)), 9) for t in result.temperature
+        ],
+        "inner_speed_rpm": [round(from_si("speed_rpm", float(n)), 9) for n in result.speed],
+        "hoop_tension_MPa": from_si("tension_MPa", result.hoop_tension).tolist(),
         **{
             f"{PROBABILITY}{end}": None if values is None else np.asarray(values).tolist()
             for end, values in failures.items()
@@ -73,7 +84,18 @@ def _map(found: StrengthMap) -> dict[str, Any]:
 
 
 def strength_messages(results: BearingResults) -> Iterator[str]:
-    """What the numbers mean, which rings are at risk, and why values are null."""
+    """Explain the numbers, name rings at risk, and give reasons for null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     strength = results.strength
     if strength is None:
         return
@@ -100,12 +122,23 @@ def strength_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _assumed(ring: RingStrength) -> bool:
-    """Whether no source was read for the modulus of a ring's material."""
+    """True if no source was read for the modulus of a ring's material."""
     return "weibull_modulus" in ring.material.unverified
 
 
 def strength_rows(results: BearingResults) -> dict[str, str]:
-    """Lines of the terminal's table, one for each brittle ring."""
+    """Lines of the terminal's table, one for each brittle ring.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
     rows = {}
     for ring in () if results.strength is None else results.strength.rings:
         if ring.failure_probability is None:
@@ -122,7 +155,18 @@ def strength_rows(results: BearingResults) -> dict[str, str]:
 
 
 def probability_text(value: float | None) -> str:
-    """A probability of failure in words of the table; what is next to none is not spelt out."""
+    """A probability of failure in words of the table.
+
+    Parameters
+    ----------
+    value : float | None
+        Probability of failure [-], or None.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     if value is None:
         return NOTHING
     return (

@@ -31,7 +31,18 @@ from .torque import rolling_messages, torque_block, torque_messages
 
 
 def bearing_summary(results: BearingResults) -> dict[str, Any]:
-    """The document of a bearing in named units."""
+    """The document of a bearing in named units.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     state = results.quasistatic
     torque = torque_block(results)
     document = {
@@ -90,7 +101,7 @@ def _electrical(results: BearingResults) -> dict[str, Any] | None:
 
 
 def _electrical_messages(results: BearingResults) -> Iterator[str]:
-    """Why there is no capacitance, and what is assumed."""
+    """Give the reason for a missing capacitance, and name assumptions."""
     bearing = results.quasistatic.bearing
     lack = electrical_lack(bearing, results.contacts, results.instruments)
     if lack:

@@ -72,7 +72,18 @@ def supply_kind(results: BearingResults) -> str:
 
 
 def supply_messages(results: BearingResults) -> Iterator[str]:
-    """Which numbers are starved, and why they are null."""
+    """Name the starved numbers, and the reason for null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     kind = supply_kind(results)
     torque = results.torque
     if kind == "flooded":
@@ -115,7 +126,7 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _groove_message(results: BearingResults) -> Iterator[str]:
-    """What the balance on paper is worth, or why there is none."""
+    """Limits of the balance on paper, or the reason why there is none."""
     oil = results.groove_oil
     if oil is None:
         yield "supply.groove_...: null, no flow with supply_groove_s"
@@ -130,7 +141,7 @@ def _groove_message(results: BearingResults) -> Iterator[str]:
 
 
 def _unsolved_message(results: BearingResults) -> Iterator[str]:
-    """That no film was solved behind its layer although the case asks for it."""
+    """Warn if no film was solved behind its layer although the case asks for it."""
     ehl = results.case.get("ehl", {})
     if ehl.get("starvation") == "solved" and ehl.get("film_maps") == "none":
         yield (
@@ -140,7 +151,7 @@ def _unsolved_message(results: BearingResults) -> Iterator[str]:
 
 
 def _band_messages(results: BearingResults) -> Iterator[str]:
-    """What the band means, or why there is none."""
+    """Explain the band, or the reason why there is none."""
     band = results.supply_band
     if band is None:
         yield "supply: ..._low and ..._high null, the supply is no flow"
@@ -240,7 +251,18 @@ def decay_block(results: BearingResults) -> dict[str, Any]:
 
 
 def decay_messages(results: BearingResults) -> Iterator[str]:
-    """What the block is about, or why it is null."""
+    """Explain the block `decay`, or the reason why it is null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     decay = results.decay
     if decay is None:
         asked = "supply_decay_s" in results.case.get("friction", ())

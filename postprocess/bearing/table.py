@@ -6,7 +6,6 @@ from typing import Any
 
 from rich.console import Console, Group
 from rich.table import Table
-from rich.text import Text
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
@@ -14,7 +13,7 @@ from ehl.units import from_si, unit_symbol
 
 from ..quantities import CAGE_SPEED, values_of
 from ..results import STIFFNESS_HEADLINES
-from ..table import facts_table, number_table
+from ..table import facts_table, number_table, titled
 from ..text import NOTHING, number, value_with_error
 from .contacts import (
     CONTACT_QUANTITY,
@@ -39,9 +38,21 @@ DECIMALS = 4  # of films [um], fewer where the table is wider than that
 
 
 def bearing_table(results: BearingResults) -> Group:
-    """A few lines on the whole, then one line per contact, units as the headers say."""
-    title = Text(results.title, style="bold")
-    return Group(title, _bearing_table(results), _contacts_table(results), *_legend(results))
+    """A few lines on the whole, then one line per contact, units as the headers say.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
+    return titled(
+        results.title, _bearing_table(results), _contacts_table(results), *_legend(results)
+    )
 
 
 def _bearing_table(results: BearingResults) -> Table:
@@ -95,9 +106,9 @@ def _contacts_table(results: BearingResults) -> Table:
         for key in ("ball", "azimuth_deg", "race", *keys)
     ]
     style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
-    known = [(record, contact_values(record)) for record in contact_records(results)]
+    available = [(record, contact_values(record)) for record in contact_records(results)]
     for decimals in range(DECIMALS, 0, -1):
-        rows = _contact_rows(known, keys, decimals)
+        rows = _contact_rows(available, keys, decimals)
         table = number_table((*headers, ""), rows, ("race", ""), **style)
         if Console(width=2 * WIDTH).measure(table).maximum <= WIDTH:
             break
@@ -105,12 +116,12 @@ def _contacts_table(results: BearingResults) -> Table:
 
 
 def _contact_rows(
-    known: Sequence[tuple[ContactRecord, dict[str, Any]]], keys: list[str], most: int
+    available: Sequence[tuple[ContactRecord, dict[str, Any]]], keys: list[str], most: int
 ) -> Iterator[list[str]]:
     """Cells of every contact, films with at most so many decimals, and a line for each row."""
-    several = len({record.contact.row for record, _ in known}) > 1
-    row = None if several else known[0][0].contact.row
-    for record, values in known:
+    several = len({record.contact.row for record, _ in available}) > 1
+    row = None if several else available[0][0].contact.row
+    for record, values in available:
         contact = record.contact
         if contact.row != row:
             row = contact.row
@@ -122,20 +133,20 @@ def _contact_rows(
         yield [*place, contact.race.value, *cells, _flags(record.film)]
 
 
-def _contact_cell(record: ContactRecord, known: dict[str, Any], key: str, most: int) -> str:
+def _contact_cell(record: ContactRecord, available: dict[str, Any], key: str, most: int) -> str:
     """A quantity of a contact, films as they are at a supply; a film with its uncertainty, at most
     so many decimals.
     """
     if key == "load_N" and not record.loaded:
         return "0"
     supplied = at_supply(record)
-    value = known[supplied.get(key, key)]
+    value = available[supplied.get(key, key)]
     if value is None or not record.loaded:
         return NOTHING
     if key.startswith("film_"):
         if key in supplied:
             return number(value, ".3g")
-        return value_with_error(value, known[key.replace("_um", "_uncertainty_um")], most=most)
+        return value_with_error(value, available[key.replace("_um", "_uncertainty_um")], most=most)
     text = number(value, TERMINAL_COLUMNS[key])
     return text if text.strip("-0.") else text.removeprefix("-")  # no minus before a zero
 

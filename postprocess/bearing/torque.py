@@ -147,7 +147,18 @@ def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]
 
 
 def torque_messages(results: BearingResults) -> Iterator[str]:
-    """Why a torque or a traction coefficient is null."""
+    """Give the reason why a torque or a traction coefficient is null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     torque = results.torque
     if results.interrupted:
         return
@@ -174,7 +185,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
-    """What the total is, and what is null beside it."""
+    """Model of the total, and values that are null with it."""
     if torque.chosen == "integrated" and torque.shear is not None:
         films = _films_text(results, torque.shear)
         return f"integrated model{films}{_balance_text(results, torque.shear)}"
@@ -188,7 +199,7 @@ def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
 
 
 def _films_text(results: BearingResults, shear: SolvedShear) -> str:
-    """Where films of formulas stand in for solved ones."""
+    """Name the races where films of formulas stand in for solved ones."""
     if not shear.by_formula:
         return ""
     maps = results.case.get("ehl", {}).get("film_maps")
@@ -203,7 +214,7 @@ def _films_text(results: BearingResults, shear: SolvedShear) -> str:
 
 
 def _lag_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[str]:
-    """That friction makes the balls slide visibly behind the motion that the films assume."""
+    """Warn if friction makes the balls slide visibly behind the motion that the films assume."""
     lag = None if torque.shear is None else torque.shear.orbit_lag
     if torque.chosen != "integrated" or lag is None or lag < VISIBLE_LAG:
         return
@@ -216,7 +227,7 @@ def _lag_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[s
 
 
 def _inlet_messages(torque: TorqueBreakdown) -> Iterator[str]:
-    """What is left of the rolling moment, and the bound without that."""
+    """State the rolling moment with inlet heat and starvation, and the bound without them."""
     inlet = torque.inlet
     if torque.chosen != "integrated" or inlet is None:
         return
@@ -248,7 +259,7 @@ def _churning_share(torque: TorqueBreakdown) -> float | None:
 
 
 def _churning_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[str]:
-    """That much of the total hangs on how much oil is in the cavity."""
+    """Warn if much of the total depends on the amount of oil in the cavity."""
     share = _churning_share(torque)
     fraction = results.case.get("friction", {}).get("oil_fraction")
     if share is None or fraction is None:
@@ -263,7 +274,7 @@ def _churning_message(results: BearingResults, torque: TorqueBreakdown) -> Itera
 
 
 def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
-    """Whether the balls are in balance, and what the hypothesis on their motion is used for."""
+    """State whether the balls are in balance, and the use of the hypothesis on their motion."""
     if shear.balanced is None:
         return (
             f"; not converged: {shear.note}: the rings' power differs from the heat by "
@@ -313,7 +324,18 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
 
 
 def rolling_messages(results: BearingResults) -> Iterator[str]:
-    """Where the oil of the rolling part ends, and how much of the torque that decides."""
+    """State the end of the oil in the rolling part, and its share of the torque.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     if any(film is None or not film.converged for film in results.solutions):
         yield "contacts.rolling_moment_N_mm: null where there is no film that converged"
     extent = results.rolling_extent

@@ -27,7 +27,15 @@ GEOMETRY = (
 
 
 def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
-    """Write the contacts of a bearing's summary as a table, a line for each, empty for null."""
+    """Write the contacts of a bearing's summary as a table, a line for each, empty for null.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+    path : Path
+        File to write.
+    """
     rows = [
         [contact[column.key] for column in CONTACT_QUANTITIES] for contact in document["contacts"]
     ]
@@ -39,7 +47,16 @@ def write_bearing_netcdf(results: BearingResults, path: Path, document: dict[str
 
     Groups: `/` (version, case, messages), `/ring`, `/balls`, `/decay` if the case asks for it,
     `/contacts` with the columns of contacts.csv in the units of their keys, and
-    `/contacts/ball01/inner` ... with the fields of each solved contact; `document` is the summary.
+    `/contacts/ball01/inner` ... with the fields of each solved contact.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    path : Path
+        File to write.
+    document : dict[str, Any]
+        Summary of the results in named units.
     """
     groups = {
         "/": Group(attributes=root_attributes(document, "bearing")),

@@ -17,16 +17,16 @@ class Difference:
 
     @property
     def covered(self) -> bool | None:
-        """Whether the error bars of both enclose the difference; None without them."""
+        """True if the error bars of both enclose the difference; None without them."""
         return None if self.over_bars is None else abs(self.over_bars) <= 1.0
 
     @property
     def differs(self) -> bool:
-        """Whether the two are not the same."""
+        """True if the two are not the same."""
         return self.first != self.second
 
     def document(self) -> dict[str, Any]:
-        """As plain JSON types."""
+        """The difference as plain JSON types."""
         values = {"path": self.path, "first": self.first, "second": self.second}
         values |= {"relative": self.relative, "within_error_bars": self.covered}
         return values | {"over_error_bars": self.over_bars}

@@ -15,25 +15,39 @@ from .results import Comparison, Difference
 NOT_COMPARED = frozenset(
     "oilfilm case messages timing_s sweep file resumed key keys point".split()
 )
-OF_THE_SOLUTION = frozenset(  # how a result was computed
+SOLUTION_KEYS = frozenset(  # how a result was computed
     "domain points iterations residual mass_imbalance message cycles fft_equivalents "
     "flooded_fft_equivalents wall_s imbalance relative_error energy_error "
     "energy_balance_error".split()
 )
-TWICE = "power_balance"  # block of a bearing that stands under its torque, too
-# of the magnitude of a quantity: a smaller difference is round-off, amplified by the solvers
+REPEATED_BLOCK = "power_balance"  # block of a bearing that stands under its torque, too
+# share of the magnitude of a quantity [-]: a smaller difference is round-off of the solvers
 ROUND_OFF = 1e-9
-NOTHING = 1e-12  # of any unit of a summary: less is round-off of zero
-# of the magnitude of a quantity: a component that is smaller is compared to this
-LEAST = 0.01
+ZERO_ROUND_OFF = 1e-12  # of any unit of a summary: less is round-off of zero
+# share of the magnitude of a quantity [-]: a component that is smaller is compared to this
+MIN_MAGNITUDE = 0.01
 ASSUMED = "assumed"  # list of keys of the input, in any order
 
 
 def compare(first: str | Path, second: str | Path) -> Comparison:
-    """Compare two result folders of the same kind: signed differences, second less first, relative
-    to the magnitude of the quantity and to the error bars [-].
+    """Compare two result folders: signed differences, second less first.
 
-    Raises ValueError if one holds no readable results, or they are of different kinds.
+    Parameters
+    ----------
+    first : str | Path
+        Folder of results.
+    second : str | Path
+        Folder of results of the same kind.
+
+    Returns
+    -------
+    Comparison
+        Differences of inputs, main results and all results.
+
+    Raises
+    ------
+    ValueError
+        If one holds no readable results, or they are of different kinds.
     """
     documents = [read_summary(Path(folder)) for folder in (first, second)]
     kinds = [_kind(document) for document in documents]
@@ -49,14 +63,14 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
         converged=(bool(documents[0]["converged"]), bool(documents[1]["converged"])),
         inputs=tuple(d for d in _differences(*map(_input, documents)) if d.differs),
         main=tuple(_differences(*map(_main, documents))),
-        results=tuple(d for d in results if d.differs and not _of_the_solution(d.path)),
+        results=tuple(d for d in results if d.differs and not _describes_solution(d.path)),
     )
 
 
-def _of_the_solution(path: str) -> bool:
-    """Whether a value describes how the result was computed, not what it is."""
+def _describes_solution(path: str) -> bool:
+    """True of a value that describes how the result was computed."""
     name = path.rpartition(".")[2].partition("[")[0]
-    return "_uncertainty" in name or name in OF_THE_SOLUTION
+    return "_uncertainty" in name or name in SOLUTION_KEYS
 
 
 def _kind(summary: dict[str, Any]) -> str:
@@ -79,8 +93,10 @@ def _main(summary: dict[str, Any]) -> dict[str, Any]:
 
 
 def _results(summary: dict[str, Any]) -> dict[str, Any]:
-    """What is compared, balls, contacts and points by their names."""
-    values = {key: value for key, value in summary.items() if key not in (*NOT_COMPARED, TWICE)}
+    """Values that are compared; balls, contacts and points by their names."""
+    values = {
+        key: value for key, value in summary.items() if key not in (*NOT_COMPARED, REPEATED_BLOCK)
+    }
     if "contacts" in values:
         values["contacts"] = {f"ball {c['ball']} {c['race']}": c for c in values["contacts"]}
     if isinstance(values.get("balls"), list):
@@ -97,7 +113,20 @@ def _point_name(keys: dict[str, Any]) -> str:
 
 
 def flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
-    """Every single value of a document by its dotted path."""
+    """Every single value of a document by its dotted path.
+
+    Parameters
+    ----------
+    value : Any
+        Part of a document.
+    path : str, default ''
+        Dotted path of that part.
+
+    Yields
+    ------
+    Iterator[tuple[str, Any]]
+        Path and value.
+    """
     if isinstance(value, dict):
         for key, item in value.items():
             if key not in NOT_COMPARED or not path:
@@ -130,10 +159,10 @@ def _differences(one: Any, two: Any) -> Iterator[Difference]:
 
 
 def _is_round_off(path: str, a: float, b: float, scale: float) -> bool:
-    """Whether two numbers differ by less than is computed of a quantity of this magnitude."""
+    """True if two numbers differ by less than the round-off of a quantity of this magnitude."""
     noise = ROUND_OFF * scale
     if unit_of(path.partition("[")[0]):
-        noise = max(noise, NOTHING)
+        noise = max(noise, ZERO_ROUND_OFF)
     return abs(b - a) <= noise
 
 
@@ -158,14 +187,27 @@ def _group(path: str) -> tuple[str, str]:
 
 
 def relative(a: Any, b: Any, scale: float = 0.0) -> float | None:
-    """Second less first over the larger magnitude [-], which counts as at least `LEAST` of that
-    of the quantity anywhere; None where they are not two numbers.
+    """Second less first over the larger magnitude; None where they are not two numbers.
+
+    Parameters
+    ----------
+    a : Any
+        Value of the first result.
+    b : Any
+        Value of the second result.
+    scale : float, default 0.0
+        Largest magnitude of the quantity, in its unit.
+
+    Returns
+    -------
+    float | None
+        Relative difference [-].
     """
     if a == b:
         return 0.0
     if not (is_number(a) and is_number(b)):
         return None
-    return (b - a) / max(abs(a), abs(b), LEAST * scale)
+    return (b - a) / max(abs(a), abs(b), MIN_MAGNITUDE * scale)
 
 
 def _over_bars(

@@ -15,8 +15,18 @@ MOST_ROWS = 25  # of the differences of all results, the largest first
 
 
 def comparison_table(comparison: Comparison) -> Group:
-    """What differs: input, main results, and the largest differences of all results, second less
-    first [%].
+    """Differences of input and main results, and the largest of all results, second less first
+    [%].
+
+    Parameters
+    ----------
+    comparison : Comparison
+        Differences of two result folders.
+
+    Returns
+    -------
+    Group
+        The tables.
     """
     ordered = sorted(
         comparison.results, key=lambda d: -1.0 if d.relative is None else -abs(d.relative)

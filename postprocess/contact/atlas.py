@@ -6,7 +6,6 @@ from functools import cached_property
 from typing import Any
 
 from rich.console import Group
-from rich.text import Text
 
 from ehl import AtlasFilms, AtlasValue, ContactConditions, MoesConditions
 from ehl.scaling import ScaledContact, scale_contact
@@ -16,7 +15,7 @@ from ehl.units import from_si
 from ..files import plain_document
 from ..quantities import quantities, values_of
 from ..results import Results
-from ..table import facts_table
+from ..table import facts_table, titled
 from ..text import value_with_error
 
 SOURCE = "atlas"
@@ -66,16 +65,38 @@ class AtlasRecord:
         return self.films if isinstance(self.conditions, ContactConditions) else None
 
     def in_groups(self, name: str) -> AtlasValue | None:
-        """A film in units of a^2/Rx [-]."""
+        """A film in units of a^2/Rx [-].
+
+        Parameters
+        ----------
+        name : str
+            "central", "minimum" or "approach".
+
+        Returns
+        -------
+        AtlasValue | None
+            Value with its error bar; None without films.
+        """
         if self.films is None or self.scaled is None:
             return None
         scale = self.scaled.film_scale or 1.0
-        found: AtlasValue = getattr(self.films, name)
-        return AtlasValue(found.value / scale, found.uncertainty / scale)
+        result: AtlasValue = getattr(self.films, name)
+        return AtlasValue(result.value / scale, result.uncertainty / scale)
 
 
 def atlas_values(record: AtlasRecord) -> dict[str, Any]:
-    """Groups [-], films and bars of one contact, in the units of the keys; null without films."""
+    """Groups [-], films and bars of one contact, in the units of the keys; null without films.
+
+    Parameters
+    ----------
+    record : AtlasRecord
+        Contact with its film.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key; null without films.
+    """
     scaled = record.scaled
     values: dict[str, Any] = {
         "moes_M": None if scaled is None else scaled.moes_load,
@@ -84,9 +105,9 @@ def atlas_values(record: AtlasRecord) -> dict[str, Any]:
         **values_of(record, ATLAS_QUANTITIES),
     }
     for key, name in DIMENSIONLESS.items():
-        found = record.in_groups(name)
-        values[f"{key}_dimensionless"] = None if found is None else found.value
-        values[f"{key}_uncertainty_dimensionless"] = None if found is None else found.uncertainty
+        result = record.in_groups(name)
+        values[f"{key}_dimensionless"] = None if result is None else result.value
+        values[f"{key}_uncertainty_dimensionless"] = None if result is None else result.uncertainty
     return values | {"inside": None if record.conditions is None else record.films is not None}
 
 
@@ -98,7 +119,18 @@ class AtlasContactResults(Results):
 
 
 def atlas_contact_summary(results: AtlasContactResults) -> dict[str, Any]:
-    """The document of a contact, the keys of a solved one."""
+    """The document of a contact, the keys of a solved one.
+
+    Parameters
+    ----------
+    results : AtlasContactResults
+        Contact with its films of the atlas.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     record = results.record
     given = record.conditions if isinstance(record.conditions, ContactConditions) else None
     pressure = None if record.scaled is None else record.scaled.hertz_pressure
@@ -113,7 +145,7 @@ def atlas_contact_summary(results: AtlasContactResults) -> dict[str, Any]:
 
 
 def _messages(record: AtlasRecord, pressure: float | None) -> Iterator[str]:
-    """What the films are, and why values are null; p_h in [Pa]."""
+    """Describe the films, and name reasons for null; p_h in [Pa]."""
     yield MODEL
     if record.in_lengths is None:
         yield f"load_N, {NO_LENGTHS}"
@@ -125,7 +157,18 @@ def _messages(record: AtlasRecord, pressure: float | None) -> Iterator[str]:
 
 
 def atlas_contact_table(results: AtlasContactResults) -> Group:
-    """Groups, films, moment and stiffness with their bars, units beside the numbers."""
+    """Groups, films, moment and stiffness with their bars, units beside the numbers.
+
+    Parameters
+    ----------
+    results : AtlasContactResults
+        Contact with its films of the atlas.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     values = atlas_values(results.record)
     rows = {"M, L": f"{values['moes_M']:.4g}, {values['moes_L']:.4g}"}
     for name in ("central", "minimum"):
@@ -139,7 +182,7 @@ def atlas_contact_table(results: AtlasContactResults) -> Group:
     if values["stiffness_N_um"] is not None:
         rows["stiffness"] = f"{_with_bar(values, 'stiffness', 'N_um')} N/µm"
     rows["source"] = "film atlas, nothing was solved"
-    return Group(Text(results.title, style="bold"), facts_table(rows))
+    return titled(results.title, facts_table(rows))
 
 
 def _with_bar(values: dict[str, Any], name: str, unit: str) -> str:

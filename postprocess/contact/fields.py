@@ -10,14 +10,46 @@ SHOWN_UNITS = {("x", "m"): "mm", ("h", "m"): "um", ("P", "Pa"): "GPa", ("T", "K"
 
 
 def shown(name: str, unit: str, values: Any) -> tuple[Any, str]:
-    """Values of a variable in the unit in which it is shown, and that unit; y is named as x."""
+    """Values of a variable in the unit in which it is shown.
+
+    Parameters
+    ----------
+    name : str
+        Name of the variable, "x" for y as well.
+    unit : str
+        Unit in the file.
+    values : Any
+        Values in that unit.
+
+    Returns
+    -------
+    value
+        Values in the unit in which they are shown.
+    value
+        That unit.
+    """
     suffix = SHOWN_UNITS.get((name, unit))
     key = f"{name}_{suffix}"
     return (values, unit) if suffix is None else (from_si(key, values), unit_of(key))
 
 
 def shown_scales(solution: ContactSolution) -> tuple[float, float, float]:
-    """Scales of lengths [mm], films [um] and pressures [GPa]; 1 where the solution has none."""
+    """Scales of lengths, films and pressures; 1 where the solution has none.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        Solved film of the contact.
+
+    Returns
+    -------
+    value
+        Length scale [mm].
+    value
+        Film scale [um].
+    value
+        Pressure scale [GPa].
+    """
     a = solution.semi_axis_x
     h = solution.film_scale
     length = 1.0 if a is None else a / MILLIMETRE

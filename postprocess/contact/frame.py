@@ -9,9 +9,23 @@ ALL = (slice(None), slice(None))  # of the nodes of a grid
 
 
 def principal_coordinates(x: Array, y: Array, angle: float) -> tuple[Array, Array]:
-    """Principal coordinates [m], shapes (nx, ny), of nodes along and across the entrainment.
+    """Principal coordinates of nodes along and across the entrainment.
 
-    `angle` of the entrainment: from the principal direction x towards y [rad].
+    Parameters
+    ----------
+    x : Array
+        Nodes along the entrainment, shape (nx,) [m].
+    y : Array
+        Nodes across it, shape (ny,) [m].
+    angle : float
+        Angle of the entrainment from the principal direction x towards y [rad].
+
+    Returns
+    -------
+    value
+        x, shape (nx, ny) [m].
+    value
+        y, shape (nx, ny) [m].
     """
     along, across = np.meshgrid(x, y, indexing="ij")
     c, s = np.cos(angle), np.sin(angle)
@@ -19,7 +33,22 @@ def principal_coordinates(x: Array, y: Array, angle: float) -> tuple[Array, Arra
 
 
 def within(values: Array, low: float, high: float) -> slice:
-    """Index range of the ascending `values` that lie in [low, high], all in one unit."""
+    """Index range of the values that lie in [low, high].
+
+    Parameters
+    ----------
+    values : Array
+        Ascending values [any unit].
+    low : float
+        Lower end, in that unit.
+    high : float
+        Upper end, in that unit.
+
+    Returns
+    -------
+    slice
+        The range.
+    """
     return slice(
         int(np.searchsorted(values, low, "left")), int(np.searchsorted(values, high, "right"))
     )
@@ -28,9 +57,27 @@ def within(values: Array, low: float, high: float) -> slice:
 def resampled(
     x: Array, y: Array, values: Array, new_x: Array, new_y: Array, outside: float | None = None
 ) -> Array:
-    """Values at other nodes, linear in both directions; beyond the ends those there [their unit].
+    """Values at other nodes, linear in both directions.
 
-    Or `outside`, in the same unit. The nodes x, y need not be even.
+    Parameters
+    ----------
+    x : Array
+        Nodes, shape (nx,), which need not be even [any unit].
+    y : Array
+        Nodes, shape (ny,).
+    values : Array
+        Field at the nodes, shape (nx, ny).
+    new_x : Array
+        Other nodes, shape (n,).
+    new_y : Array
+        Other nodes, shape (m,).
+    outside : float | None, optional
+        Value beyond the ends; those at the ends if None.
+
+    Returns
+    -------
+    Array
+        Values, shape (n, m).
     """
 
     def along(new: Array, old: Array, lines: Array) -> Array:
@@ -40,11 +87,30 @@ def resampled(
 
 
 def refined(x: Array, y: Array, field: Array, least: int) -> tuple[Array, Array, Array]:
-    """Positions and values between the nodes of a field, at least `least` each way [-].
+    """Positions and values between the nodes of a field, at equal steps.
 
     Cubic, with a continuous slope and without new extremes (Fritsch and Carlson, SIAM J. Numer.
     Anal. 17, 1980), so that a coarse mesh shows no kinks; linear where values are not finite.
-    At equal steps; lengths in any unit, values in theirs.
+
+    Parameters
+    ----------
+    x : Array
+        Nodes, shape (nx,) [any unit].
+    y : Array
+        Nodes, shape (ny,).
+    field : Array
+        Values, shape (nx, ny).
+    least : int
+        Nodes each way, at least [-].
+
+    Returns
+    -------
+    value
+        Positions along, shape (n,).
+    value
+        Positions across, shape (m,).
+    value
+        Values, shape (n, m).
     """
     fine_x = np.linspace(x[0], x[-1], max(least, len(x)))
     fine_y = np.linspace(y[0], y[-1], max(least, len(y)))
@@ -55,9 +121,21 @@ def refined(x: Array, y: Array, field: Array, least: int) -> tuple[Array, Array,
 
 
 def around(values: Array, low: float, high: float) -> slice:
-    """Index range of the ascending `values` that cover [low, high], all in one unit.
+    """Index range of the values that cover [low, high]: one more than `within` at each end.
 
-    One node more than `within` at each end, where there is one.
+    Parameters
+    ----------
+    values : Array
+        Ascending values [any unit].
+    low : float
+        Lower end, in that unit.
+    high : float
+        Upper end, in that unit.
+
+    Returns
+    -------
+    slice
+        The range.
     """
     inner = within(values, low, high)
     return slice(max(inner.start - 1, 0), min(inner.stop + 1, len(values)))

@@ -51,7 +51,20 @@ class Optics:
 
 
 def intensity(film: Array, optics: Optics) -> Array:
-    """Reflected intensity over its largest [-] of a film [m]; an axis more for three colours."""
+    """Reflected intensity of a film over its largest value.
+
+    Parameters
+    ----------
+    film : Array
+        Film thickness [m].
+    optics : Optics
+        Wavelengths, refractive index and phase.
+
+    Returns
+    -------
+    Array
+        Intensity, shape of the film, with an axis of three colours [-].
+    """
     layers = [
         0.5 * (1.0 + np.cos(4.0 * pi * optics.refractive_index * film / w + optics.phase))
         for w in optics.wavelengths
@@ -65,9 +78,28 @@ def write_interferogram(
     contact: str | None = None,
     optics: Optics | None = None,
 ) -> Path:
-    """Draw the simulated interferogram of one contact of a result folder into a PNG file.
+    """Draw the simulated interferogram of one contact of a result folder.
 
-    The contact as in `open_contact`; ValueError without it, or if its film has no dimension.
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    file : str | Path
+        PNG file.
+    contact : str | None, optional
+        Name of the contact, as in `open_contact`.
+    optics : Optics | None, optional
+        Wavelengths, refractive index and phase.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        Without such a contact, or if its film has no dimension.
     """
     path = Path(file)
     if path.suffix.lower() != ".png":

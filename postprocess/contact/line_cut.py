@@ -16,11 +16,30 @@ def write_line_cut(
     axis: str = "x",
     at: float = 0.0,
 ) -> Path:
-    """Write position [mm], film [um] and pressure [GPa] along one axis, between nodes linear.
+    """Write position [mm], film [um] and pressure [GPa] along one axis, linear between nodes.
 
-    Dimensionless from Moes' groups, as the header says. The contact as in `open_contact`; `axis`
-    is "x", along the entrainment, or "y", across it; `at` says where the line crosses the other
-    axis, in Hertz half extents there [-]. ValueError without such a contact, or outside the box.
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    file : str | Path
+        CSV file.
+    contact : str | None, optional
+        Name of the contact, as in `open_contact`.
+    axis : str, default 'x'
+        "x", along the entrainment, or "y", across it.
+    at : float, default 0.0
+        Position of the line on the other axis, in Hertz half extents [-].
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        Without such a contact, or if the line lies outside the box.
     """
     if axis not in ("x", "y"):
         raise ValueError(f"axis must be x or y, got {axis!r}")

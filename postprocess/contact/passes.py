@@ -23,19 +23,41 @@ PASS_QUANTITIES = quantities(
 
 
 def pass_values(results: ContactResults) -> list[dict[str, Any]] | None:
-    """The passes one after the other; None where the contact stands alone."""
+    """The passes one after the other; None where the contact stands alone.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    list[dict[str, Any]] | None
+        Values by key, a dictionary for each pass.
+    """
     if not results.passes:
         return None
     rows = []
     for number, one in enumerate(results.passes, 1):
-        known = one if one.solution.converged else None
+        available = one if one.solution.converged else None
         head = {"pass": number, "converged": one.solution.converged}
-        rows.append(head | values_of(known, PASS_QUANTITIES))
+        rows.append(head | values_of(available, PASS_QUANTITIES))
     return rows
 
 
 def pass_messages(results: ContactResults) -> Iterator[str]:
-    """Why there are none, or fewer than asked for."""
+    """Give the reason for missing passes, or explain those there are.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     asked = results.case.get("ehl", {}).get("track_passes")
     if asked is None:
         yield "passes: null, no ehl.track_passes"
@@ -52,8 +74,17 @@ def pass_messages(results: ContactResults) -> Iterator[str]:
 
 
 def pass_group(results: ContactResults) -> Group | None:
-    """Layers over y and shares of all passes, SI; in Moes' groups lengths in a, layers in a^2/Rx.
-    None without passes.
+    """Layers over y and film ratios of all passes, SI; in Moes' groups in a and a^2/Rx.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    Group | None
+        The group; None without passes.
     """
     if not results.passes:
         return None

@@ -36,7 +36,7 @@ TICKS = 6  # of a colour bar at most
 TICK_WIDTH = 0.5  # of a map for each of its tick labels [in]
 CUT = "the map ends with the computed box"
 # boxes, in shares of the figure
-LEFT = (0.085, 0.585)
+PANEL_LEFTS = (0.085, 0.585)
 MAP_WIDTH = 0.41
 STRETCHED_WIDTH = 0.33
 LINE_WIDTH = 0.325
@@ -48,7 +48,20 @@ LINE_HEIGHT = 0.245
 
 
 def write_contact_plots(results: ContactResults, directory: Path) -> tuple[str, ...]:
-    """Draw the contact into the folder `plots`; a figure that failed is a message."""
+    """Draw the contact into the folder `plots`; a figure that failed is a message.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on figures that failed.
+    """
     solution = results.solution
     view = contact_view(solution)
     groups = f"$M$ = {solution.moes_load:.4g}, $L$ = {solution.moes_lubricant:.4g}"
@@ -61,12 +74,22 @@ def write_contact_plots(results: ContactResults, directory: Path) -> tuple[str, 
 
 
 def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
-    """Film and pressure maps of one contact above its centre lines, below lines of a title."""
+    """Film and pressure maps of one contact above its centre lines, below lines of a title.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    view : ContactView
+        Shown part of the contact.
+    title : str
+        Lines of the title.
+    """
     # fixed boxes: the layout engine takes longer than the drawing
     figure.set_layout_engine("none")
     figure.set_size_inches(PAGE_WIDTH, HEIGHT)
     figure.suptitle(title, fontsize=8.5, y=0.99)
-    for quantity, left in zip(QUANTITIES, LEFT, strict=True):
+    for quantity, left in zip(QUANTITIES, PANEL_LEFTS, strict=True):
         width = STRETCHED_WIDTH if view.stretched else MAP_WIDTH
         panel = figure.add_axes((left, MAP_BOTTOM, width, MAP_HEIGHT))
         image = draw_map(panel, view, quantity)
@@ -82,14 +105,14 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
         panel.xaxis.set_major_locator(MaxNLocator(max(int(width * PAGE_WIDTH / TICK_WIDTH), 1)))
         bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
         _colour_bar(figure, image, bar, view, quantity)
-    for along, left in zip((True, False), LEFT, strict=True):
+    for along, left in zip((True, False), PANEL_LEFTS, strict=True):
         centre_line(figure.add_axes((left, LINE_BOTTOM, LINE_WIDTH, LINE_HEIGHT)), view, along)
     style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
     figure.text(0.5, 0.01, _footnote(view), **style)
 
 
 def _footnote(view: ContactView) -> str:
-    """What the figure leaves out and how it is drawn."""
+    """Remarks on the figure: direction of the oil, shown range, colours."""
     fills = " and fills the gap inside the dotted line" if view.filled is not None else ""
     where = f"at {view.oblique:.3g}° from x towards y" if view.oblique else "to the right"
     stretched = "axes stretched, so that the Hertz ellipse (dashed) is seen"
@@ -110,10 +133,25 @@ def draw_map(
     limits: tuple[float, float] | None = None,
     levels: Sequence[float] | Array | None = None,
 ) -> Any:
-    """One map, of "film" or "pressure", with contour lines and the Hertz ellipse; oil moves right.
+    """One map with contour lines and the Hertz ellipse; the oil moves to the right.
 
-    Ends of the colour scale as `limits`, in the unit of the quantity: films then have a
-    logarithmic scale, for many contacts. Contour `levels` are equal steps over it if left out.
+    Parameters
+    ----------
+    axes : Axes
+        Axes to draw into.
+    view : ContactView
+        Shown part of the contact.
+    quantity : str
+        "film" or "pressure".
+    limits : tuple[float, float] | None, optional
+        Ends of the colour scale in the unit of the quantity; films then have a logarithmic scale.
+    levels : Sequence[float] | Array | None, optional
+        Contour lines in that unit; equal steps if None.
+
+    Returns
+    -------
+    Any
+        The image, for a colour bar.
     """
     film = quantity == "film"
     field = view.film if film else view.pressure
@@ -133,8 +171,8 @@ def draw_map(
     if film:
         image.set_cmap(image.get_cmap().with_extremes(over=BEYOND_SCALE))
     lines = np.linspace(low, high, LINES + 1)[1:-1] if levels is None else levels
-    known = values[np.isfinite(values)]
-    lines = [line for line in lines if known.size and known.min() < line < known.max()]
+    available = values[np.isfinite(values)]
+    lines = [line for line in lines if available.size and available.min() < line < available.max()]
     if lines:
         style: Any = {"colors": "white" if film else "black", "alpha": 0.6}
         axes.contour(x, y, values.T, levels=lines, **style)
@@ -176,7 +214,17 @@ def _colour_bar(figure: Figure, image: Any, axes: Axes, view: ContactView, quant
 
 
 def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
-    """Pressure and film along the middle of the contact, in rolling direction or across it."""
+    """Pressure and film along the middle of the contact, in rolling direction or across it.
+
+    Parameters
+    ----------
+    axes : Axes
+        Axes to draw into.
+    view : ContactView
+        Shown part of the contact.
+    along : bool
+        Along the rolling direction, else across it.
+    """
     s, pressure = _on_centre_line(view, view.pressure, along)
     axes.plot(s, pressure, color=PRESSURE_COLOUR, label="pressure")
     reach = np.cos(np.linspace(-np.pi, 0.0, 121))
@@ -220,7 +268,18 @@ def _film_line(axes: Axes, view: ContactView, s: Array, film: Array) -> None:
 
 
 def film_text(view: ContactView) -> str:
-    """Central and minimum film with their uncertainties ([um] or [a^2/Rx]), and any doubt."""
+    """Central and minimum film with their uncertainties ([um] or [a^2/Rx]), and any doubt.
+
+    Parameters
+    ----------
+    view : ContactView
+        Shown part of the contact.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     central = value_with_error(view.central, view.central_uncertainty)
     minimum = value_with_error(view.minimum, view.minimum_uncertainty)
     doubt = f" ({view.doubt})" if view.doubt else ""
@@ -228,7 +287,15 @@ def film_text(view: ContactView) -> str:
 
 
 def draw_passes(figure: Figure, results: ContactResults) -> None:
-    """Film over the passes, and the layers that they leave over the track."""
+    """Film over the passes, and the layers that they leave over the track.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : ContactResults
+        Results of the contact.
+    """
     figure.set_size_inches(PAGE_WIDTH, 3.0)
     number = len(results.passes)
     title = f"{results.title}\neach pass stands behind the layer that the last one left"

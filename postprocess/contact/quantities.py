@@ -21,7 +21,7 @@ FORMULAS = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmRecord:
-    """What is known of the film of a contact; None where it was not computed."""
+    """The film of a contact and what is derived of it; None where it was not computed."""
 
     film: ContactSolution | None
     traction: TractionResult | None = None
@@ -30,13 +30,15 @@ class FilmRecord:
 
     @property
     def pressure_maximum(self) -> float | None:
-        """Of the film [Pa]; None where the scale of pressure is open."""
+        """Largest pressure of the film [Pa]; None where the scale of pressure is open."""
         film = self.film
         return film.pressure_maximum if film is not None and film.hertz_pressure > 0.0 else None
 
     @property
     def residual(self) -> float | None:
-        """Of the film's equations after the last cycle [-]; None where no cycle was completed."""
+        """Residual of the film's equations after the last cycle [-]; None without a complete
+        cycle.
+        """
         history = () if self.film is None else self.film.record.residual
         return history[-1] if history else None
 
@@ -150,17 +152,50 @@ ALL_FILM_QUANTITIES = (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES
 
 
 def film_values(record: FilmRecord) -> dict[str, Any]:
-    """Values of the film's quantities by key, in the units of the keys."""
+    """Values of the film's quantities by key, in the units of the keys.
+
+    Parameters
+    ----------
+    record : FilmRecord
+        Film of a contact and what is derived of it.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     return values_of(record, ALL_FILM_QUANTITIES)
 
 
 def oil_permittivity(case: dict[str, Any]) -> float:
-    """Relative permittivity of a case's oil [-]."""
+    """Relative permittivity of a case's oil [-].
+
+    Parameters
+    ----------
+    case : dict[str, Any]
+        Case as run, plain JSON.
+
+    Returns
+    -------
+    float
+        Relative permittivity [-].
+    """
     return case.get("lubricant", {}).get("relative_permittivity") or OIL_PERMITTIVITY
 
 
 def formula_films(conditions: object) -> dict[str, float | None]:
-    """Films of formulas [um]; None without dimensions, oblique, or for an isoviscous oil."""
+    """Films of formulas [um]; None without dimensions, oblique, or for an isoviscous oil.
+
+    Parameters
+    ----------
+    conditions : object
+        Conditions of the contact.
+
+    Returns
+    -------
+    dict[str, float | None]
+        Film by the name of the formula [um].
+    """
     if (
         not isinstance(conditions, ContactConditions)
         or abs(sin(conditions.entrainment_angle)) > ALIGNED

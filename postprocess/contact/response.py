@@ -24,22 +24,48 @@ RESPONSE_QUANTITIES = quantities(
 def response_values(response: NormalResponse | None) -> dict[str, Any]:
     """Values by key in the units of the keys; over frequency in `response`, None where no
     frequency was asked for.
+
+    Parameters
+    ----------
+    response : NormalResponse | None
+        Stiffness and damping along the normal, or None.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
     """
-    known = response if response is not None and response.converged and response.resolved else None
+    available = (
+        response if response is not None and response.converged and response.resolved else None
+    )
     over: dict[str, Any] | None = None
-    if known is not None and known.frequencies:
-        curves = (("stiffness", "N_um", known.stiffnesses), ("damping", "N_s_m", known.dampings))
-        over = {"frequency_Hz": list(known.frequencies)}
+    if available is not None and available.frequencies:
+        curves = (
+            ("stiffness", "N_um", available.stiffnesses),
+            ("damping", "N_s_m", available.dampings),
+        )
+        over = {"frequency_Hz": list(available.frequencies)}
         for name, unit, samples in curves:
             key = f"{name}_{unit}"
             bar = f"{name}_uncertainty_{unit}"
             over[key] = [from_si(key, sample.value) for sample in samples]
             over[bar] = [from_si(bar, sample.uncertainty) for sample in samples]
-    return {**values_of(known, RESPONSE_QUANTITIES), "response": over}
+    return {**values_of(available, RESPONSE_QUANTITIES), "response": over}
 
 
 def response_messages(results: ContactResults) -> Iterator[str]:
-    """Why stiffness and damping are null, or what is said of them."""
+    """Give the reason why stiffness and damping are null, or remarks on them.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     response = results.response
     keys = "stiffness_N_um, damping_N_s_m, response"
     if response is None:
@@ -62,7 +88,18 @@ def response_messages(results: ContactResults) -> Iterator[str]:
 
 
 def response_row(response: NormalResponse | None) -> str:
-    """Stiffness and damping with their error bars; empty where there are none."""
+    """Stiffness and damping with their error bars; empty where there are none.
+
+    Parameters
+    ----------
+    response : NormalResponse | None
+        Stiffness and damping along the normal, or None.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     values = response_values(response)
     stiffness, bar, damping, other = (values[quantity.key] for quantity in RESPONSE_QUANTITIES)
     if stiffness is None:

@@ -23,7 +23,7 @@ class ContactResults(Results):
 
     @property
     def converged(self) -> bool:
-        """Whether the film converged, and those of all passes."""
+        """True if the film converged, and those of all passes."""
         return self.solution.converged and all(one.solution.converged for one in self.passes)
 
     def _repr_html_(self) -> str:
@@ -35,5 +35,5 @@ class ContactResults(Results):
 
     @property
     def pictures(self) -> dict[str, int]:
-        """That are drawn [-]."""
+        """Pictures that are drawn [-]."""
         return {FILMS: 0, OTHERS: 1}

@@ -12,7 +12,22 @@ KINDS = ("bearing", "contact")  # of results that have contacts
 
 
 def require_contacts(directory: str | Path, tree: xarray.DataTree, lack: str) -> None:
-    """ValueError for results of a kind without contacts, which says what they lack."""
+    """Refuse results of a kind without contacts.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    tree : xarray.DataTree
+        Opened results.
+    lack : str
+        What such results lack, for the message.
+
+    Raises
+    ------
+    ValueError
+        If results of this kind have no contacts.
+    """
     kind = tree.attrs["kind"]
     if kind not in KINDS:
         allowed = ", ".join(KINDS)
@@ -22,16 +37,44 @@ def require_contacts(directory: str | Path, tree: xarray.DataTree, lack: str) ->
 
 
 def film_maps(tree: xarray.DataTree) -> dict[str, xarray.DataTree]:
-    """Contacts with a film by their names, such as `ball01/inner`."""
+    """Contacts with a film by their names, such as `ball01/inner`.
+
+    Parameters
+    ----------
+    tree : xarray.DataTree
+        Opened results.
+
+    Returns
+    -------
+    dict[str, xarray.DataTree]
+        Groups by the name of the contact.
+    """
     leaves = tree["contacts"].leaves if "contacts" in tree.children else ()
     names = {leaf.path.removeprefix("/contacts/"): leaf for leaf in leaves}
     return {name: leaf for name, leaf in names.items() if "h" in leaf.data_vars}
 
 
 def open_contact(directory: str | Path, contact: str | None = None) -> tuple[str, xarray.Dataset]:
-    """Name and fields of one contact, `ball01/inner` or `contact`; the first with a film if None.
+    """Name and fields of one contact.
 
-    ValueError if there are no fields, or none of this name; the message names the nearest.
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    contact : str | None, optional
+        `ball01/inner` or `contact`; the first with a film if None.
+
+    Returns
+    -------
+    value
+        Name of the contact.
+    value
+        Its fields, in memory.
+
+    Raises
+    ------
+    ValueError
+        If there are no fields, or none of this name.
     """
     with open_results(directory) as tree:
         films = film_maps(tree)
@@ -46,7 +89,20 @@ def open_contact(directory: str | Path, contact: str | None = None) -> tuple[str
 
 
 def shown_nodes(data: xarray.Dataset) -> tuple[slice, slice]:
-    """Index ranges of the nodes shown of a contact's data set."""
+    """Index ranges of the nodes shown of a contact's data set.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Fields of a contact.
+
+    Returns
+    -------
+    value
+        Range along the entrainment.
+    value
+        Range across it.
+    """
     a = float(data.attrs["semi_axis_x"])
     kappa = float(data.attrs["semi_axis_y"]) / a
     half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)

@@ -29,7 +29,20 @@ WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is report
 
 
 def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
-    """What the solver says of a film but that it converged, and a wide error bar."""
+    """Remarks of the solver on a film, a wide error bar, and a difference from the film atlas.
+
+    Parameters
+    ----------
+    name : str
+        Name of the contact in messages.
+    solution : ContactSolution
+        Solved film of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     if solution.message != "converged":
         yield f"{name}: {solution.message}"
     film = solution.film_minimum_dimensionless
@@ -50,7 +63,18 @@ def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
 
 
 def contact_summary(results: ContactResults) -> dict[str, Any]:
-    """The document of a single contact in named units."""
+    """The document of a single contact in named units.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     solution = results.solution
     conditions = solution.conditions
     given = conditions if isinstance(conditions, ContactConditions) else None
@@ -105,8 +129,8 @@ def _work(solution: ContactSolution) -> dict[str, Any]:
 def _record(results: ContactResults) -> FilmRecord:
     """The film with what is derived of it; rolling needs lengths, and a film that converged."""
     solution = results.solution
-    known = solution.converged and solution.semi_axis_x is not None
-    moment = rolling_moment(solution) if known else None
+    available = solution.converged and solution.semi_axis_x is not None
+    moment = rolling_moment(solution) if available else None
     instruments = film_instruments(solution, oil_permittivity(results.case))
     return FilmRecord(
         film=solution, traction=results.traction, rolling=moment, instruments=instruments
@@ -118,9 +142,9 @@ def _dimensionless_films(solution: ContactSolution) -> dict[str, float | None]:
     values: dict[str, float | None] = {}
     for name in FILMS:
         film = getattr(solution, f"{name}_dimensionless")
-        known = solution.converged
-        values[f"{name}_dimensionless"] = film.value if known else None
-        values[f"{name}_uncertainty_dimensionless"] = film.uncertainty if known else None
+        available = solution.converged
+        values[f"{name}_dimensionless"] = film.value if available else None
+        values[f"{name}_uncertainty_dimensionless"] = film.uncertainty if available else None
     return values
 
 

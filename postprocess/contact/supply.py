@@ -31,8 +31,17 @@ OUTSIDE_MESSAGE = (
 
 
 def contact_starved_values(results: ContactResults) -> dict[str, Any]:
-    """Share of the flooded film [-] and the films left [um], solved or by the law of starvation,
-    and what the solution says of the layer; None without an inlet film.
+    """Starved films over the flooded ones [-] and in [um]; None without an inlet film.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
     """
     left = {"outlet_layer": _outlet_layer(results.solution)}
     return {**_films_left(results), **_flooded_films(results.solution), **left}
@@ -88,7 +97,18 @@ def _flooded_films(solution: ContactSolution) -> dict[str, float | None]:
 
 
 def contact_supply_messages(results: ContactResults) -> Iterator[str]:
-    """Which numbers are starved, or why none is."""
+    """Name the starved numbers, or the reason why there are none.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     solution = results.solution
     given = results.case.get("lubricant", ())
     solved = f"flooded_film_..., {', '.join(SOLVED)}"

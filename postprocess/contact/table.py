@@ -1,12 +1,11 @@
 """A single contact in the terminal."""
 
 from rich.console import Group
-from rich.text import Text
 
 from ehl import ContactSolution
 from ehl.units import GIGAPASCAL, MICROMETRE
 
-from ..table import facts_table
+from ..table import facts_table, titled
 from ..text import value_with_error
 from .response import response_row
 from .results import ContactResults
@@ -15,7 +14,18 @@ DECIMALS = 4  # of films [um]
 
 
 def contact_table(results: ContactResults) -> Group:
-    """Title, films, pressure, traction, box and work, units beside the numbers."""
+    """Title, films, pressure, traction, box and work, units beside the numbers.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     solution = results.solution
     rows = {"M, L": f"{solution.moes_load:.4g}, {solution.moes_lubricant:.4g}"}
     rows |= {f"{name} film": _film(solution, f"film_{name}") for name in ("central", "minimum")}
@@ -39,7 +49,7 @@ def contact_table(results: ContactResults) -> Group:
         rows["NOT CONVERGED"] = solution.message
     if not solution.resolved:
         rows["NOT RESOLVED"] = f"{solution.message}; take a larger [ehl] points"
-    return Group(Text(results.title, style="bold"), facts_table(rows))
+    return titled(results.title, facts_table(rows))
 
 
 def _film(solution: ContactSolution, name: str) -> str:

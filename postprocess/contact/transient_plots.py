@@ -32,13 +32,36 @@ MARGIN = 0.15  # of their span beyond them
 
 
 def write_transient_plots(results: TransientResults, directory: Path) -> tuple[str, ...]:
-    """Draw the run into the folder `plots`; a figure that failed is a message."""
+    """Draw the run into the folder `plots`; a figure that failed is a message.
+
+    Parameters
+    ----------
+    results : TransientResults
+        Results of the contact.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on figures that failed.
+    """
     draw = partial(draw_transient, solution=results.solution, title=results.title)
     return write_figures(directory, [("plots/transient", draw)])
 
 
 def draw_transient(figure: Figure, solution: TransientSolution, title: str) -> None:
-    """Film over x and time beside films and load over time, above lines along x."""
+    """Film over x and time beside films and load over time, above lines along x.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    solution : TransientSolution
+        Contact over time.
+    title : str
+        Title of the picture.
+    """
     figure.set_size_inches(PAGE_WIDTH, HEIGHT)
     figure.suptitle(title, fontsize=8.5)
     grid = figure.add_gridspec(3, 2, height_ratios=(1.0, 0.55, 1.0))
@@ -50,13 +73,35 @@ def draw_transient(figure: Figure, solution: TransientSolution, title: str) -> N
 
 
 def shown(solution: TransientSolution) -> Any:
-    """Nodes along x that are drawn."""
+    """Nodes along x that are drawn.
+
+    Parameters
+    ----------
+    solution : TransientSolution
+        Contact over time.
+
+    Returns
+    -------
+    Any
+        True at the nodes that are drawn, shape (nx,).
+    """
     a = solution.semi_axes[0]
     return (solution.x >= SHOWN_INLET * a) & (solution.x <= SHOWN_OUTLET * a)
 
 
 def film_span(solution: TransientSolution) -> tuple[float, float]:
-    """Ends of the colours of films [um], by those inside the Hertz ellipse over all times."""
+    """Ends of the colours of films [um], by those inside the Hertz ellipse over all times.
+
+    Parameters
+    ----------
+    solution : TransientSolution
+        Contact over time.
+
+    Returns
+    -------
+    tuple[float, float]
+        Lower and upper end [um].
+    """
     inside = np.abs(solution.x) < 0.9 * solution.semi_axes[0]
     films = solution.film_lines[:, inside] / MICROMETRE
     low, high = (float(value) for value in np.percentile(films, SPREAD))

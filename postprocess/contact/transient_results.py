@@ -19,5 +19,5 @@ class TransientResults(Results):
 
     @property
     def converged(self) -> bool:
-        """Whether all steps were made and solved."""
+        """True if all steps were computed and solved."""
         return self.solution.converged

@@ -18,7 +18,18 @@ FILMS = ("film_central", "film_minimum")
 
 
 def transient_summary(results: TransientResults) -> dict[str, Any]:
-    """The run as a document in named units; what does not apply is null with a message."""
+    """The run as a document in named units; what does not apply is null with a message.
+
+    Parameters
+    ----------
+    results : TransientResults
+        Results of the contact.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     solution = results.solution
     a, b = solution.semi_axes
     ny = solution.y.size * (2 if solution.symmetric else 1) - int(solution.symmetric)
@@ -78,7 +89,7 @@ def _films(results: TransientResults) -> dict[str, Any]:
 
 
 def _mesh(results: TransientResults) -> dict[str, Any]:
-    """What the mesh leaves of the films at the start [-]."""
+    """Errors of the films at the start by the mesh [-]."""
     mesh = results.solution.mesh
     return {
         "film_central_mesh_error": None if mesh is None else mesh.central,
@@ -145,7 +156,18 @@ def _messages(results: TransientResults) -> Iterator[str]:
 
 
 def transient_table(document: dict[str, Any]) -> Group:
-    """Main results for a terminal."""
+    """Main results for a terminal.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
     table = Table(title=document["case"].get("title") or None, box=None)
     table.add_column("")
     for title in ("start", "smallest", "largest", "end"):

@@ -36,8 +36,21 @@ UNITS = {  # SI units of the series in netCDF, and their keys in CSV
 def write_transient(
     results: TransientResults, directory: Path, hurried: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
-    """Write series, fields, summary and, unless `hurried`, pictures; those that failed come back
-    as messages.
+    """Write series, fields, summary and pictures.
+
+    Parameters
+    ----------
+    results : TransientResults
+        Results of the contact.
+    directory : Path
+        Folder to write into.
+    hurried : Callable[[], bool], default lambda: False
+        Once it is true no picture is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
     """
     directory.mkdir(parents=True, exist_ok=True)
     document = transient_summary(results)
@@ -56,7 +69,17 @@ def write_transient(
 def write_transient_netcdf(
     results: TransientResults, path: Path, document: dict[str, Any]
 ) -> None:
-    """Write all steps and the fields kept, SI; fields of y >= 0 where they are even in y."""
+    """Write all steps and the fields kept, SI; fields of y >= 0 where they are even in y.
+
+    Parameters
+    ----------
+    results : TransientResults
+        Results of the contact.
+    path : Path
+        File to write.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     solution = results.solution
     about: dict[str, Any] = {"units": "m"}
     variables: Variables = {

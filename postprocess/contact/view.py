@@ -53,7 +53,7 @@ class ContactView:
 
     @property
     def names(self) -> tuple[str, str]:
-        """Of the axes: rolling and transverse direction, or plain principal directions [-]."""
+        """Names of the axes: rolling and transverse direction, or plain principal directions."""
         if self.oblique:
             return "principal direction $x$", "principal direction $y$"
         return "rolling direction $x$", "transverse $y$"
@@ -67,13 +67,13 @@ class ContactView:
 
     @property
     def cut(self) -> bool:
-        """Whether the computed box ends within the window."""
+        """True if the computed box ends within the window."""
         size = self.window[1] - self.window[0]
         return not np.allclose(self.shown, self.window, rtol=0.0, atol=ROUND_OFF * size)
 
     @property
     def stretched(self) -> bool:
-        """Whether the ellipse is too long for equal axes."""
+        """True if the ellipse is too long for equal axes."""
         return max(self.half_x / self.half_y, self.half_y / self.half_x) > STRETCHED
 
     @property
@@ -97,9 +97,20 @@ class ContactView:
 def contact_view(
     solution: ContactSolution, window: tuple[float, float, float] | None = None
 ) -> ContactView:
-    """Shown part: about [-2.5, 1.5] semi-axes along the entrainment, more where pressure reaches.
+    """Part of a contact that pictures show, about [-2.5, 1.5] semi-axes along the entrainment.
 
-    Or a `window`: ends along the entrainment and half width across it [mm].
+    Parameters
+    ----------
+    solution : ContactSolution
+        Solved film of the contact.
+    window : tuple[float, float, float] | None, optional
+        First and last position along the entrainment and half width across it [mm]; chosen by the
+        pressure if None.
+
+    Returns
+    -------
+    ContactView
+        The part.
     """
     angle = solution.frame_angle
     kappa = solution.semi_axis_ratio
@@ -138,11 +149,11 @@ def contact_view(
         window=(float(x_in), float(x_out), -float(side), float(side)),
         oblique=oblique_angle(solution),
         doubt=doubt if solution.converged else "not converged",
-        **_behind_layer(solution.supply, rows, columns, h),
+        **_layer_fields(solution.supply, rows, columns, h),
     )
 
 
-def _behind_layer(
+def _layer_fields(
     supply: OilSupply | None, rows: slice, columns: slice, h: float
 ) -> dict[str, Array]:
     """Share of the gap filled, and oil left behind in the unit of films, of the part shown."""
@@ -152,7 +163,18 @@ def _behind_layer(
 
 
 def oblique_angle(solution: ContactSolution) -> float:
-    """Angle of the entrainment to the grid's x [deg], zero where it is noise."""
+    """Angle of the entrainment to the grid's x, zero where it is noise.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        Solved film of the contact.
+
+    Returns
+    -------
+    float
+        The angle [deg].
+    """
     angle = degrees(solution.conditions.entrainment_angle - solution.frame_angle)
     return angle if abs(angle) > 1e-6 else 0.0
 
@@ -166,7 +188,28 @@ def _ellipse(angle: float, kappa: float) -> Array:
 
 
 def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tuple[slice, slice]:
-    """Index ranges of the nodes that cover what is shown; lengths in one unit, as [mm]."""
+    """Index ranges of the nodes that cover what is shown; lengths in one unit, as [mm].
+
+    Parameters
+    ----------
+    X : Array
+        Nodes along the entrainment, shape (nx,) [any length].
+    Y : Array
+        Nodes across it, shape (ny,).
+    P : Array
+        Pressure, shape (nx, ny) [any unit].
+    half_x : float
+        Half extent of the Hertz ellipse along, in the unit of X.
+    half_y : float
+        Half extent across.
+
+    Returns
+    -------
+    value
+        Range along.
+    value
+        Range across.
+    """
     inlet, outlet, side = shown_ends(X, Y, P, half_x, half_y)
     return around(X, inlet, outlet), around(Y, -side, side)
 
@@ -174,7 +217,26 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
 def shown_ends(
     X: Array, Y: Array, P: Array, half_x: float, half_y: float
 ) -> tuple[float, float, float]:
-    """First and last x and half width that are shown, from the pressure; in one unit, as [mm]."""
+    """First and last x and half width that are shown, from the pressure; in one unit, as [mm].
+
+    Parameters
+    ----------
+    X : Array
+        Nodes along the entrainment, shape (nx,) [any length].
+    Y : Array
+        Nodes across it, shape (ny,).
+    P : Array
+        Pressure, shape (nx, ny) [any unit].
+    half_x : float
+        Half extent of the Hertz ellipse along, in the unit of X.
+    half_y : float
+        Half extent across.
+
+    Returns
+    -------
+    tuple[float, float, float]
+        First and last position along, and half width across.
+    """
     loud = np.greater(P, QUIET_PRESSURE * np.nanmax(P, initial=0.0))
     rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
     first = 0.0
@@ -192,5 +254,18 @@ def shown_ends(
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:
-    """Half extents of the Hertz ellipse along a grid at `angle` [rad] and across, in a [-]."""
+    """Half extents of the Hertz ellipse along a grid and across it.
+
+    Parameters
+    ----------
+    angle : float
+        Angle of the grid [rad].
+    kappa : float
+        Ratio of the semi-axes [-].
+
+    Returns
+    -------
+    tuple[float, float]
+        Half extent along, and across [a].
+    """
     return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))

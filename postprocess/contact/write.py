@@ -15,7 +15,17 @@ from .results import ContactResults
 
 
 def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str, Any]) -> None:
-    """Write input and fields as netCDF-4, as `write_bearing_netcdf`; `document` is the summary."""
+    """Write input and fields as netCDF-4, as `write_bearing_netcdf`.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+    path : Path
+        File to write.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     root = Group(attributes=root_attributes(document, "contact"))
     groups = {"/": root, "/contacts/contact": field_group(results.solution)}
     passes = pass_group(results)
@@ -23,7 +33,18 @@ def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str
 
 
 def field_group(solution: ContactSolution) -> Group:
-    """P and h over the contact plane, SI; in Moes' groups lengths in a, films in a^2/Rx."""
+    """P and h over the contact plane, SI; in Moes' groups lengths in a, films in a^2/Rx.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        Solved film of the contact.
+
+    Returns
+    -------
+    Group
+        The group.
+    """
     length, film, scale = solution.semi_axis_x, solution.film_scale, solution.hertz_pressure
     unit, film_unit = ("a", "a^2/Rx") if length is None or film is None else ("m", "m")
     a, h = length or 1.0, film or 1.0

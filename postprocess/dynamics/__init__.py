@@ -5,7 +5,6 @@ plots      - pictures of a time simulation, from its history and summary
 quantities - quantities of a time simulation and its pictures
 results    - a time simulation of one case
 speeds     - speeds and slip of cage and balls over time, from its history
-spill      - a file for HDF5 that never fails
 stored     - the history of a time simulation, read from its file
 summary    - summary of a time simulation
 table      - a time simulation in the terminal

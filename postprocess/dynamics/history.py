@@ -1,5 +1,7 @@
 """The history of a time simulation: one netCDF-4 file that grows piece by piece, SI."""
 
+import os
+from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -12,8 +14,7 @@ from bearing.dynamics.arrays import CONTACT, ContactColumns
 from bearing.dynamics.layout import Layout
 from bearing.dynamics.record import Record
 from bearing.dynamics.statistics import MECHANISMS
-
-from .spill import SpillingFile
+from bearing.files import require_room
 
 HISTORY_FILE = "history.nc"
 FORMAT = 1
@@ -22,12 +23,26 @@ CAGE_NAMES = ("x", "y", "z", "rotation", "tilt_y", "tilt_z")
 RACE_UNITS = ("N", "m", "m/s", "rad", "m/s", "m/s", "m/s", "rad/s", "N", "N", "m")
 STATES = "0 free, 1 contact, 2 impact"
 CHUNK = 128  # rows
+OVERHEAD = 2**20  # of HDF5 beside the values of a record, at most [bytes]
 KINDS = {"time": "f8", "ring_rotation": "f8", "contact_state": "i1"}  # all others in f4
 COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 1}
 
 
 def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], Any, str]]:
-    """Dimensions, values and unit of every quantity of a record, by name; SI."""
+    """Dimensions, values and unit of every quantity of a record, by name; SI.
+
+    Parameters
+    ----------
+    record : Record
+        Samples of a simulation.
+    balls : int
+        Number of balls [-].
+
+    Returns
+    -------
+    dict[str, tuple[tuple[str, ...], Any, str]]
+        Dimensions, values and unit by name.
+    """
     layout = Layout(balls)
     state = record.state
     ring, cage = ("time", "ring_coordinate"), ("time", "cage_coordinate")
@@ -62,13 +77,18 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
 
 
 class HistoryWriter:
-    """A netCDF-4 file that takes records one after the other."""
+    """A netCDF-4 file that takes records one after the other.
 
-    def __init__(self, path: Path, balls: int, attributes: dict[str, str | float]) -> None:
+    HDF5 cannot close a file of which the disk refused a part, and may end the program. The disk is
+    therefore asked for the room of a record before HDF5 writes it.
+    """
+
+    def __init__(self, path: Path, balls: int, attributes: Mapping[str, str | float]) -> None:
         self.balls = balls
         self.rows = 0
-        self._content = SpillingFile(path)
-        self.file = h5netcdf.File(self._content, "w")
+        self.path = path
+        require_room(path.parent, OVERHEAD)
+        self.file = h5netcdf.File(path, "w")
         coordinates: dict[str, tuple[str, ...] | Any] = {
             "ball": np.arange(1, balls + 1),
             "axis": ("x", "y", "z"),
@@ -93,16 +113,28 @@ class HistoryWriter:
         self._created = False
 
     def add(self, record: Record) -> None:
-        """Append the rows of a record; OSError where the disk does not take them."""
+        """Append the samples of a record.
+
+        Parameters
+        ----------
+        record : Record
+            Samples of a simulation.
+
+        Raises
+        ------
+        OSError
+            If the disk does not take them.
+        """
         m = record.time.size
         parts = {"time": (("time",), record.time, "s"), **variables(record, self.balls)}
+        row = sum(values[0].nbytes for _, values, _ in parts.values())
+        _require_growth(self.path, OVERHEAD + (m + CHUNK) * row)
         if not self._created:
             self._create(parts)
         self.file.resize_dimension("time", self.rows + m)
         for name, (_, values, _unit) in parts.items():
             self.file.variables[name][self.rows : self.rows + m] = values
         self.file.flush()
-        self._content.check()
         self.rows += m
 
     def _create(self, parts: dict[str, tuple[tuple[str, ...], Any, str]]) -> None:
@@ -117,7 +149,6 @@ class HistoryWriter:
     def close(self) -> None:
         """End the file."""
         self.file.close()
-        self._content.close()
 
     def __enter__(self) -> Self:
         return self
@@ -129,5 +160,16 @@ class HistoryWriter:
         trace: TracebackType | None,
     ) -> None:
         self.close()
-        if kind is None:
-            self._content.check()
+
+
+def _require_growth(path: Path, size: int) -> None:
+    """OSError where the disk does not let a file grow by a size [bytes]."""
+    if not hasattr(os, "posix_fallocate"):
+        require_room(path.parent, size)
+        return
+    with path.open("r+b") as file:
+        end = file.seek(0, os.SEEK_END)
+        try:
+            os.posix_fallocate(file.fileno(), end, size)
+        finally:
+            file.truncate(end)

@@ -49,8 +49,21 @@ FEWEST_SAMPLES = 8  # of the half that a spectrum is of [-]
 def write_dynamics_plots(
     directory: Path, document: dict[str, Any], hurried: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
-    """Write pictures beside the history, by it and the summary, no further ones when one is
-    `hurried`; those that failed are messages.
+    """Write the pictures of a simulation beside its history.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the history.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    hurried : Callable[[], bool], default lambda: False
+        Asked before each picture; once it is true no further one is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
     """
     with open_history(directory).load() as data:
         given = {"data": data, "document": document}
@@ -59,15 +72,23 @@ def write_dynamics_plots(
 
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Cage and balls about the axis [r/min] over time [ms], and their slip [%] over all of it and
-    over the part that is averaged.
+    """Cage and balls about the axis [r/min] over time [ms], and their slip [%].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
     """
-    found = simulated_speeds(data, document)
+    result = simulated_speeds(data, document)
     panels = _three_panels(figure, document)
     time = TIME.in_unit(data["time"].to_numpy())
     late = averaged(data)
-    orbit, cage = (SPEED.in_unit(motion.speed) for motion in (found.orbit, found.cage))
-    rolling = SPEED.in_unit(found.cage.without_slip)
+    orbit, cage = (SPEED.in_unit(motion.speed) for motion in (result.orbit, result.cage))
+    rolling = SPEED.in_unit(result.cage.without_slip)
     top = panels[0]
     _all_balls(top, time, orbit)
     top.plot(time, cage, color=CAGE_COLOUR, label="cage")
@@ -75,7 +96,7 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     top.set_ylabel(SPEED.label)
     top.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     _without_spikes(top, cage, orbit.min(axis=1), orbit.max(axis=1), rolling)
-    slips = [100.0 * motion.slip for motion in (found.orbit, found.cage)]
+    slips = [100.0 * motion.slip for motion in (result.orbit, result.cage)]
     for ax, part in zip(panels[1:], (slice(None), late), strict=True):
         balls, held = (slip[part] for slip in slips)
         _all_balls(ax, time[part], balls)
@@ -87,8 +108,16 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_spin(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Balls about their own axes [r/min] over time [ms], and what they lack of rolling [%], over
-    all of it and over the part that is averaged.
+    """Balls about their own axes [r/min] over time [ms], and their slip against rolling [%].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
     """
     spin = simulated_speeds(data, document).spin
     panels = _three_panels(figure, document)
@@ -106,8 +135,8 @@ def draw_spin(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) ->
         _all_balls(ax, time[part], slip)
         ax.axhline(0.0, color=REFERENCE, linewidth=0.6)
         _without_spikes(ax, slip.min(axis=1), slip.max(axis=1))
-    known = spin.slip[late]
-    mean = float(known.mean()) if np.isfinite(known).all() else None
+    available = spin.slip[late]
+    mean = float(available.mean()) if np.isfinite(available).all() else None
     _mean_of_part(panels, time[late], mean, "spin that balls\nlack [%]")
 
 
@@ -145,14 +174,14 @@ def _mean_of_part(panels: Any, time: Any, mean: float | None, label: str) -> Non
 
 def _without_spikes(axes: Any, *lines: Any) -> None:
     """Limits of an axis without short spikes, as at the start, and a note where some are cut."""
-    known = [line[np.isfinite(line)] for line in lines]
-    known = [line for line in known if line.size]
-    low = min(float(np.quantile(line, SPIKES)) for line in known)
-    high = max(float(np.quantile(line, 1.0 - SPIKES)) for line in known)
+    available = [line[np.isfinite(line)] for line in lines]
+    available = [line for line in available if line.size]
+    low = min(float(np.quantile(line, SPIKES)) for line in available)
+    high = max(float(np.quantile(line, 1.0 - SPIKES)) for line in available)
     margin = 0.15 * (high - low)
     if not margin > 0.0:
         return
-    least, most = (float(end([end(line) for line in known])) for end in (np.min, np.max))
+    least, most = (float(end([end(line) for line in available])) for end in (np.min, np.max))
     axes.set_ylim(max(low - margin, least - 0.3 * margin), min(high + margin, most + 0.3 * margin))
     below = least < low - margin
     above = most > high + margin
@@ -170,7 +199,17 @@ def _plain(value: float) -> str:
 
 
 def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Normal and friction force of ball 1 [N] over time [ms], the last turns of the cage."""
+    """Normal and friction force of ball 1 [N] over time [ms], the last turns of the cage.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     top, bottom = _over_time(figure, document)
     part = last_turns(data).sel(ball=1)
     time = TIME.in_unit(part["time"].to_numpy())
@@ -186,7 +225,17 @@ def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg]."""
+    """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     top, bottom = _over_time(figure, document)
     part = last_turns(data).sel(ball=1)
     azimuth = PLOTTED["azimuth_deg"].in_unit(_turned(part)) % 360.0
@@ -216,7 +265,17 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
 
 
 def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Free, contact, impact of each ball at both races over time [ms], the last turns."""
+    """Free, contact, impact of each ball at both races over time [ms], the last turns.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     axes = _over_time(figure, document, 4.2)
     data = last_turns(data)
     time = TIME.in_unit(data["time"].to_numpy())
@@ -238,7 +297,17 @@ def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Orbits of the centres of ring and cage across the axis [um]; the load line points up."""
+    """Orbits of the centres of ring and cage across the axis [um]; the load line points up.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     axes = _start(figure, document, (1, 2), 3.6)
     late = data.isel(time=slice(-ORBIT_POINTS, None))
     vertical, across = PLOTTED["y_um"], PLOTTED["z_um"]
@@ -262,12 +331,22 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Spectrum of the ring along y, or x where y is fixed [um], and defect frequencies [Hz]."""
+    """Spectrum of the ring along y, or x where y is fixed [um], and defect frequencies [Hz].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     (ax,) = _start(figure, document, (1, 1), 3.4)
     defects = document["frequencies_Hz"]["with_slip"]
     if data.sizes["time"] < 2 * FEWEST_SAMPLES:
-        told = f"fewer than {2 * FEWEST_SAMPLES} samples hold no spectrum"
-        ax.text(0.5, 0.5, told, ha="center", transform=ax.transAxes, color=REFERENCE)
+        note = f"fewer than {2 * FEWEST_SAMPLES} samples hold no spectrum"
+        ax.text(0.5, 0.5, note, ha="center", transform=ax.transAxes, color=REFERENCE)
         return
     frequency, amplitude, direction = ring_spectrum(data)
     shown = frequency <= SPECTRUM_REACH * max(defects["ball_pass_inner"], 1.0)
@@ -286,7 +365,17 @@ def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]
 
 
 def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Work put in, energy stored and lost by mechanism over time [J], and what is left over."""
+    """Work put in, energy stored and lost by mechanism over time [J], and the residual.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     top, bottom = _over_time(figure, document, 4.8, height_ratios=(3, 1))
     time = TIME.in_unit(data["time"].to_numpy())
     work = data["work"].to_numpy().astype(np.float64)
@@ -311,16 +400,39 @@ def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def last_turns(data: xarray.Dataset) -> xarray.Dataset:
-    """The end of a history: `SHOWN_TURNS` turns of ball 1, or all of it."""
+    """The end of a history: `SHOWN_TURNS` turns of ball 1, or all of it.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of a simulation, SI.
+
+    Returns
+    -------
+    xarray.Dataset
+        The end of the history.
+    """
     turned = _turned(data.sel(ball=1))
     first = int(np.searchsorted(np.abs(turned - turned[-1]) < 2.0 * np.pi * SHOWN_TURNS, True))
     return data.isel(time=slice(first, None))
 
 
 def ring_spectrum(data: xarray.Dataset) -> tuple[Any, Any, str]:
-    """Frequencies [Hz], amplitudes [m], direction of the ring in the second half; Hann window.
+    """Spectrum of the ring in the second half of a history; Hann window.
 
-    Of at least two times `FEWEST_SAMPLES`.
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of at least two times `FEWEST_SAMPLES`, SI.
+
+    Returns
+    -------
+    value
+        Frequencies, shape (n,) [Hz].
+    value
+        Amplitudes, shape (n,) [m].
+    value
+        Direction, "x" or "y".
     """
     late = data.isel(time=slice(data.sizes["time"] // 2, None))
     place = late["ring_position"]

@@ -20,7 +20,7 @@ class Motion(NamedTuple):
 
     @property
     def slip(self) -> Any:
-        """What it lacks, over the speed without sliding [-]; NaN where hardly anything turns."""
+        """Deficit over the speed without sliding [-]; NaN where hardly anything turns."""
         size = np.abs(self.without_slip)
         rolling = np.where(size > RUNNING * size.max(), self.without_slip, np.nan)
         return 1.0 - self.speed / (rolling if np.ndim(self.speed) == 1 else rolling[:, None])
@@ -35,8 +35,20 @@ class Speeds(NamedTuple):
 
 
 def simulated_speeds(data: xarray.Dataset, document: dict[str, Any]) -> Speeds:
-    """Speeds of cage and balls, beside those without sliding at the speeds of both rings and the
-    mean contact angle, weighed by the loads, of each sample, or the last one loaded.
+    """Speeds of cage and balls, and those without sliding at the mean contact angle of each
+    sample.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Speeds
+        Speeds over the samples.
     """
     cage = data["cage_velocity"].sel(cage_coordinate="rotation").to_numpy()
     orbit = orbit_speed(data)
@@ -50,7 +62,18 @@ def simulated_speeds(data: xarray.Dataset, document: dict[str, Any]) -> Speeds:
 
 
 def orbit_speed(data: xarray.Dataset) -> Any:
-    """Angular speed of each ball's centre about the axis [rad/s], shape (m, Z)."""
+    """Angular speed of each ball's centre about the axis.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of a simulation, SI.
+
+    Returns
+    -------
+    Any
+        Speed, shape (m, Z) [rad/s].
+    """
     place = data["ball_position"].to_numpy()
     speed = data["ball_velocity"].to_numpy()
     turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
@@ -58,7 +81,18 @@ def orbit_speed(data: xarray.Dataset) -> Any:
 
 
 def contact_angle(data: xarray.Dataset) -> Any:
-    """Mean contact angle of each sample, weighed by the loads [rad], shape (m,)."""
+    """Mean contact angle of each sample, weighed by the loads.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of a simulation, SI.
+
+    Returns
+    -------
+    Any
+        Angle, shape (m,) [rad]; that of the last loaded sample where no ball is loaded.
+    """
     loads = data["contact_load"].to_numpy().astype(np.float64)
     angles = angle_by_load(loads, data["contact_contact_angle"].to_numpy())
     loaded = np.flatnonzero(loads.sum(axis=(1, 2)) > 0.0)
@@ -69,8 +103,21 @@ def contact_angle(data: xarray.Dataset) -> Any:
 
 
 def ring_speeds(data: xarray.Dataset, document: dict[str, Any]) -> tuple[Any, Any]:
-    """Speeds of the inner ring, by the angle it turned, and of the outer one, by the case [rad/s],
-    both of shape (m,).
+    """Speeds of both rings over the samples.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    value
+        Speed of the inner ring by the angle that it turned, shape (m,) [rad/s].
+    value
+        Speed of the outer ring by the case, shape (m,) [rad/s].
     """
     time = data["time"].to_numpy()
     case = document["case"]
@@ -83,6 +130,17 @@ def ring_speeds(data: xarray.Dataset, document: dict[str, Any]) -> tuple[Any, An
 
 
 def averaged(data: xarray.Dataset) -> Any:
-    """Which samples the means of the summary are of, shape (m,)."""
+    """Samples over which the means of the summary are taken.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of a simulation, SI.
+
+    Returns
+    -------
+    Any
+        True at these samples, shape (m,).
+    """
     time = data["time"].to_numpy()
     return time >= (1.0 - AVERAGED_SHARE) * time[-1]

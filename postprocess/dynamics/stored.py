@@ -10,7 +10,20 @@ from .history import FORMAT, HISTORY_FILE
 def open_history(path: str | Path) -> xr.Dataset:
     """Open the history of a time simulation; quantities are read from disk when first used.
 
-    Raises ValueError if there is none, or it is not ours.
+    Parameters
+    ----------
+    path : str | Path
+        File or its folder.
+
+    Returns
+    -------
+    xr.Dataset
+        History, SI.
+
+    Raises
+    ------
+    ValueError
+        If there is no history, or one that this version does not read.
     """
     path = Path(path)
     path = path / HISTORY_FILE if path.is_dir() else path

@@ -32,6 +32,16 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
     """The simulation as plain JSON: speeds [r/min], energies [J], loads [N], times [s].
 
     What does not apply is None with the reason in `messages`.
+
+    Parameters
+    ----------
+    results : DynamicsResults
+        Results of the simulation.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
     """
     simulation = results.simulation
     numbers = simulation_statistics(simulation, results.running)

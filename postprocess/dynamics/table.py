@@ -3,9 +3,8 @@
 from typing import Any
 
 from rich.console import Group
-from rich.text import Text
 
-from ..table import facts_table, number_table
+from ..table import facts_table, number_table, titled
 from .quantities import STATES
 
 HEADERS = ("ball", *STATES, "N", *STATES, "N")
@@ -13,7 +12,18 @@ TITLE = "share of the time at the inner race, and at the outer race; largest loa
 
 
 def dynamics_table(document: dict[str, Any]) -> Group:
-    """A summary: speeds [r/min], energies [J], contact states [-] and largest loads [N]."""
+    """A summary: speeds [r/min], energies [J], contact states [-] and largest loads [N].
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
     rows = []
     for ball in document["balls"]:
         cells = [str(ball["ball"])]
@@ -22,8 +32,7 @@ def dynamics_table(document: dict[str, Any]) -> Group:
             cells.append(f"{ball[race]['largest_load_N']:.3g}")
         rows.append(cells)
     states = number_table(HEADERS, rows, title=TITLE, title_style="")
-    title = Text(str(document["case"].get("title", "")), style="bold")
-    return Group(title, facts_table(_facts(document)), states)
+    return titled(str(document["case"].get("title", "")), facts_table(_facts(document)), states)
 
 
 def _facts(document: dict[str, Any]) -> dict[str, str]:

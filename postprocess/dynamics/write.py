@@ -14,8 +14,21 @@ from .summary import dynamics_summary
 def write_dynamics(
     results: DynamicsResults, directory: Path, hurried: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
-    """Write summary, history and, unless `hurried`, pictures; those that failed come back as
-    messages.
+    """Write summary, history and pictures.
+
+    Parameters
+    ----------
+    results : DynamicsResults
+        Results of the simulation.
+    directory : Path
+        Folder to write into.
+    hurried : Callable[[], bool], default lambda: False
+        Asked before each picture; once it is true no further one is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
     """
     directory.mkdir(parents=True, exist_ok=True)
     document = dynamics_summary(results)

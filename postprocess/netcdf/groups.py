@@ -1,11 +1,11 @@
-"""netCDF-4 files of results, written and opened as `reader` reads them, without xarray.
+"""netCDF-4 files of results, written as `reader` reads them, without xarray.
 
 Loading xarray and its libraries takes longer than writing the fields of a bearing.
 """
 
 import io
 import json
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Container, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -18,9 +18,9 @@ from bearing.files import atomic_path, require_room, write_bytes
 
 # dimensions, values, attributes by name
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
-# of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
+# format of the file, raised when an older reader would misread it; 1: x along the entrainment
 FORMAT = 2
-ROOM = 24  # of a value that comes in parts, short texts included [bytes]
+VALUE_BYTES = 24  # of a value that comes in parts, short texts included [bytes]
 MARGIN = 2**20  # of what HDF5 adds to the values [bytes]
 FIELDS_FILE = "results.nc"
 FIELDS = ("P", "h", "T", "filled")  # over the plane of a contact, as float32
@@ -38,15 +38,43 @@ class Group:
 def write_dataset(
     variables: Variables, attributes: dict[str, Any], path: Path, coordinates: Collection[str] = ()
 ) -> None:
-    """Write a file of one group; coordinates are those of `Group` and of `coordinates`."""
-    named = " ".join(name for name in coordinates if name in variables)
-    known = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
-    write_groups({"/": Group(variables=variables, attributes=attributes | known)}, path)
+    """Write a netCDF-4 file of one group.
+
+    Parameters
+    ----------
+    variables : Variables
+        Dimensions, values and attributes of each variable by name.
+    attributes : dict[str, Any]
+        Attributes of the file.
+    path : Path
+        File to write.
+    coordinates : Collection[str], default ()
+        Names of variables that are coordinates beside those named as their dimension.
+    """
+    head = _head(attributes, coordinates, variables)
+    write_groups({"/": Group(variables=variables, attributes=head)}, path)
+
+
+def _head(
+    attributes: dict[str, Any], coordinates: Iterable[str], names: Container[str]
+) -> dict[str, Any]:
+    """Attributes of a file with its format and its coordinates."""
+    listed = " ".join(name for name in coordinates if name in names)
+    form = {"oilfilm_format": FORMAT}
+    return attributes | form | ({"coordinates": listed} if listed else {})
 
 
 def write_groups(groups: dict[str, Group], path: Path) -> None:
-    """Write the groups of one file by their paths, parents first."""
-    content = io.BytesIO()  # what HDF5 cannot write to a full disk may end the program
+    """Write the groups of one file by their paths, parents first.
+
+    Parameters
+    ----------
+    groups : dict[str, Group]
+        Groups by their paths, parents first.
+    path : Path
+        File to write.
+    """
+    content = io.BytesIO()  # HDF5 may end the program on a full disk
     with h5netcdf.File(content, "w") as file:
         for name, group in groups.items():
             _write_group(file if name == "/" else file.create_group(name), group)
@@ -77,25 +105,37 @@ def write_dataset_in_parts(
 ) -> None:
     """Write a file of one group, as `write_dataset`, whose large variables come in parts.
 
-    OSError before anything is written where the disk has no room for them.
+    Parameters
+    ----------
+    parts : DatasetParts
+        Variables that come in parts.
+    variables : Variables
+        Variables that are in memory.
+    attributes : dict[str, Any]
+        Attributes of the file.
+    path : Path
+        File to write.
+    coordinates : Collection[str], default ()
+        Names of coordinates among the parts.
+
+    Raises
+    ------
+    OSError
+        Before anything is written, if the disk has no room.
     """
-    named = " ".join(name for name in coordinates if name in parts.types)
-    known = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
     sizes = {d: n for v in variables.values() for d, n in zip(v[0], np.shape(v[1]), strict=True)}
     scales = {name: variable for name, variable in variables.items() if name in sizes}
-    plain = Group(variables=scales, attributes=attributes | known)
+    others = {name: variable for name, variable in variables.items() if name not in scales}
+    plain = Group(variables=scales, attributes=_head(attributes, coordinates, parts.types))
     with atomic_path(path) as temporary:
-        # what HDF5 cannot write to a full disk may end the program
-        require_room(path.parent, ROOM * parts.size * len(parts.types) + _bytes(variables))
+        # HDF5 may end the program on a full disk
+        require_room(path.parent, VALUE_BYTES * parts.size * len(parts.types) + _bytes(variables))
         with h5netcdf.File(temporary, "w") as file:
             file.dimensions.update(sizes | {parts.dimension: parts.size})
             _write_group(file, plain)
-            if parts.dimension in parts.types:
-                file.create_variable(
-                    parts.dimension, (parts.dimension,), dtype=parts.types[parts.dimension]
-                )
-        with h5py.File(temporary, "r+") as file:
-            _add_variables(file, {n: v for n, v in variables.items() if n not in scales}, parts)
+            _create(file, parts, lambda name: name == parts.dimension)
+            _write_group(file, Group(variables=others))
+            _create(file, parts, lambda name: name != parts.dimension)
             start = 0
             for part in parts.values:
                 stop = start + len(next(iter(part.values())))
@@ -104,35 +144,13 @@ def write_dataset_in_parts(
                 start = stop
 
 
-def _add_variables(file: h5py.File, variables: Variables, parts: DatasetParts) -> None:
-    """Add variables to a file whose dimensions stand, and those of `parts` without values, in the
-    form of netCDF-4: h5netcdf takes four times as long for each.
-    """
-    for name, (dimensions, values, attributes) in variables.items():
-        array = np.asarray(values)
-        kind = h5py.string_dtype() if array.dtype.kind in "UO" else array.dtype
-        dataset = file.create_dataset(name, dtype=kind, data=array, track_order=True)
-        _in_netcdf(file, dataset, dimensions, attributes)
-    for name, own in parts.types.items():
-        form: Any = h5py.string_dtype() if own is object else np.dtype(own)
-        attributes = parts.attributes.get(name, {})
-        if name == parts.dimension:
-            file[name].attrs.update(attributes)
-            continue
-        dataset = file.create_dataset(name, (parts.size,), dtype=form, track_order=True)
-        _in_netcdf(file, dataset, (parts.dimension,), attributes)
-
-
-def _in_netcdf(
-    file: h5py.File, dataset: h5py.Dataset, dimensions: tuple[str, ...], attributes: dict[str, Any]
-) -> None:
-    """Give a dataset its dimensions as netCDF-4 does, by scales and their numbers."""
-    numbers = [file[name].attrs["_Netcdf4Dimid"] for name in dimensions]
-    for axis, name in enumerate(dimensions):
-        dataset.dims[axis].attach_scale(file[name])
-    dataset.attrs["_Netcdf4Coordinates"] = np.array(numbers, dtype="int32")
-    dataset.attrs["_Netcdf4Dimid"] = numbers[0]
-    dataset.attrs.update(attributes)
+def _create(file: h5netcdf.File, parts: DatasetParts, chosen: Callable[[str], bool]) -> None:
+    """Create variables that come in parts, without values."""
+    for name in filter(chosen, parts.types):
+        kind = parts.types[name]
+        form: Any = h5py.string_dtype() if kind is object else kind
+        variable = file.create_variable(name, (parts.dimension,), dtype=form)
+        variable.attrs.update(parts.attributes.get(name, {}))
 
 
 def _bytes(variables: Variables) -> int:
@@ -169,7 +187,20 @@ def _write_variable(
 
 
 def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
-    """Attributes of every file, from a summary: version, format, kind, input, messages."""
+    """Attributes of every file, from a summary: version, format, kind, input, messages.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+    kind : str
+        Kind of the results, such as "bearing".
+
+    Returns
+    -------
+    dict[str, Any]
+        Attributes of the root group.
+    """
     case = document["case"]
     return {
         "title": str(case.get("title", "")),
@@ -181,46 +212,3 @@ def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
         "case": json.dumps(case, ensure_ascii=False),
         "messages": json.dumps(document["messages"], ensure_ascii=False),
     }
-
-
-class _OpenedOnce(h5py.File):
-    """An HDF5 file for reading that keeps what it has opened, by its path.
-
-    h5netcdf (1.8) opens a dataset anew for each of its properties, and xarray asks for 17 of each
-    variable: results of 189 variables are open in half the time.
-    """
-
-    def __init__(self, path: Path) -> None:
-        self._opened: dict[str, Any] = {}
-        super().__init__(path, "r")
-
-    def __getitem__(self, name: Any) -> Any:
-        """The group or dataset at a path, or that a reference leads to."""
-        if not isinstance(name, str):
-            return super().__getitem__(name)
-        if name not in self._opened:
-            self._opened[name] = super().__getitem__(name)
-        return self._opened[name]
-
-
-class _Groups(h5netcdf.File):
-    """The groups of a file that is opened once, and closed with them."""
-
-    def __init__(self, opened: _OpenedOnce) -> None:
-        self._opened_once = opened
-        super().__init__(opened, "r", decode_vlen_strings=True)
-
-    def close(self) -> None:
-        """Close the groups and their file."""
-        super().close()
-        self._opened_once.close()
-
-
-def open_file(path: Path) -> h5netcdf.File:
-    """A netCDF-4 file to read, open until it is closed or nothing refers to it any more.
-
-    Files that cannot be opened are closed without a complaint: h5netcdf (1.8) asks for
-    `_writable` when it closes a file, and sets it late in its opening.
-    """
-    h5netcdf.File._writable = False
-    return _Groups(_OpenedOnce(path))

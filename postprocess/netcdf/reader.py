@@ -3,20 +3,17 @@ transient, dynamics.
 """
 
 import json
-from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import xarray
-from xarray.backends import H5NetCDFStore
 
 from ..dynamics.history import FORMAT as HISTORY_FORMAT
 from ..dynamics.history import HISTORY_FILE
 from ..files import SUMMARY_FILE
-from .groups import FIELDS_FILE, FORMAT, open_file
+from .groups import FIELDS_FILE, FORMAT
 
-# that a file names
+# kinds of results, as a file names them
 KINDS = (
     "bearing",
     "contact",
@@ -36,7 +33,21 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     SI, but for batches, whose variables name their units; fields are read from disk when they are
     first used. `tree.attrs` has the `kind`, the program's version (`oilfilm`) and the input as
     JSON (`case`); groups of a bearing as in `write_bearing_netcdf`. Close it when done.
-    ValueError without results, or if the file is damaged, not ours, or of a newer program.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results or their netCDF file.
+
+    Returns
+    -------
+    xarray.DataTree
+        Groups of the file; to be closed.
+
+    Raises
+    ------
+    ValueError
+        Without results, or if the file is damaged, not of oilfilm, or of a newer program.
     """
     path = _data_file(Path(directory))
     tree = _open_tree(path)
@@ -45,7 +56,7 @@ def open_results(directory: str | Path) -> xarray.DataTree:
         tree.close()
         raise ValueError(f"{path} {problem}")
     if "oilfilm_history" in tree.attrs:
-        return _of_simulation(tree, path)
+        return _with_summary(tree, path)
     return _upgraded(tree)
 
 
@@ -66,26 +77,12 @@ def _data_file(path: Path) -> Path:
 def _open_tree(path: Path) -> xarray.DataTree:
     """The groups of a netCDF-4 file, read when they are used; ValueError if it is damaged."""
     try:
-        groups = open_file(path)
-        with ExitStack() as failed:
-            failed.callback(groups.close)
-            tree = xarray.DataTree.from_dict(_datasets(groups))
-            failed.pop_all()
-        tree.set_close(groups.close)
-        return tree
+        return xarray.open_datatree(path, engine="h5netcdf")
     except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:
         raise ValueError(f"{path} is damaged or not a netCDF-4 file: {error}") from error
 
 
-def _datasets(group: Any, path: str = "/") -> dict[str, xarray.Dataset]:
-    """A group and those below it, by their paths."""
-    found = {path: xarray.open_dataset(H5NetCDFStore(group))}
-    for name, below in group.groups.items():
-        found |= _datasets(below, f"{path.rstrip('/')}/{name}")
-    return found
-
-
-def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
+def _with_summary(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
     """A history with what its summary says; without one the simulation was not finished."""
     tree.attrs["kind"] = "dynamics"
     try:
@@ -101,7 +98,7 @@ def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
 
 
 def _upgraded(tree: xarray.DataTree) -> xarray.DataTree:
-    """What an older format left out: in format 1 the grid's x lies along the entrainment."""
+    """Add what an older format left out: in format 1 the grid's x lies along the entrainment."""
     for node in tree.subtree if tree.attrs["oilfilm_format"] < FORMAT else ():
         if "entrainment_angle" in node.attrs:
             node.attrs.setdefault("frame_angle", node.attrs["entrainment_angle"])
@@ -112,10 +109,10 @@ def _foreign(tree: xarray.DataTree) -> str:
     """Say why the file is not one that this version reads; empty if it is."""
     history = "oilfilm_history" in tree.attrs
     written = tree.attrs.get("oilfilm_history" if history else "oilfilm_format")
-    known = HISTORY_FORMAT if history else FORMAT
+    available = HISTORY_FORMAT if history else FORMAT
     if not isinstance(written, (int, np.integer)):
         return FOREIGN
-    if written > known:
+    if written > available:
         by = f"was written by oilfilm {tree.attrs.get('oilfilm', 'newer')} in format {written}"
-        return f"{by}; this version reads formats up to {known}"
+        return f"{by}; this version reads formats up to {available}"
     return "" if history or tree.attrs.get("kind") in KINDS else FOREIGN

@@ -24,7 +24,22 @@ class StudyFiles:
 
 
 def write_study(files: StudyFiles, folder: Path, draw: Callable[[], object]) -> tuple[str, ...]:
-    """Write pictures, tables, data set, last the summary; pictures that failed are messages."""
+    """Write pictures, tables, data set, last the summary; pictures that failed are messages.
+
+    Parameters
+    ----------
+    files : StudyFiles
+        Summary, tables and data set.
+    folder : Path
+        Folder to write into.
+    draw : Callable[[], object]
+        Writes the pictures.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     problems = attempt("plots", draw)
     for name, (header, rows) in files.tables.items():

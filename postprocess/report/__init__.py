@@ -7,8 +7,7 @@ torque   - part of the page on the friction torque
 vibration - part of the page on vibration
 dynamics - part of the page on a time simulation
 batch    - parts of the page of a batch
-html     - tables, facts, pictures and numbers as HTML
-svg      - bar charts as SVG
+html     - values as text of HTML, and the templates that hold the markup
 plots_pdf    - the numbers and pictures of a result folder as pages of a PDF
 spreadsheet  - all numbers of a result folder as one workbook
 """

@@ -1,9 +1,10 @@
 """Parts of the page of a batch."""
 
 from collections.abc import Iterator
-from html import escape
 from pathlib import Path
 from typing import Any
+
+from markupsafe import Markup
 
 from ehl.units import unit_symbol
 
@@ -31,17 +32,28 @@ BANDS = {
 
 
 def cards(summary: dict[str, Any]) -> str:
-    """How many points there are, and the ends of the main results."""
+    """How many points there are, and the ends of the main results.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     points = summary["points"] or []
-    entries = [html.card("points", str(_count(summary)))]
+    entries = [("points", str(_count(summary)), "")]
     if summary["failed"]:
-        entries.append(html.card("without a result", str(summary["failed"])))
+        entries.append(("without a result", str(summary["failed"]), ""))
     for key, name in (("film_minimum_um", "minimum film"), ("torque_N_mm", "torque")):
         values = [point[key] for point in points if point.get(key) is not None]
         if values:
-            ends = f"{html.number(min(values), 4)} … {html.number(max(values), 4)}"
-            entries.append(html.card(name, ends, unit_symbol(key)))
-    return html.side_by_side(*entries, kind="cards")
+            low, high = (html.number(end, 4) for end in (min(values), max(values)))
+            entries.append((name, Markup("{} … {}").format(low, high), unit_symbol(key)))
+    return html.render("pieces", "cards", entries)
 
 
 def _count(summary: dict[str, Any]) -> int:
@@ -50,32 +62,49 @@ def _count(summary: dict[str, Any]) -> int:
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
-    """Anchor, title and content of every part."""
+    """Anchor, title and content of every part.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Yields
+    ------
+    Iterator[tuple[str, str, str]]
+        Anchor, title and content of a part.
+    """
     pictures = [
         html.picture(path, path.stem.replace("_", " ").capitalize(), wide=True)
         for path in sorted(folder.glob("plots/*.png"))
     ]
-    yield "input", "Sweep", _sweep(summary)
-    yield "plots", "Results over the keys", "".join(pictures)
-    yield "sensitivity", "What uncertain input does", _uncertainty(summary)
-    yield "points", "Points", _points(summary)
+    numbers = {"case": summary["case"], "keys": summary["keys"], "points": _count(summary)}
+    if summary.get("assumed"):
+        numbers["assumed in the case"] = summary["assumed"]
+    sweep = html.render("batch", "sweep", html.facts("", numbers), str(summary.get("sweep", "")))
+    yield "input", "Sweep", sweep
+    yield "plots", "Results over the keys", Markup().join(pictures)
+    yield "sensitivity", "What uncertain input does", uncertainty(summary)
+    yield "points", "Points", listed_points(summary)
     yield "notes", "Notes", html.notes(summary["messages"])
     yield "versions", "Versions and times", html.versions(summary)
 
 
-def _sweep(summary: dict[str, Any]) -> str:
-    """The sweep file as run, and the keys that the case marks assumed."""
-    numbers = {"case": summary["case"], "keys": summary["keys"], "points": _count(summary)}
-    if summary.get("assumed"):
-        numbers["assumed in the case"] = summary["assumed"]
-    source = f'<pre class="small scroll">{escape(str(summary.get("sweep", "")))}</pre>'
-    return html.side_by_side(html.facts("", numbers), kind="facts single") + html.unfolding(
-        "The sweep file", source, "open"
-    )
+def listed_points(summary: dict[str, Any]) -> str:
+    """One line for each point: varied keys, main results, state; nothing of a batch too large.
 
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
 
-def _points(summary: dict[str, Any]) -> str:
-    """One line for each point: varied keys, main results, state; nothing of a batch too large."""
+    Returns
+    -------
+    str
+        Markup.
+    """
     points = summary["points"] or []
     if not points:
         return ""
@@ -99,75 +128,85 @@ def _points(summary: dict[str, Any]) -> str:
         cells = [str(point["point"]), *(html.text(point["keys"].get(key)) for key in keys)]
         cells += [html.result(point, name) for name in names]
         state = "" if point["converged"] else "not converged"
-        cells.append(state if point["status"] == "done" else escape(point["status"]))
+        cells.append(state if point["status"] == "done" else point["status"])
         rows.append(("" if point["converged"] else "off", cells))
-    more = len(points) - MAX_ROWS
-    listing = html.table(head, rows, (len(head) - 1,))
-    return listing + (f"<p>{more} more points are in batch.csv.</p>" if more > 0 else "")
+    table = html.Table(head, rows, (len(head) - 1,))
+    return html.render("batch", "points", table, len(points) - MAX_ROWS)
 
 
-def _uncertainty(summary: dict[str, Any]) -> str:
-    """Differences, bands and indices, as far as there are any."""
-    parts = (_sensitivity(summary), _bands(summary), _sobol(summary), _morris(summary))
-    return "".join(parts)
+def uncertainty(summary: dict[str, Any]) -> str:
+    """Differences, bands and indices, as far as there are any.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
+    others = (_bands(summary), _sobol(summary), _morris(summary))
+    return html.render("batch", "uncertainty", _sensitivity(summary), others)
 
 
-def _sobol(summary: dict[str, Any]) -> str:
+def _named(name: str) -> str:
+    """A result in words, its unit in brackets."""
+    return f"{html.name_text(name)} [{unit_symbol(name) or '–'}]"
+
+
+def _titles(*titles: str) -> list[tuple[str, str]]:
+    """Heads of columns without units."""
+    return [(title, "") for title in titles]
+
+
+def _sobol(summary: dict[str, Any]) -> tuple[str, html.Table | None]:
     """Sobol indices with their intervals, a line for each result and key."""
     block = summary.get("sobol_indices") or {}
-    rows = []
-    for name, keys in block.get("results", {}).items():
-        if not isinstance(keys, dict):
-            continue
-        for key, row in keys.items():
-            ends = [
-                f"{_index(row[f'{own}_low'])} … {_index(row[f'{own}_high'])}" for own in INDICES
-            ]
-            first, total = (_index(row[own]) for own in INDICES)
-            cells = [html.name_text(name), escape(key), first, ends[0], total, ends[1]]
-            rows.append(("", cells))
-    if not rows:
-        return ""
+    rows = [
+        ("", [html.name_text(name), key, *(cell for own in INDICES for cell in _index(row, own))])
+        for name, keys in block.get("results", {}).items()
+        if isinstance(keys, dict)
+        for key, row in keys.items()
+    ]
     titles = ("", "key", "first index", "95 % interval", "total index", "95 % interval")
-    head = f"<h3>Sobol indices from {block['points']} points</h3>"
-    return head + html.table([(title, "") for title in titles], rows, (0, 1))
+    title = f"Sobol indices from {block.get('points')} points"
+    return title, html.Table(_titles(*titles), rows, (0, 1)) if rows else None
 
 
-def _index(value: float | None) -> str:
-    return html.NOTHING if value is None else html.number(value, 2)
+def _index(row: dict[str, Any], name: str) -> tuple[str, str]:
+    """An index and the ends of its interval."""
+    value, low, high = (
+        html.NOTHING if row[key] is None else html.number(row[key], 2)
+        for key in (name, f"{name}_low", f"{name}_high")
+    )
+    return value, Markup("{} … {}").format(low, high)
 
 
-def _morris(summary: dict[str, Any]) -> str:
+def _morris(summary: dict[str, Any]) -> tuple[str, html.Table | None]:
     """Morris' effects, a line for each result and key."""
     block = summary.get("morris") or {}
-    rows = []
-    for name, keys in block.get("results", {}).items():
-        for key, row in keys.items():
-            if key != "trajectories":
-                numbers = [html.number(row[own], 3) for own in EFFECTS.values()]
-                title = f"{html.name_text(name)} [{unit_symbol(name) or '–'}]"
-                rows.append(("", [title, escape(key), *numbers]))
-    if not rows:
-        return ""
-    head = f"<h3>Morris' effects over the ranges, {block['trajectories']} trajectories</h3>"
-    return head + html.table([(title, "") for title in ("", "key", *EFFECTS)], rows, (0, 1))
+    rows = [
+        ("", [_named(name), key, *(html.number(row[own], 3) for own in EFFECTS.values())])
+        for name, keys in block.get("results", {}).items()
+        for key, row in keys.items()
+        if key != "trajectories"
+    ]
+    title = f"Morris' effects over the ranges, {block.get('trajectories')} trajectories"
+    return title, html.Table(_titles("", "key", *EFFECTS), rows, (0, 1)) if rows else None
 
 
-def _sensitivity(summary: dict[str, Any]) -> str:
+def _sensitivity(summary: dict[str, Any]) -> html.Table | None:
     """Logarithmic sensitivities, key by key."""
     rows = summary.get("sensitivity") or []
-    if not rows:
-        return ""
     names = list(dict.fromkeys(name for row in rows for name in row["results"]))
     lines = []
     for row in rows:
         cells = [_sensitivity_cell(row["results"].get(name)) for name in names]
-        lines.append(("", [escape(row["key"]), html.text(row["value"]), *cells]))
-    head = [("key", ""), ("value", ""), *((html.name_text(name), "") for name in names)]
-    return html.table(head, lines, (0,)) + html.note(
-        "Percent by which a result changes for one percent of the key, by finite differences; "
-        "~: within the error bars."
-    )
+        lines.append(("", [row["key"], html.text(row["value"]), *cells]))
+    head = _titles("key", "value", *map(html.name_text, names))
+    return html.Table(head, lines, (0,)) if rows else None
 
 
 def _sensitivity_cell(cell: dict[str, Any] | None) -> str:
@@ -176,15 +215,13 @@ def _sensitivity_cell(cell: dict[str, Any] | None) -> str:
     return html.number(cell["sensitivity"], 3) + (" ~" if cell["resolved"] is False else "")
 
 
-def _bands(summary: dict[str, Any]) -> str:
+def _bands(summary: dict[str, Any]) -> tuple[str, html.Table | None]:
     """Quantiles over the sampled points."""
     bands = summary.get("bands") or {}
-    if not bands:
-        return ""
-    rows = []
-    for key, band in bands.items():
-        name = f"{html.name_text(key)} [{unit_symbol(key) or '–'}]"
-        rows.append(("", [name, *(html.number(band[part], 4) for part in BANDS.values())]))
-    count = max(band["points"] for band in bands.values())
-    head = [("", ""), *((title, "") for title in BANDS)]
-    return f"<h3>Bands over {count} sampled points</h3>" + html.table(head, rows, (0,))
+    rows = [
+        ("", [_named(key), *(html.number(band[own], 4) for own in BANDS.values())])
+        for key, band in bands.items()
+    ]
+    count = max((band["points"] for band in bands.values()), default=0)
+    title = f"Bands over {count} sampled points"
+    return title, html.Table(_titles("", *BANDS), rows, (0,)) if rows else None

@@ -1,9 +1,10 @@
 """Parts of the page of a bearing or a single contact."""
 
 from collections.abc import Iterator
-from html import escape
 from pathlib import Path
 from typing import Any
+
+from markupsafe import Markup
 
 from ehl.units import unit_symbol
 
@@ -20,7 +21,7 @@ PLACED = frozenset(
     "rows vibration".split()
 )
 # input among the results of a rating
-GIVEN = {"nominal_contact_angle_deg", "contamination_factor"}
+INPUT_KEYS = {"nominal_contact_angle_deg", "contamination_factor"}
 TILTS = {"ty": "tilt y", "tz": "tilt z"}
 WHOLE_PERCENT = 10.0  # from which on an error has no decimals
 TOP = ("schema_version", "title", "source", "assumed")
@@ -28,10 +29,7 @@ FILM_PICTURES = {
     "film_per_azimuth": "Film thickness ball by ball, both races",
     "pressure_per_azimuth": "Pressure ball by ball, both races",
 }
-ERROR_BARS = (
-    "Error bars enclose the distance to the film on an infinitely fine grid of the same equations."
-)
-# where a film is of that was not solved
+# origin of a film that was not solved
 UNSOLVED = {"atlas": "of the film atlas", "formula": "of a formula"}
 BLOCKS = {
     "life": "Rating life",
@@ -40,7 +38,7 @@ BLOCKS = {
     "frequencies_Hz": "Frequencies [Hz]",
     "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
 }
-# of the keys of blocks, as people call them
+# names of the keys of blocks, as people call them
 NAMES = {
     block: {row.key: row.name for row in rows}
     for block, rows in (
@@ -52,12 +50,21 @@ NAMES = {
 
 
 def input_tables(case: dict[str, Any]) -> str:
-    """Every table of the case as run; what the case marks as assumed stands out."""
+    """Every table of the case as run; assumed values are marked.
+
+    Parameters
+    ----------
+    case : dict[str, Any]
+        Case as run, plain JSON.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     assumed = frozenset(str(key) for key in case.get("assumed", ())) | estimated_keys(case)
     blocks = [html.facts(title, values, assumed, path) for title, values, path in _tables(case)]
-    legend = '<span class="mark">*</span> assumed or estimated: no source gives this value'
-    legend = f'<p class="small">{legend}</p>' if assumed else ""
-    return legend + (html.side_by_side(*blocks) or '<div class="facts"></div>')
+    return html.render("bearing", "input", blocks, bool(assumed))
 
 
 def _tables(case: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], str]]:
@@ -78,7 +85,20 @@ def _tables(case: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], str]]:
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
-    """Anchor, title and content of the parts that a bearing or a contact has."""
+    """Anchor, title and content of the parts that a bearing or a contact has.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Yields
+    ------
+    Iterator[tuple[str, str, str]]
+        Anchor, title and content of a part.
+    """
     plots = folder / "plots"
     if "contacts" in summary:
         yield "loads", "Load zone and equilibrium", _loads(summary, plots)
@@ -90,11 +110,11 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
     blocks = []
     for key, title in BLOCKS.items():
         # the notes say why a value is null
-        known = {
+        available = {
             name: value for name, value in (summary.get(key) or {}).items() if value is not None
         }
-        if known.keys() - GIVEN:
-            blocks.append(html.facts(title, known, names=NAMES.get(key)))
+        if available.keys() - INPUT_KEYS:
+            blocks.append(html.facts(title, available, names=NAMES.get(key)))
     yield "life", "Life, clearance, frequencies", html.side_by_side(*blocks)
     yield "convergence", "Convergence and uncertainty", _convergence(summary)
 
@@ -103,47 +123,41 @@ def _loads(summary: dict[str, Any], plots: Path) -> str:
     ring = summary.get("ring") or {}
     numbers = {key: html.vector(value) for key, value in ring.items() if key != "stiffness"}
     numbers["cage_speed_rpm"] = summary.get("cage_speed_rpm")
-    blocks = html.side_by_side(html.facts("Inner ring", numbers))
-    blocks += _stiffness(ring.get("stiffness") or {}) + _balls(summary.get("balls") or [])
-    zone = html.picture(plots / "load_zone.png", "Contact loads around the bearing")
-    return html.side_by_side(zone, f"<div>{blocks}</div>", kind="pair") if zone else blocks
+    return html.render(
+        "bearing",
+        "loads",
+        html.picture(plots / "load_zone.png", "Contact loads around the bearing"),
+        html.facts("Inner ring", numbers),
+        _stiffness(ring.get("stiffness") or {}),
+        _balls(summary.get("balls") or []),
+    )
 
 
-def _stiffness(stiffness: dict[str, Any]) -> str:
+def _stiffness(stiffness: dict[str, Any]) -> html.Table | None:
     matrix = stiffness.get("matrix")
-    order = stiffness.get("order")
+    order = [TILTS.get(name, name) for name in stiffness.get("order") or ()]
     if not matrix or not order:
-        return ""
+        return None
     level = html.ROUND_OFF * max(abs(value) for row in matrix for value in row)
-    order = [TILTS.get(name, name) for name in order]
     rows = []
     for name, row in zip(order, matrix, strict=True):
         cells = [html.number(0.0 if abs(value) < level else value, 3) for value in row]
-        rows.append(("", [escape(name), *cells]))
-    head = [("", ""), *((escape(name), "") for name in order)]
-    legend = html.note("d(load)/d(displacement): N/m, N/rad; moments N m/m, N m/rad")
-    return f"<h3>Stiffness</h3>{html.table(head, rows, (0,))}{legend}"
+        rows.append(("", [name, *cells]))
+    return html.Table([("", ""), *((name, "") for name in order)], rows, (0,))
 
 
-def _balls(balls: list[dict[str, Any]]) -> str:
+def _balls(balls: list[dict[str, Any]]) -> html.Table | None:
     keys = [
         key
         for key in (balls[0] if balls else ())
         if any(isinstance(ball.get(key), int | float) for ball in balls)
     ]
-    if not keys:
-        return ""
-    rows = [
-        (
-            "",
-            [
-                html.figure(v) if isinstance(v, float) else html.text(v)
-                for v in map(ball.get, keys)
-            ],
-        )
-        for ball in balls
-    ]
-    return html.unfolding("Balls", html.table(html.key_head(keys), rows))
+    rows = []
+    for ball in balls:
+        values = [ball.get(key) for key in keys]
+        cells = [html.figure(v) if isinstance(v, float) else html.text(v) for v in values]
+        rows.append(("", cells))
+    return html.Table(html.key_head(keys), rows) if keys else None
 
 
 def _contacts(contacts: list[dict[str, Any]]) -> str:
@@ -159,21 +173,30 @@ def _contacts(contacts: list[dict[str, Any]]) -> str:
         state = "" if contact.get("converged") in (None, True) else " !"
         state += "" if contact.get("resolved") in (None, True) else " ?"
         azimuth = html.number(contact["azimuth_deg"] % 360.0, 5)
-        cells = [f"{contact['ball']}{state}", azimuth, escape(contact["race"])]
+        cells = [f"{contact['ball']}{state}", azimuth, contact["race"]]
         cells += [html.result(contact, key) for key in keys]
         rows.append(("" if contact.get("loaded") else "off", cells))
-    return html.table(head, rows, (2,)) + html.note(
-        "grey: unloaded; !: not converged; ?: film not resolved. All columns are in contacts.csv."
-    )
+    return html.render("bearing", "contacts", html.Table(head, rows, (2,)))
 
 
 def _column_title(key: str) -> str:
     quantity = CONTACT_QUANTITY[key]
-    return escape(quantity.short or quantity.title).replace("\N{SOFT HYPHEN}", "&shy;")
+    return quantity.short or quantity.title
 
 
 def known_pictures(summary: dict[str, Any]) -> set[str]:
-    """Names of the pictures that the parts of the page place themselves."""
+    """Names of the pictures that the parts of the page place themselves.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    set[str]
+        Names of PNG files.
+    """
     names = {"load_zone", "contact", "torque", *FILM_PICTURES}
     for contact in summary.get("contacts") or ():
         names |= {f"{race}_ball{contact['ball']:02d}" for race in ("inner", "outer")}
@@ -181,7 +204,18 @@ def known_pictures(summary: dict[str, Any]) -> set[str]:
 
 
 def is_single_contact(summary: dict[str, Any]) -> bool:
-    """Whether a summary is that of `oilfilm contact`."""
+    """True of a summary of `oilfilm contact`.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    bool
+        True if it is.
+    """
     return "film_central_dimensionless" in summary
 
 
@@ -189,48 +223,46 @@ def _single_film(summary: dict[str, Any], plots: Path) -> str:
     """Picture and numbers of a single contact."""
     if not is_single_contact(summary):
         return ""
-    content = html.picture(plots / "contact.png", "Film thickness and pressure of the contact")
     numbers = {
         key: value
         for key, value in summary.items()
         if key not in PLACED and not html.is_large(value)
     }
-    return content + html.side_by_side(html.facts("Numbers", numbers))
+    picture = html.picture(plots / "contact.png", "Film thickness and pressure of the contact")
+    return html.render("bearing", "single_film", picture, html.facts("Numbers", numbers))
 
 
 def _films(plots: Path) -> str:
     """Pictures of the films of a bearing."""
-    content = "".join(
+    pictures = [
         html.picture(plots / f"{name}.png", caption, wide=True)
         for name, caption in FILM_PICTURES.items()
-    )
+    ]
     maps = [
         html.picture(path, path.stem.replace("_ball", " race, ball ").replace("ball 0", "ball "))
         for path in sorted([*plots.glob("inner_ball*.png"), *plots.glob("outer_ball*.png")])
     ]
-    if maps:
-        title = f"Maps of every distinct contact ({len(maps)})"
-        content += html.unfolding(title, html.side_by_side(*maps, kind="gallery"))
-    return content
+    return html.render("bearing", "films", pictures, maps)
 
 
 def _convergence(summary: dict[str, Any]) -> str:
     """Residual of the equilibrium, and box, nodes and error bars of every distinct film."""
-    content = ""
-    if "equilibrium" in summary:
-        content = html.side_by_side(html.facts("Equilibrium", summary["equilibrium"]))
+    equilibrium = summary.get("equilibrium")
     distinct: dict[tuple[str, ...], dict[str, Any]] = {}
     for contact in summary.get("contacts") or ():
         if contact.get("film_minimum_um") is not None:
             names = ("film_minimum_um", "film_central_um", "load_N")
             values = (f"{contact[name]:.6g}" for name in names)
             distinct.setdefault((contact["race"], *values), contact)
-    if not distinct:
-        return content
     head = [("ball, race", ""), ("nodes", ""), ("box", "semi-axes")]
     head += [("central film", "± %"), ("minimum film", "± %"), ("converged", ""), ("resolved", "")]
     rows = [("", _convergence_cells(contact)) for contact in distinct.values()]
-    return content + html.table(head, rows, (0,)) + html.note(ERROR_BARS)
+    return html.render(
+        "bearing",
+        "convergence",
+        "" if equilibrium is None else html.facts("Equilibrium", equilibrium),
+        html.Table(head, rows, (0,)) if rows else None,
+    )
 
 
 def _convergence_cells(contact: dict[str, Any]) -> list[str]:
@@ -240,8 +272,7 @@ def _convergence_cells(contact: dict[str, Any]) -> list[str]:
         box = html.text(UNSOLVED.get(str(contact.get("film_origin"))))
     else:
         nodes = " × ".join(map(str, contact["points"]))
-        start, end, half_width = (html.number(length, 3) for length in contact["domain"])
-        box = f"{start} … {end}; ±{half_width}"
+        box = Markup("{} … {}; ±{}").format(*(html.number(n, 3) for n in contact["domain"]))
     return [
         f"{contact['ball']} {contact['race']}",
         nodes,

@@ -3,6 +3,8 @@
 from operator import itemgetter
 from typing import Any
 
+from markupsafe import Markup
+
 from bearing.library.bearings import estimated_fields
 from ehl.units import from_si, unit_symbol
 
@@ -11,11 +13,7 @@ from ..results import STIFFNESS_HEADLINES
 from ..text import in_figures
 from . import html
 
-ESTIMATED = (
-    '<p class="small"><span class="mark">*</span> The internal geometry of the bearing is '
-    "estimated, the values with a star under Input; every result rests on it.</p>"
-)
-STAR = ' <span class="mark">*</span>'
+Card = tuple[str, str, str]  # name, value and unit
 REVOLUTIONS = "basic_reference_rating_Mrev"
 LIVES = (  # blocks and titles of the lives that have a card, where there are any
     ("life", "basic_reference_rating_h", "rating life L10h"),
@@ -25,15 +23,26 @@ LIVES = (  # blocks and titles of the lives that have a card, where there are an
 )
 
 
-def cards(summary: dict[str, Any]) -> str:
-    """The cards side by side, and below them what they rest on."""
+def cards(summary: dict[str, Any]) -> Markup:
+    """Main numbers side by side, and below them a remark on estimates.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Markup
+        Markup.
+    """
     contacts = [contact for contact in summary.get("contacts") or () if contact.get("loaded")]
     is_bearing = "contacts" in summary
     entries = _film_card(contacts) if is_bearing else _single_film_card(summary)
     entries += _pressure_card(contacts if is_bearing else [summary])
     if contacts:
         inner = sum(contact["race"] == "inner" for contact in contacts)
-        entries.append(html.card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
+        entries.append(("balls loaded", f"{inner} of {len(summary.get('balls') or ())}", ""))
     numbers = [(title, (summary.get(block) or {}).get(key), key) for block, key, title in LIVES]
     life = summary.get("life") or {}
     if life.get(LIVES[0][1]) is None:  # nothing turns, or an older version
@@ -43,15 +52,15 @@ def cards(summary: dict[str, Any]) -> str:
     for key in ("cage_speed_rpm", "load_N"):
         numbers.append((MAIN_QUANTITY[key].title, summary.get(key), key))
     if (slip := summary.get("cage_slip_ratio")) is not None:
-        entries.append(html.card("slip of the cage", html.number(100.0 * slip, 3), "%"))
+        entries.append(("slip of the cage", html.number(100.0 * slip, 3), "%"))
     numbers += _operating_numbers(summary) if is_bearing else []
     for title, value, key in numbers:
         if value is not None:
             hours = key.endswith("_h")  # of life, as people read it
             shown = in_figures(value, 3) if hours else html.number(value, 4)
-            entries.append(html.card(title, shown, unit_symbol(key)))
+            entries.append((title, shown, unit_symbol(key)))
     estimated = is_bearing and _rests_on_estimates(summary["case"])
-    return html.side_by_side(*entries, kind="cards") + (ESTIMATED if estimated else "")
+    return html.render("bearing", "cards", entries, estimated)
 
 
 def _operating_numbers(summary: dict[str, Any]) -> list[tuple[str, float | None, str]]:
@@ -69,13 +78,24 @@ def _operating_numbers(summary: dict[str, Any]) -> list[tuple[str, float | None,
 
 
 def _rests_on_estimates(case: dict[str, Any]) -> bool:
-    """Whether the catalogue or the case itself calls a value of the bearing an estimate."""
+    """True if the catalogue or the case itself calls a value of the bearing an estimate."""
     own = any(str(key).startswith("bearing.") for key in case.get("assumed") or ())
     return own or bool(estimated_keys(case))
 
 
 def estimated_keys(case: dict[str, Any]) -> frozenset[str]:
-    """Dotted keys of the case whose values are estimates of the catalogue."""
+    """Dotted keys of the case whose values are estimates of the catalogue.
+
+    Parameters
+    ----------
+    case : dict[str, Any]
+        Case as run, plain JSON.
+
+    Returns
+    -------
+    frozenset[str]
+        Dotted keys.
+    """
     values = case.get("bearing")
     if not isinstance(values, dict):
         return frozenset()
@@ -88,31 +108,31 @@ def _place(contact: dict[str, Any]) -> str:
     return f", ball {contact['ball']}, {contact['race']} race" if "ball" in contact else ""
 
 
-def _film_card(contacts: list[dict[str, Any]]) -> list[str]:
+def _film_card(contacts: list[dict[str, Any]]) -> list[Card]:
     """The thinnest film of the loaded contacts; a dash where the film of one did not converge."""
     failed = [contact for contact in contacts if contact.get("converged") is False]
     if failed:
-        return [html.card(f"minimum film, not converged{_place(failed[0])}", html.NOTHING)]
+        return [(f"minimum film, not converged{_place(failed[0])}", html.NOTHING, "")]
     thinnest = thinnest_film(contacts)
     if thinnest is None:  # no film was asked for
         return []
     value = html.with_error(thinnest, "film_minimum_um")
-    return [html.card(f"minimum film{_place(thinnest)}", value, "µm")]
+    return [(f"minimum film{_place(thinnest)}", value, "µm")]
 
 
-def _single_film_card(summary: dict[str, Any]) -> list[str]:
+def _single_film_card(summary: dict[str, Any]) -> list[Card]:
     """The minimum film of a single contact; dimensionless of one in Moes' groups."""
     for key, unit in (("film_minimum_um", "µm"), ("film_minimum_dimensionless", "a²/Rx")):
         if summary.get(key) is not None:
-            return [html.card("minimum film", html.with_error(summary, key), unit)]
+            return [("minimum film", html.with_error(summary, key), unit)]
     return []
 
 
-def _pressure_card(contacts: list[dict[str, Any]]) -> list[str]:
+def _pressure_card(contacts: list[dict[str, Any]]) -> list[Card]:
     key = "hertz_pressure_GPa"
     pressed = [contact for contact in contacts if contact.get(key) is not None]
     if not pressed:
         return []
     most = max(pressed, key=itemgetter(key))
     title = f"largest Hertz pressure{_place(most)}"
-    return [html.card(title, html.number(most[key], 4), unit_symbol(key))]
+    return [(title, html.number(most[key], 4), unit_symbol(key))]

@@ -1,13 +1,15 @@
 """Part of the page on a time simulation."""
 
-from html import escape
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
+
+from markupsafe import Markup
 
 from ehl.units import unit_symbol
 
 from ..dynamics.quantities import BALLS, RACES, RUN, SPEEDS, STARTS, STATES
-from ..quantities import FREQUENCIES, by_key
+from ..quantities import FREQUENCIES, Quantity, by_key
 from . import html
 
 PICTURES = {
@@ -21,7 +23,7 @@ PICTURES = {
     "spectrum": "Spectrum of the inner ring",
     "energy": "Work put in, energy stored and lost, and what is left over",
 }
-OF_SPEED = 2  # of the pictures, beside the speeds
+SPEED_PICTURES = 2  # of the pictures, beside the speeds
 COUNTS = "steps rejected_steps evaluations equations".split()
 PLACED = frozenset(
     (
@@ -30,101 +32,128 @@ PLACED = frozenset(
         *"equation_counts energy starts states_found".split(),
     )
 )
-OF_RACES = "sliding and friction at the centres of the contacts, while they are loaded"
-OF_SPEEDS = (
-    "Speeds are means over the last third of the time, intervals half widths of 95 %; kinematic: "
-    "without sliding, at the mean contact angle that came out."
-)
 
 
 def is_simulation(summary: dict[str, Any]) -> bool:
-    """Whether a summary is that of `oilfilm dynamics`."""
+    """True of a summary of `oilfilm dynamics`.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    bool
+        True if it is.
+    """
     return "equation_counts" in summary
 
 
 def pictures(summary: dict[str, Any]) -> set[str]:
-    """Names of the pictures that this part places."""
+    """Pictures that this part of the page shows.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    set[str]
+        Names of PNG files.
+    """
     return {f"{name}.png" for name in PICTURES} if is_simulation(summary) else set()
 
 
 def dynamics_section(summary: dict[str, Any], folder: Path) -> str:
-    """Speeds and slip, energies, balls, the ends of several starts, pictures."""
+    """Speeds and slip, energies, balls, the ends of several starts, pictures.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     if not is_simulation(summary):
         return ""
     speeds = {key: summary.get(key) for key in by_key(SPEEDS)}
     names = {key: row.title for key, row in by_key((*RUN, *SPEEDS)).items()}
-    counts = summary.get("equation_counts") or {}
     run = {key: summary.get(key) for key in (*by_key(RUN), *COUNTS)}
-    blocks = [html.facts("Speeds and slip", speeds, names=names)]
+    facts = [html.facts("Speeds and slip", speeds, names=names)]
     energy = summary.get("energy") or {}
     for key, title in (("input_J", "Put in [J]"), ("dissipated_J", "Lost [J]")):
-        blocks.append(html.facts(title, energy.get(key) or {}) if energy.get(key) else "")
+        facts += [html.facts(title, energy[key])] if energy.get(key) else []
     rest = {key: value for key, value in energy.items() if not isinstance(value, dict)}
-    blocks += [html.facts("Kept", rest)] if rest else []
-    blocks += [html.facts("Run", run, names=names), html.facts("Equations", counts)]
+    facts += [html.facts("Kept", rest)] if rest else []
+    facts.append(html.facts("Run", run, names=names))
+    facts.append(html.facts("Equations", summary.get("equation_counts") or {}))
     shown = [
         html.picture(folder / f"{name}.png", caption, wide=True)
         for name, caption in PICTURES.items()
     ]
-    return (
-        html.side_by_side(*blocks)
-        + html.note(OF_SPEEDS)
-        + "".join(shown[:OF_SPEED])
-        + _frequencies(summary.get("frequencies_Hz") or {})
-        + _balls(summary.get("balls") or [])
-        + _starts(summary.get("starts") or [])
-        + "".join(shown[OF_SPEED:])
+    return html.render(
+        "over_time",
+        "dynamics",
+        facts,
+        shown[:SPEED_PICTURES],
+        _frequencies(summary.get("frequencies_Hz") or {}),
+        _balls(summary.get("balls") or []),
+        _starts(summary.get("starts") or []),
+        shown[SPEED_PICTURES:],
     )
 
 
-def _frequencies(found: dict[str, Any]) -> str:
-    """Frequencies by their names [Hz], without and with slip."""
-    known = {name: values for name, values in found.items() if isinstance(values, dict)}
-    if not known:
-        return ""
-    head = [("frequencies", "Hz"), *((html.name_text(name), "Hz") for name in known)]
+def _head(rows: Iterable[Quantity], before: str = "") -> list[tuple[str, str]]:
+    """Titles and units of columns of quantities."""
+    return [(f"{before}{row.title}", unit_symbol(row.key)) for row in rows]
+
+
+def _frequencies(result: dict[str, Any]) -> html.Table | None:
+    """Frequencies by their names [Hz], without and with slip; None without them."""
+    available = {name: values for name, values in result.items() if isinstance(values, dict)}
+    if not available:
+        return None
+    head = [("frequencies", "Hz"), *((html.name_text(name), "Hz") for name in available)]
     rows = []
     for row in FREQUENCIES:
-        values = [of.get(row.key) for of in known.values()]
+        values = [of.get(row.key) for of in available.values()]
         if any(value is not None for value in values):
             name = f"{row.title} {row.symbol}" if row.symbol.isupper() else row.title
-            rows.append(("", [escape(name), *(html.figure(value) for value in values)]))
-    return html.table(head, rows, (0,))
+            rows.append(("", [name, *map(html.figure, values)]))
+    return html.Table(head, rows, (0,))
 
 
-def _balls(balls: list[dict[str, Any]]) -> str:
+def _balls(balls: list[dict[str, Any]]) -> html.Table | None:
     """Loads, sliding, friction and contact of every ball at both races, the pocket's load."""
-    if not balls:
-        return ""
-    races = ("inner", "outer")
     head = [("ball", "")]
-    for race in races:
-        head += [(escape(f"{race}: {row.title}"), unit_symbol(row.key)) for row in RACES]
-        head.append((f"{race}: free, contact, impact", "%"))
-    head += [(escape(row.title), unit_symbol(row.key)) for row in BALLS]
+    for race in ("inner", "outer"):
+        head += [*_head(RACES, f"{race}: "), (f"{race}: free, contact, impact", "%")]
     rows = []
     for ball in balls:
         cells = [html.text(ball.get("ball"))]
-        for race in races:
-            found = ball.get(race) or {}
-            cells += [html.figure(found.get(row.key)) for row in RACES]
-            cells.append(", ".join(_percent(found.get(state)) for state in STATES))
+        for race in ("inner", "outer"):
+            result = ball.get(race) or {}
+            cells += [html.figure(result.get(row.key)) for row in RACES]
+            cells.append(Markup(", ").join(_percent(result.get(state)) for state in STATES))
         rows.append(("", cells + [html.figure(ball.get(row.key)) for row in BALLS]))
-    title = f"Loads, sliding and friction of the balls ({len(balls)})"
-    return html.unfolding(title, html.table(head, rows) + html.note(OF_RACES), "open")
+    return html.Table([*head, *_head(BALLS)], rows) if rows else None
 
 
 def _percent(share: Any) -> str:
     return html.number(100.0 * share, 3) if isinstance(share, int | float) else html.NOTHING
 
 
-def _starts(starts: list[dict[str, Any]]) -> str:
-    """Ends of several starts, where there are."""
-    if len(starts) < 2:
-        return ""
-    head = [("start", ""), *((escape(row.title), unit_symbol(row.key)) for row in STARTS)]
+def _starts(starts: list[dict[str, Any]]) -> html.Table | None:
+    """Ends of several starts; None of one."""
     rows = [
         ("", [str(k), *(html.figure(start.get(row.key)) for row in STARTS)])
         for k, start in enumerate(starts, 1)
     ]
-    return f"<h3>Ends of several starts</h3>{html.table(head, rows)}"
+    return html.Table([("start", ""), *_head(STARTS)], rows) if len(starts) > 1 else None

@@ -1,21 +1,26 @@
-"""Pieces of an HTML page: tables, facts, pictures; every text is escaped here and nowhere else."""
+"""Values as text of an HTML page, and the templates that hold all of its markup.
+
+The templates escape every value that is not `Markup` (jinja2, autoescape).
+"""
 
 import base64
 import platform
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from html import escape
-from importlib import metadata
+from functools import cache
+from importlib import metadata, resources
 from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+
+from jinja2 import Environment, FunctionLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from ehl.units import unit_symbol, without_unit
 
 from ..quantities import Quantity
-from ..text import in_figures, value_with_error
+from ..text import NOTHING, in_figures, value_with_error
 
-NOTHING = "–"
 DIGITS = 5
 ROUND_OFF = 1e-9  # of the largest component
 MAX_LISTED = 6  # entries of a list on one line
@@ -40,41 +45,148 @@ LIVES = ("_h", "_Mrev")  # ends of keys whose numbers are read without a power o
 LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
 
 
+class Table(NamedTuple):
+    """Content of a table of the page.
+
+    `head`: name and unit of each column; `rows`: CSS class and cells of each row; `words`: numbers
+    of the columns that hold words and are set left, counted from 0.
+    """
+
+    head: Sequence[tuple[str, str]]
+    rows: Sequence[tuple[str, Sequence[str]]]
+    words: Sequence[int] = ()
+
+
+@cache
+def environment(package: str = __package__) -> Environment:
+    """Templates of a package; an unknown name in them is an error.
+
+    Parameters
+    ----------
+    package : str, default __package__
+        Package with a folder `templates`.
+
+    Returns
+    -------
+    Environment
+        The templates.
+    """
+    folder = resources.files(package).joinpath("templates")
+    computed = Environment(
+        loader=FunctionLoader(lambda name: folder.joinpath(name).read_text(encoding="utf-8")),
+        autoescape=True,
+        trim_blocks=True,
+        undefined=StrictUndefined,
+    )
+    computed.globals["longest"] = MAX_UNBROKEN
+    return computed
+
+
+def render(template: str, macro: str, *values: Any) -> Markup:
+    """Markup of a macro of a template.
+
+    Parameters
+    ----------
+    template : str
+        Name of the template without its suffix.
+    macro : str
+        Name of the macro.
+    *values : Any
+        Its arguments.
+
+    Returns
+    -------
+    Markup
+        Markup.
+    """
+    computed: Markup = getattr(environment().get_template(f"{template}.html").module, macro)(
+        *values
+    )
+    return computed
+
+
 def text(value: Any) -> str:
-    """A value as text of the page; numbers to five figures, a dash for null."""
+    """A value as text of the page; numbers to five figures, a dash for null.
+
+    Parameters
+    ----------
+    value : Any
+        Value of a summary.
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     if value is None:
         return NOTHING
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, int):
-        return str(value)
     if isinstance(value, float):
         return number(value)
     if isinstance(value, list | tuple):
-        return ", ".join(text(item) for item in without_noise(value))
+        return Markup(", ").join(text(item) for item in without_noise(value))
     if isinstance(value, dict):
-        return "; ".join(f"{escape(str(key))}: {text(item)}" for key, item in value.items())
-    return escape(str(value))
+        items = (Markup("{}: {}").format(key, text(item)) for key, item in value.items())
+        return Markup("; ").join(items)
+    return escape(value)
 
 
 def number(value: float, digits: int = DIGITS) -> str:
-    """A number to some figures [-], with a true minus and powers of ten that are read as such."""
+    """A number to some figures [-], with a true minus and powers of ten that are read as such.
+
+    Parameters
+    ----------
+    value : float
+        Number in any unit.
+    digits : int, default DIGITS
+        Significant figures [-].
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     if not isfinite(value):
         return NOTHING
-    plain = f"{value + 0.0:.{digits}g}"
-    if "e" in plain:
-        mantissa, _, exponent = plain.partition("e")
-        plain = f"{mantissa}·10<sup>{int(exponent)}</sup>".replace("<sup>-", "<sup>−")
-    return plain.replace("-", "−")
+    mantissa, _, exponent = f"{value + 0.0:.{digits}g}".replace("-", "−").partition("e")
+    if not exponent:
+        return mantissa
+    power = str(int(exponent.replace("−", "-"))).replace("-", "−")
+    return Markup("{}·10<sup>{}</sup>").format(mantissa, power)
 
 
 def figure(value: Any) -> str:
-    """A result to four figures, a dash for null."""
+    """A result to four figures, a dash for null.
+
+    Parameters
+    ----------
+    value : Any
+        Value of a summary.
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     return number(float(value), 4) if isinstance(value, int | float) else text(value)
 
 
-def with_error(row: dict[str, Any], key: str) -> str:
-    """A film with its uncertainty, to the figures that it supports."""
+def with_error(row: Mapping[str, Any], key: str) -> str:
+    """A film with its uncertainty, to the figures that it supports.
+
+    Parameters
+    ----------
+    row : Mapping[str, Any]
+        Values by key, with the error bars.
+    key : str
+        Key of the film.
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     value = row.get(key)
     head, _, unit = key.rpartition("_")
     error = row.get(f"{head}_uncertainty_{unit}")
@@ -83,8 +195,21 @@ def with_error(row: dict[str, Any], key: str) -> str:
     return value_with_error(value, error)
 
 
-def result(row: dict[str, Any], key: str) -> str:
-    """A result of a row, a film with its uncertainty, a life without a power of ten."""
+def result(row: Mapping[str, Any], key: str) -> str:
+    """A result of a row, a film with its uncertainty, a life without a power of ten.
+
+    Parameters
+    ----------
+    row : Mapping[str, Any]
+        Values by key, with the error bars.
+    key : str
+        Key with its unit.
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     if key.startswith("film_"):
         return with_error(row, key)
     return _shown(key, row.get(key), figure)
@@ -96,14 +221,36 @@ def _shown(key: str, value: Any, plain: Callable[[Any], str]) -> str:
 
 
 def without_noise(values: Sequence[Any]) -> list[Any]:
-    """Components of one vector [any unit]; round-off beside the largest of them is 0."""
+    """Components of one vector; round-off against the largest of them is 0.
+
+    Parameters
+    ----------
+    values : Sequence[Any]
+        Components [any unit].
+
+    Returns
+    -------
+    list[Any]
+        The components.
+    """
     numbers = [abs(v) for v in values if isinstance(v, float) and isfinite(v)]
     level = ROUND_OFF * max(numbers, default=0.0)
     return [0.0 if isinstance(v, float) and abs(v) < level else v for v in values]
 
 
 def vector(value: Any) -> Any:
-    """A vector of the bearing with the names of its components; other values as they are."""
+    """A vector of the bearing with the names of its components; other values as they are.
+
+    Parameters
+    ----------
+    value : Any
+        Value of a summary.
+
+    Returns
+    -------
+    Any
+        The words, or the value.
+    """
     names = {3: "xyz", 2: "yz"}.get(len(value) if isinstance(value, list) else 0)
     if names is None or not all(isinstance(part, int | float) for part in value):
         return value
@@ -112,147 +259,196 @@ def vector(value: Any) -> Any:
 
 
 def name_text(key: str) -> str:
-    """A key in words, abbreviations as they are written."""
-    words = without_unit(key).split(" ")
-    return escape(" ".join(ABBREVIATIONS.get(word, word) for word in words))
+    """A key in words, abbreviations as they are written.
+
+    Parameters
+    ----------
+    key : str
+        Key with its unit.
+
+    Returns
+    -------
+    str
+        The words.
+    """
+    return " ".join(ABBREVIATIONS.get(word, word) for word in without_unit(key).split(" "))
 
 
 def _keys_in_words(source: Any) -> str:
     """A source whose parts begin with the key that they are of, each key in words."""
-    parts = re.split(r"((?:^|; )[a-z]+(?:_[A-Za-z0-9]+)+(?=: ))", text(source))
-    return "".join(
-        f"{part[: -len(part.lstrip('; '))]}{name_text(part.lstrip('; '))}" if odd % 2 else part
-        for odd, part in enumerate(parts)
+    return re.sub(
+        r"(^|; )([a-z]+(?:_[A-Za-z0-9]+)+)(?=: )",
+        lambda computed: computed[1] + name_text(computed[2]),
+        source if isinstance(source, str) else Markup(text(source)).unescape(),
     )
 
 
 def title_text(key: str, quantities: Mapping[str, Quantity]) -> str:
-    """Title and symbol of a quantity, or its key in words where none is known."""
-    if key not in quantities:
-        return name_text(key)
-    return escape(quantities[key].name)
+    """Title and symbol of a quantity, or its key in words where it is no quantity.
+
+    Parameters
+    ----------
+    key : str
+        Key with its unit.
+    quantities : Mapping[str, Quantity]
+        Quantities by key.
+
+    Returns
+    -------
+    str
+        The words.
+    """
+    return quantities[key].name if key in quantities else name_text(key)
 
 
 def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:
-    """Names and units of columns, by the keys of their values."""
-    return [(name_text(key), unit_symbol(key)) for key in keys]
+    """Names and units of columns, by the keys of their values.
 
+    Parameters
+    ----------
+    keys : Iterable[str]
+        Keys of the columns.
 
-def table(
-    head: Sequence[tuple[str, str]],
-    rows: Iterable[tuple[str, Sequence[str]]],
-    texts: Sequence[int] = (),
-) -> str:
-    """A table that can be scrolled sideways, all its texts HTML.
-
-    From name and unit of each column, and class and cells of each row; `texts` are the columns
-    that hold words and are set left.
+    Returns
+    -------
+    list[tuple[str, str]]
+        Name and unit of each column.
     """
-    heads = "".join(
-        f"<th{_text_class(i in texts)}>{name}{f'<small>{unit}</small>' if unit else ''}</th>"
-        for i, (name, unit) in enumerate(head)
-    )
-    lines = []
-    for style, cells in rows:
-        content = "".join(
-            f"<td{_text_class(i in texts, len(cell))}>{cell}</td>" for i, cell in enumerate(cells)
-        )
-        lines.append(f'<tr class="{style}">{content}</tr>' if style else f"<tr>{content}</tr>")
-    body = f"<thead><tr>{heads}</tr></thead><tbody>{''.join(lines)}</tbody>"
-    return f'<div class="scroll"><table>{body}</table></div>'
-
-
-def _text_class(is_text: bool, length: int = 0) -> str:
-    if not is_text:
-        return ""
-    return ' class="text long"' if length > MAX_UNBROKEN else ' class="text"'
+    return [(name_text(key), unit_symbol(key)) for key in keys]
 
 
 def facts(
     title: str,
-    values: dict[str, Any],
+    values: Mapping[str, Any],
     assumed: frozenset[str] = frozenset(),
     path: str = "",
     names: Mapping[str, str] | None = None,
-) -> str:
-    """Key or its name, value and unit, one below the other; `assumed` keys are marked, null is a
-    dash.
+) -> Markup:
+    """Names, values and units, one below the other; null is a dash.
+
+    Parameters
+    ----------
+    title : str
+        Heading, none if empty.
+    values : Mapping[str, Any]
+        Value by key.
+    assumed : frozenset[str], default frozenset()
+        Dotted keys to be marked.
+    path : str, default ''
+        Path of the values in the case.
+    names : Mapping[str, str] | None, optional
+        Names in place of the keys in words.
+
+    Returns
+    -------
+    Markup
+        Markup.
     """
     rows = []
     for key, value in values.items():
-        is_assumed = f"{path}.{key}" in assumed
-        name = escape(names[key]) if names and key in names else name_text(key)
-        name += ' <span class="mark">*</span>' if is_assumed else ""
-        unit = unit_symbol(key) if value is not None else ""
         shown = _keys_in_words(value) if key == "source" else _shown(key, value, text)
-        content = f"{shown}&nbsp;{escape(unit)}" if unit else shown
-        cells = f"<td>{name}</td><td>{content}</td>"
-        if len(content) > MAX_BESIDE_KEY:  # words, such as a source
-            cells = f'<td colspan="2" class="small">{name}: {content}</td>'
-        row = '<tr class="assumed">' if is_assumed else "<tr>"
-        rows.append(f"{row}{cells}</tr>")
-    heading = f"<h3>{escape(title)}</h3>" if title else ""
-    return f"<div>{heading}<table><tbody>{''.join(rows)}</tbody></table></div>"
+        unit = unit_symbol(key) if value is not None else ""
+        content = Markup("{}&nbsp;{}").format(shown, unit) if unit else escape(shown)
+        rows.append(
+            {
+                "name": (names or {}).get(key) or name_text(key),
+                "assumed": f"{path}.{key}" in assumed,
+                "content": content,
+                "wide": len(content) > MAX_BESIDE_KEY,  # words, such as a source
+            }
+        )
+    return render("pieces", "facts", title, rows)
 
 
-def side_by_side(*blocks: str, kind: str = "facts") -> str:
-    """Blocks of facts, cards or pictures side by side; nothing without a block."""
-    return f'<div class="{kind}">{"".join(blocks)}</div>' if any(blocks) else ""
+def side_by_side(*blocks: str, kind: str = "facts") -> Markup:
+    """Blocks of facts, cards or pictures side by side; nothing without a block.
 
+    Parameters
+    ----------
+    *blocks : str
+        Markup of each block.
+    kind : str, default 'facts'
+        CSS class, "facts", "cards" or "gallery".
 
-def note(explanation: str) -> str:
-    """A line of explanation in HTML."""
-    return f'<p class="quiet small">{explanation}</p>'
-
-
-def unfolding(title: str, body: str, state: str = "") -> str:
-    """A part that unfolds, or is `open` and folds."""
-    return f"<details{state and f' {state}'}><summary>{title}</summary>{body}</details>"
+    Returns
+    -------
+    Markup
+        Markup; empty without a block.
+    """
+    return render("pieces", "side_by_side", blocks, kind)
 
 
 def is_large(value: Any) -> bool:
-    """Whether a value is too much for one line: a table, a long list, a list of tables."""
+    """True of a value too large for one line: a table, a long list, a list of tables.
+
+    Parameters
+    ----------
+    value : Any
+        Value of a summary.
+
+    Returns
+    -------
+    bool
+        True if it is.
+    """
     return isinstance(value, dict) or (
         isinstance(value, list)
         and (len(value) > MAX_LISTED or any(isinstance(item, list | dict) for item in value))
     )
 
 
-def card(name: str, value: str, unit: str = "") -> str:
-    """One number that is looked at first."""
-    content = f"<b>{value} <small>{escape(unit)}</small></b><span>{escape(name)}</span>"
-    return f'<div class="card">{content}</div>'
+def picture(path: Path, caption: str, *, wide: bool = False) -> Markup:
+    """A PNG file inside the page.
 
+    Parameters
+    ----------
+    path : Path
+        PNG file.
+    caption : str
+        Words below the picture.
+    wide : bool, default False
+        Scrolled sideways on a phone.
 
-def picture(path: Path, caption: str, *, wide: bool = False) -> str:
-    """A PNG file inside the page, nothing if there is none; a wide one is scrolled on a phone."""
+    Returns
+    -------
+    Markup
+        Markup; empty if there is no file.
+    """
     if not path.is_file():
-        return ""
+        return Markup()
     data = base64.b64encode(path.read_bytes()).decode("ascii")
-    source = f"data:image/png;base64,{data}"
-    image = f'<img alt="{escape(caption)}" src="{source}">'
-    image = f'<div class="scroll wide">{image}</div>' if wide else image
-    return f"<figure>{image}<figcaption>{escape(caption)}</figcaption></figure>"
+    return render("pieces", "picture", f"data:image/png;base64,{data}", caption, wide)
 
 
-def items(messages: Iterable[str]) -> str:
-    """Messages as a list."""
-    return "<ul>" + "".join(f"<li>{escape(message)}</li>" for message in messages) + "</ul>"
+def notes(messages: Iterable[Any]) -> Markup:
+    """The messages that are no warnings.
+
+    Parameters
+    ----------
+    messages : Iterable[Any]
+        Messages of the summary.
+
+    Returns
+    -------
+    Markup
+        Markup; empty without messages.
+    """
+    return render("pieces", "notes", [str(message) for message in messages])
 
 
-def notes(messages: Iterable[str]) -> str:
-    """The messages that are no warnings; nothing if there are none."""
-    texts = [str(message) for message in messages]
-    return f'<div class="notes small">{items(texts)}</div>' if texts else ""
+def versions(summary: Mapping[str, Any]) -> Markup:
+    """Program, libraries of the machine that wrote the page, wall times [s].
 
+    Parameters
+    ----------
+    summary : Mapping[str, Any]
+        Summary of the results in named units.
 
-def section(anchor: str, title: str, body: str) -> str:
-    """A part of the page; empty if it has nothing to say."""
-    return f'<section id="{anchor}"><h2>{escape(title)}</h2>\n{body}\n</section>' if body else ""
-
-
-def versions(summary: dict[str, Any]) -> str:
-    """Program, libraries of the machine that wrote the page, wall times [s]."""
+    Returns
+    -------
+    Markup
+        Markup.
+    """
     programs = {
         "oilfilm, of the results": summary["oilfilm"],
         "python, of this page": platform.python_version(),

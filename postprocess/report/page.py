@@ -2,10 +2,7 @@
 
 import re
 from collections.abc import Iterator
-from html import escape
-from importlib import resources
 from pathlib import Path
-from string import Template
 from typing import Any
 
 from ehl.units import unit_symbol
@@ -32,8 +29,22 @@ DOUBTS = (
 
 
 def write_report(directory: str | Path) -> Path:
-    """Write `report.html` into a result folder and return its path; ValueError if the folder holds
-    no readable results, or a page of that name which is not ours.
+    """Write `report.html` into a result folder.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        If the folder holds no readable results, or a page of that name that is not of oilfilm.
     """
     folder = Path(directory)
     path = folder / REPORT_FILE
@@ -47,51 +58,55 @@ def write_report(directory: str | Path) -> Path:
 
 
 def report_page(folder: Path) -> str:
-    """The page as text."""
+    """The page of a result folder as text.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    str
+        The page.
+    """
     summary = read_summary(folder)
+    case = summary["case"]
     if summary.get("kind") == "batch":
         title = summary.get("title")
         cards = batch.cards(summary)
         sections = batch.sections(summary, folder)
     else:
-        title = summary["case"].get("title") or folder.name
+        title = case.get("title") or folder.name
         cards = headline.cards(summary)
         sections = _sections(summary, folder)
-    parts = [(anchor, name, body) for anchor, name, body in sections if body]
-    links = " ".join(f'<a href="#{anchor}">{escape(name)}</a>' for anchor, name, _ in parts)
-    head = _head(summary, str(title), links)
-    body = head + cards + _warnings(summary) + "\n".join(html.section(*part) for part in parts)
-    return Template(_template("report.html")).substitute(
-        title=escape(str(title)),
-        version=escape(str(summary["oilfilm"])),
-        style=_template("report.css"),
-        body=body,
+    return (
+        html.environment()
+        .get_template("report.html")
+        .render(
+            summary=summary,
+            title=str(title),
+            source=case.get("source") if isinstance(case, dict) else None,
+            cards=cards,
+            warnings=[str(message) for message in summary["messages"] if is_urgent(str(message))],
+            sections=[section for section in sections if section[2].strip()],
+        )
     )
 
 
-def _template(name: str) -> str:
-    return resources.files(__package__).joinpath("templates", name).read_text(encoding="utf-8")
-
-
-def _head(summary: dict[str, Any], title: str, links: str) -> str:
-    case = summary["case"]
-    source = case.get("source") if isinstance(case, dict) else None
-    source = f"<p>Source of the input: {escape(str(source))}</p>" if source else ""
-    kind, state = ("fine", "converged") if summary["converged"] else ("bad", "not converged")
-    state = f'<span class="state {kind}">{state}</span>'
-    version = f'<span class="quiet small">oilfilm {escape(str(summary["oilfilm"]))}</span>'
-    title = f"<h1>{escape(title)}</h1>"
-    return f"<header>{title}{source}<p>{state} {version}</p><nav>{links}</nav></header>"
-
-
-def _warnings(summary: dict[str, Any]) -> str:
-    """What did not converge or is doubtful, at the top."""
-    urgent = [message for message in summary["messages"] if is_urgent(str(message))]
-    return f'<div class="warnings"><b>Warnings</b>{html.items(urgent)}</div>' if urgent else ""
-
-
 def is_urgent(message: str) -> bool:
-    """Whether a message states a doubt about a result, and not only why a value is null."""
+    """True of a message that states a doubt about a result, and not only why a value is null.
+
+    Parameters
+    ----------
+    message : str
+        Message of a summary.
+
+    Returns
+    -------
+    bool
+        True if it does.
+    """
     doubtful = any(word in message for word in DOUBTS)
     return doubtful and ("not converged" in message or not re.search(r"\bnull\b", message))
 
@@ -112,7 +127,18 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
 
 
 def further_results(summary: dict[str, Any]) -> str:
-    """Blocks that no part of the page places: whatever numbers they hold; notes say why not."""
+    """Blocks that no other part of the page shows: their numbers and lists.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     is_simulation = dynamics.is_simulation(summary)
     placed = bearing.PLACED | (dynamics.PLACED if is_simulation else frozenset())
     blocks = {
@@ -121,43 +147,40 @@ def further_results(summary: dict[str, Any]) -> str:
         if key not in placed and value not in (None, [], {})
     }
     single = {key: value for key, value in blocks.items() if not html.is_large(value)}
-    facts_blocks = (
-        [html.facts("", single)] if single and not bearing.is_single_contact(summary) else []
-    )
+    facts = [html.facts("", single)] if single and not bearing.is_single_contact(summary) else []
     for key, value in blocks.items():
-        known = value.items() if isinstance(value, dict) else ()
-        plain = {name: v for name, v in known if v is not None and not html.is_large(v)}
+        available = value.items() if isinstance(value, dict) else ()
+        plain = {name: v for name, v in available if v is not None and not html.is_large(v)}
         unit = f" [{unit_symbol(key)}]" if unit_symbol(key) else ""
-        facts_blocks += [html.facts(html.name_text(key) + unit, plain)] if plain else []
+        facts += [html.facts(html.name_text(key) + unit, plain)] if plain else []
     lists = {key: value for key, value in blocks.items() if isinstance(value, list)}
     if "contacts" not in summary and not is_simulation:
         lists["balls"] = summary.get("balls") or []
-    return html.side_by_side(*facts_blocks) + "".join(
-        _rows(key, rows) for key, rows in lists.items()
-    )
+    tables = [
+        (f"{html.name_text(key)} ({len(rows)})", table)
+        for key, rows in lists.items()
+        if (table := _rows(rows)) is not None
+    ]
+    return html.render("bearing", "further", facts, tables)
 
 
-def _rows(name: str, rows: list[Any]) -> str:
-    """A list of tables that all have single numbers, as one table that unfolds."""
+def _rows(rows: list[Any]) -> html.Table | None:
+    """A list of tables that all have single numbers, as one table; None of others."""
     if not rows or len(rows) > MAX_ROWS or not all(isinstance(row, dict) for row in rows):
-        return ""
+        return None
     keys = [key for key in rows[0] if not any(html.is_large(row.get(key)) for row in rows)]
     if not keys:
-        return ""
-    lines = [("", [html.text(row.get(key)) for key in keys]) for row in rows]
-    return html.unfolding(
-        f"{html.name_text(name)} ({len(rows)})", html.table(html.key_head(keys), lines)
+        return None
+    return html.Table(
+        html.key_head(keys), [("", [html.text(row.get(key)) for key in keys]) for row in rows]
     )
-
-
-def _pictures_of_vibration(summary: dict[str, Any]) -> set[str]:
-    return {f"{name}.png" for name in PICTURES} if "vibration" in summary else set()
 
 
 def _further_pictures(summary: dict[str, Any], folder: Path) -> str:
     """Pictures that no part of the page places: slip maps, what later versions draw."""
-    placed = bearing.known_pictures(summary) | _pictures_of_vibration(summary)
-    placed |= dynamics.pictures(summary)
+    placed = bearing.known_pictures(summary) | dynamics.pictures(summary)
+    if "vibration" in summary:
+        placed |= {f"{name}.png" for name in PICTURES}
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
     pictures = [html.picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
     return html.side_by_side(*pictures, kind="gallery")

@@ -33,7 +33,22 @@ FACTS = (26, 38, 22, 10)  # widths of block, quantity, value, unit [characters]
 def write_pdf(directory: str | Path, file: str | Path) -> Path:
     """Write main results, input, tables, messages and pictures as a PDF, made in memory.
 
-    ValueError without readable results.
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    file : str | Path
+        PDF file.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        Without readable results.
     """
     folder = Path(directory)
     path = Path(file)
@@ -64,7 +79,7 @@ def _pages(
 
 
 def _headline(summary: dict[str, Any], name: str) -> Iterator[str]:
-    """What is looked at first, line by line."""
+    """Title, state, warnings and main results, line by line."""
     case = summary["case"] if isinstance(summary["case"], dict) else {}
     yield str(case.get("title") or summary.get("title") or name)
     state = "converged" if summary["converged"] else "NOT CONVERGED"

@@ -26,8 +26,22 @@ Sheet = tuple[list[str], list[list[Any]]]  # header and rows
 def write_workbook(directory: str | Path, file: str | Path) -> Path:
     """Write a sheet each of results, input, lists, CSV tables and messages, as XLSX.
 
-    The workbook is made in memory: it appears complete or not at all. ValueError without readable
-    results.
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    file : str | Path
+        XLSX file.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        Without readable results.
     """
     folder = Path(directory)
     path = Path(file)
@@ -47,20 +61,31 @@ def write_workbook(directory: str | Path, file: str | Path) -> Path:
 
 
 def sheets(folder: Path) -> dict[str, Sheet]:
-    """Header and rows of every sheet of a result folder, by its name."""
+    """Header and rows of every sheet of a result folder, by its name.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    dict[str, Sheet]
+        Header and rows by the name of the sheet.
+    """
     summary = read_summary(folder)
     case = summary["case"]
     results = {key: value for key, value in summary.items() if key not in ("case", "messages")}
-    found = {"Results": _facts(results)}
+    result = {"Results": _facts(results)}
     if isinstance(case, dict):
-        found["Input"] = _facts(case)
+        result["Input"] = _facts(case)
     tables = {path.stem: _csv_sheet(path) for path in sorted(folder.glob("*.csv"))}
-    found |= _stiffness_sheet((summary.get("ring") or {}).get("stiffness") or {})
+    result |= _stiffness_sheet((summary.get("ring") or {}).get("stiffness") or {})
     if BATCH_TABLE not in tables:  # which has the points
         lists = {key: value for key, value in results.items() if _is_table(value)}
-        found |= {key: _list_sheet(rows) for key, rows in lists.items() if key not in tables}
-    found |= tables
-    return found | {"Messages": (["message"], [[str(text)] for text in summary["messages"]])}
+        result |= {key: _list_sheet(rows) for key, rows in lists.items() if key not in tables}
+    result |= tables
+    return result | {"Messages": (["message"], [[str(text)] for text in summary["messages"]])}
 
 
 def _facts(document: dict[str, Any]) -> Sheet:

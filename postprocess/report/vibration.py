@@ -1,6 +1,5 @@
 """Part of the page on vibration."""
 
-from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -20,40 +19,53 @@ LINES = (
 
 
 def vibration_section(summary: dict[str, Any], folder: Path) -> str:
-    """Levels with their reference, bands, lines, pictures."""
-    found = summary.get("vibration")
-    if not isinstance(found, dict):
+    """Levels with their reference, bands, lines, pictures.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
+    result = summary.get("vibration")
+    if not isinstance(result, dict):
         return ""
-    single = {key: value for key, value in found.items() if not isinstance(value, list | dict)}
-    passes = summary.get("frequencies_Hz") or {}
-    blocks = [html.facts("Levels", single), _bands(found)]
-    blocks += [
-        html.facts(f"Frequencies, {name.replace('_', ' ')} [Hz]", values)
-        for name, values in passes.items()
-        if isinstance(values, dict)
-    ]
-    pictures = [
-        html.picture(folder / "plots" / f"{name}.png", caption, wide=True)
-        for name, caption in PICTURES.items()
-    ]
-    return html.side_by_side(*blocks) + _lines(found.get("lines") or []) + "".join(pictures)
+    single = {key: value for key, value in result.items() if not isinstance(value, list | dict)}
+    frequencies = (summary.get("frequencies_Hz") or {}).items()
+    lines = result.get("lines") or ()
+    return html.render(
+        "over_time",
+        "vibration",
+        html.facts("Levels", single),
+        _bands(result),
+        [
+            html.facts(f"Frequencies, {name.replace('_', ' ')} [Hz]", values)
+            for name, values in frequencies
+            if isinstance(values, dict)
+        ],
+        html.Table(
+            html.key_head(LINES),
+            [("", [html.text(line.get(key)) for key in LINES]) for line in lines],
+        ),
+        [
+            html.picture(folder / "plots" / f"{name}.png", caption, wide=True)
+            for name, caption in PICTURES.items()
+        ],
+    )
 
 
-def _bands(found: dict[str, Any]) -> str:
-    """Velocity in the bands of ISO 15242."""
-    levels, scaled = (found.get(key) or {} for key in ("bands_um_s", "anderon"))
-    ends = found.get("bands_Hz") or {}
+def _bands(result: dict[str, Any]) -> html.Table | None:
+    """Velocity in the bands of ISO 15242; None without them."""
+    levels, scaled, ends = (result.get(key) or {} for key in ("bands_um_s", "anderon", "bands_Hz"))
     rows = [
-        ("", [escape(name), *(html.text(v) for v in ends.get(name) or (None, None)), *values])
-        for name, values in (
-            (name, [html.text(levels.get(name)), html.text(scaled.get(name))]) for name in levels
-        )
+        ("", [name, *map(html.text, (*(ends.get(name) or (None, None)), level, scaled.get(name)))])
+        for name, level in levels.items()
     ]
     head = [("band", ""), ("from", "Hz"), ("to", "Hz"), ("velocity", "µm/s"), ("anderon", "")]
-    return html.table(head, rows) if rows else ""
-
-
-def _lines(lines: list[dict[str, Any]]) -> str:
-    """Lines that are expected, in a table that unfolds."""
-    rows = [("", [html.text(line.get(key)) for key in LINES]) for line in lines]
-    return html.unfolding(f"Expected lines ({len(rows)})", html.table(html.key_head(LINES), rows))
+    return html.Table(head, rows) if rows else None

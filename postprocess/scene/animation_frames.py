@@ -58,7 +58,18 @@ class Frames:
         add(_mesh(ring_surface(shape, 0.0, (0.0, 0.0))), color=RING_COLOUR, opacity=0.12)
 
     def frame(self, row: int) -> Image.Image:
-        """Picture of a row."""
+        """Picture of a sample.
+
+        Parameters
+        ----------
+        row : int
+            Sample of the history, counted from 0.
+
+        Returns
+        -------
+        Image.Image
+            The picture.
+        """
         self.balls.points = _mesh(self.bearing.balls_at(row)).points
         self.cage.points = _mesh(self.bearing.cage_at(row)).points
         self.ring.points = _mesh(self.bearing.ring_at(row)).points
@@ -92,7 +103,17 @@ def _mesh(surface: Surface) -> pv.PolyData:
 
 
 def draw_frames(directory: Path, file: Path, options: AnimationOptions) -> None:
-    """Draw all frames in this process."""
+    """Draw all frames in this process.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+    file : Path
+        GIF file.
+    options : AnimationOptions
+        Choices of the picture; the defaults if None.
+    """
     with open_history(directory) as data:
         bearing = MovingBearing.read(data, options.frames, options.turns, options.window)
         title = str(data.attrs.get("title", ""))

@@ -35,7 +35,20 @@ class Room:
 
     @classmethod
     def of(cls, bodies: Any, ball_diameter: float) -> "Room":
-        """The room that the bodies of a scene leave."""
+        """Free space between the bodies of a scene.
+
+        Parameters
+        ----------
+        bodies : Any
+            Meshes of the scene by name [mm].
+        ball_diameter : float
+            Ball diameter [mm].
+
+        Returns
+        -------
+        Room
+            The free space.
+        """
         faces = {}
         bore = np.inf
         for race in ("inner", "outer"):
@@ -53,7 +66,22 @@ class Room:
 
 
 def add_loads(plotter: Any, force: Array, room: Room) -> tuple[Label, ...]:
-    """Radial and axial load on the inner ring [N] as arrows in the bore, with their sizes."""
+    """Radial and axial load on the inner ring [N] as arrows in the bore, with their sizes.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    force : Array
+        Load on the inner ring, shape (3,) [N].
+    room : Room
+        Free space of the bearing.
+
+    Returns
+    -------
+    tuple[Label, ...]
+        Sizes of the loads as labels.
+    """
     parts = {"radial": force * np.array([0.0, 1.0, 1.0]), "axial": force * np.eye(3)[0]}
     sizes = {name: float(np.linalg.norm(part)) for name, part in parts.items()}
     largest = max(sizes.values())
@@ -80,9 +108,23 @@ def add_loads(plotter: Any, force: Array, room: Room) -> tuple[Label, ...]:
 def add_rotation(
     plotter: Any, speeds: dict[str, float], room: Room, turn: float
 ) -> tuple[Label, ...]:
-    """A bent arrow before the face of each ring that turns, by race its speed [r/min].
+    """A bent arrow before the face of each ring that turns; positive from y to z, about +x.
 
-    About the azimuth `turn` [rad]; positive from y to z, about +x.
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    speeds : dict[str, float]
+        Speed of each ring [r/min].
+    room : Room
+        Free space of the bearing.
+    turn : float
+        Azimuth of the arrows [rad].
+
+    Returns
+    -------
+    tuple[Label, ...]
+        The speeds as labels.
     """
     labels = []
     colours = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}
@@ -112,7 +154,19 @@ def add_rotation(
 def add_axes(plotter: Any, room: Room, turn: float) -> tuple[Label, ...]:
     """The axes of the bearing's frame with their names, before the bore and beside the loads.
 
-    The azimuth `turn` [rad] is on top of the picture.
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    room : Room
+        Free space of the bearing.
+    turn : float
+        Azimuth on top of the picture [rad].
+
+    Returns
+    -------
+    tuple[Label, ...]
+        Names of the axes as labels.
     """
     origin = about_axis(turn) @ (room.front, -0.25 * room.bore, -0.45 * room.bore)
     length = 0.4 * room.bore

@@ -1,4 +1,4 @@
-"""What moves in a scene: slider over azimuth, click on a contact, movie of one turn."""
+"""Controls of a scene: slider over azimuth, click on a contact, movie of one turn."""
 
 import json
 from math import degrees, pi, radians
@@ -21,7 +21,18 @@ LEAN = 20.0  # views of a single contact lean this far to both sides [deg]
 
 
 def patch_numbers(patch: Patch) -> str:
-    """The numbers of one contact as text: load [N], pressure [GPa], films [um]."""
+    """The numbers of one contact as text: load [N], pressure [GPa], films [um].
+
+    Parameters
+    ----------
+    patch : Patch
+        Shown part of a contact.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     facts = patch.attributes
     azimuth = degrees(facts["azimuth"]) % 360.0
     pressure = float(facts["hertz_pressure"]) / GIGAPASCAL
@@ -33,7 +44,13 @@ def patch_numbers(patch: Patch) -> str:
 
 
 def add_controls(plotter: Any) -> None:
-    """A slider that brings an azimuth [deg] to the top; a click on a film shows its numbers."""
+    """A slider that brings an azimuth [deg] to the top; a click on a film shows its numbers.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    """
     if not shown_films(plotter):
         return
     place = {"pointa": (0.06, 0.16), "pointb": (0.32, 0.16), "title_height": 0.02}
@@ -48,27 +65,65 @@ def add_controls(plotter: Any) -> None:
 
 
 def show_numbers(plotter: Any, mesh: Any) -> None:
-    """Write the numbers of a clicked film into the upper right corner."""
+    """Write the numbers of a clicked film into the upper right corner.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    mesh : Any
+        Clicked mesh.
+    """
     numbers = numbers_of(mesh)
     if numbers:
         plotter.add_text(numbers, position="upper_right", font_size=10, color=INK, name=NUMBERS)
 
 
 def shown_films(plotter: Any) -> list[Any]:
-    """Meshes of the films on balls; none for a single contact."""
+    """Meshes of the films on balls; none for a single contact.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+
+    Returns
+    -------
+    list[Any]
+        The meshes.
+    """
     mappers = [getattr(actor, "mapper", None) for actor in plotter.actors.values()]
     meshes = [getattr(mapper, "dataset", None) for mapper in mappers]
     return [mesh for mesh in meshes if numbers_of(mesh)]
 
 
 def numbers_of(mesh: Any) -> str:
-    """The numbers that a film carries, empty for another body."""
+    """Numbers that the mesh of a film holds.
+
+    Parameters
+    ----------
+    mesh : Any
+        Mesh of the scene.
+
+    Returns
+    -------
+    str
+        The numbers in words; empty of another body.
+    """
     data = getattr(mesh, "field_data", None)
     return str(json.loads(data[NUMBERS][0])) if data is not None and NUMBERS in data else ""
 
 
 def write_movie(plotter: Any, file: Path) -> None:
-    """One turn of a bearing, or a single contact seen from side to side, as an animated GIF."""
+    """One turn of a bearing, or a single contact seen from side to side, as an animated GIF.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    file : Path
+        GIF file.
+    """
     is_bearing = bool(shown_films(plotter))
     frames = []
     before = 0.0

@@ -66,7 +66,13 @@ class Scene:
             parts.add_labels(self.plotter, self.labels, scale)
 
     def write_page(self, file: Path) -> None:
-        """The scene as a page of vtk.js, its texts laid over it."""
+        """The scene as a page of vtk.js, its texts laid over it.
+
+        Parameters
+        ----------
+        file : Path
+            HTML file.
+        """
         if self.up is not None:
             add_flat_labels(self.plotter, self.labels, self.up)
         asyncio.run(_export(self.plotter, str(file)))
@@ -76,8 +82,28 @@ class Scene:
 def bearing_scene(
     directory: str | Path, options: SceneOptions | None = None, off_screen: bool = False
 ) -> pv.Plotter:
-    """Plotter with the scene of a result directory, to be shown or added to: a bearing with its
-    patches, or the surface of one contact. Errors as `screenshot`.
+    """Plotter with the scene of a result directory: a bearing with its patches, or one contact.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    options : SceneOptions | None, optional
+        Choices of the picture; the defaults if None.
+    off_screen : bool, default False
+        Without a window.
+
+    Returns
+    -------
+    pv.Plotter
+        The plotter.
+
+    Raises
+    ------
+    ValueError
+        If there is nothing to draw.
+    RenderingError
+        If this machine cannot draw.
     """
     check_scene(directory, options)
     require_rendering()
@@ -89,7 +115,24 @@ def bearing_scene(
 def build_scene(
     directory: Path, options: SceneOptions, *, off_screen: bool, for_page: bool = False
 ) -> Scene:
-    """Bodies, fields and camera of a result directory; the texts are still to be added."""
+    """Bodies, fields and camera of a result directory; the texts are still to be added.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+    options : SceneOptions
+        Choices of the picture.
+    off_screen : bool
+        Without a window.
+    for_page : bool, default False
+        For a page of a browser.
+
+    Returns
+    -------
+    Scene
+        The scene, without its texts.
+    """
     plotter = pv.Plotter(off_screen=off_screen, window_size=list(options.size))
     plotter.set_background(BACKGROUND)
     with open_results(directory) as tree:
@@ -271,13 +314,23 @@ async def _export(plotter: Any, file: str) -> None:
     """The page of vtk.js."""
     from trame_pyvista.jupyter import launch_server
 
-    # of this process only, on the loopback interface: it serialises the scene
+    # a server of this process only, on the loopback interface: it serialises the scene
     await launch_server().ready
     plotter.trame.export_html(file)
 
 
 def draw_scene(directory: Path, file: Path | None, options: SceneOptions) -> None:
-    """Draw into a page, movie or picture, by the file's suffix, or open a window."""
+    """Draw into a page, movie or picture, by the file's suffix, or open a window.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+    file : Path | None
+        Page, movie or picture; a window opens if None.
+    options : SceneOptions
+        Choices of the picture.
+    """
     suffix = "" if file is None else file.suffix.lower()
     for_page = suffix.startswith(".htm")
     scene = build_scene(directory, options, off_screen=file is not None, for_page=for_page)

@@ -52,12 +52,26 @@ class PatchMesh:
 def export_results(
     directory: str | Path, file: str | Path, coating: Coating | None = None
 ) -> tuple[Path, ...]:
-    """Write the fields of a result directory as a mesh, and beside it the elements of a coating
-    and, in formats with fields on solids, the elastic rings with their displacement.
+    """Write the fields of a result directory as meshes, and beside them the elements of a coating.
 
-    The suffix of the file names the format, one of `WRITERS`. Returns the meshes, then the files
-    of values that belong to them; files of these names are replaced when all are complete.
-    ValueError without results that hold films or such rings, or for another format.
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    file : str | Path
+        Mesh file, whose suffix names its format, one of `WRITERS`.
+    coating : Coating | None, optional
+        Coating whose elements are written, too.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The meshes, then the files of values that belong to them.
+
+    Raises
+    ------
+    ValueError
+        Without films or elastic rings, or for another format.
     """
     path = Path(file)
     extension = path.suffix.lower().removeprefix(".")
@@ -86,9 +100,24 @@ def export_results(
 
 
 def contact_meshes(directory: str | Path, *, needed: bool = True) -> PatchMesh | None:
-    """All contacts with a film as one mesh: on their balls in the bearing's frame [mm], a single
-    contact in its plane [mm], or in semi-axes a where no length is known. None without films,
-    ValueError where they are needed.
+    """All contacts with a film as one mesh, on their balls [mm]; a single contact in its plane.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    needed : bool, default True
+        Refuse results without films.
+
+    Returns
+    -------
+    PatchMesh | None
+        The mesh; None without films.
+
+    Raises
+    ------
+    ValueError
+        Without films, if they are needed.
     """
     with open_results(directory) as tree:
         require_contacts(directory, tree, "films to export")
@@ -102,7 +131,22 @@ def contact_meshes(directory: str | Path, *, needed: bool = True) -> PatchMesh |
 
 
 def patch_mesh(contact: str, data: xarray.Dataset, ball_radius: float) -> PatchMesh:
-    """One contact: cells between the nodes of its grid, on its ball of `ball_radius` [m]."""
+    """One contact as cells between the nodes of its grid, on its ball.
+
+    Parameters
+    ----------
+    contact : str
+        Name of the contact.
+    data : xarray.Dataset
+        Fields of the contact.
+    ball_radius : float
+        Radius of the ball [m].
+
+    Returns
+    -------
+    PatchMesh
+        The mesh.
+    """
     attributes = data.attrs
     x, y = data["x"].values, data["y"].values
     is_placed = "origin" in attributes
@@ -135,7 +179,18 @@ def patch_mesh(contact: str, data: xarray.Dataset, ball_radius: float) -> PatchM
 
 
 def merged(meshes: Sequence[PatchMesh]) -> PatchMesh:
-    """One mesh of several; NaN where one lacks a field, such as a temperature."""
+    """One mesh of several; NaN where one lacks a field, such as a temperature.
+
+    Parameters
+    ----------
+    meshes : Sequence[PatchMesh]
+        Meshes with the same fields of cells.
+
+    Returns
+    -------
+    PatchMesh
+        The mesh.
+    """
     nodes = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
     cells = np.cumsum([0] + [len(mesh.quads) for mesh in meshes])
     fields = {}
@@ -156,7 +211,18 @@ def merged(meshes: Sequence[PatchMesh]) -> PatchMesh:
 
 
 def coating_mesh(coating: Coating) -> PatchMesh:
-    """The axisymmetric elements for a coated body: radius as x, and -depth as y [mm]."""
+    """The axisymmetric elements for a coated body: radius as x, and -depth as y [mm].
+
+    Parameters
+    ----------
+    coating : Coating
+        Coating on a half-space.
+
+    Returns
+    -------
+    PatchMesh
+        The mesh.
+    """
     nodes, quads, in_coating = layered_mesh()
     r, z = nodes.T * coating.thickness / MILLIMETRE
     young = (coating.youngs_modulus, coating.substrate_youngs_modulus)

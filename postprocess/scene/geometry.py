@@ -22,7 +22,7 @@ WRAP_LIMIT = 1.35  # a patch reaches this far around its ball at most [rad]
 SHOULDER_HEIGHT = 0.22  # of the ball diameter, for the pictures only
 RING_WIDTH = 1.5  # of the ball diameter
 RING_HEIGHT = 0.83  # of the ball diameter, where the catalogue gives none: for the pictures only
-# of the ball diameter: balls and raceways stand back by this, so that the patches are seen
+# over the ball diameter [-]: balls and raceways stand back by this, so that patches are seen
 SET_BACK = 0.004
 # for the pictures only
 RIM_WIDTH = 0.18  # of a cage's rims over the ball diameter [-]
@@ -32,7 +32,7 @@ POCKET = 1.04  # diameter of a pocket over that of a ball [-]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactFrame:
-    """Where a contact sits in the bearing's frame; the axes are right-handed."""
+    """Position and axes of a contact in the bearing's frame; the axes are right-handed."""
 
     origin: Array  # contact point, shape (3,) [m]
     axis_x: Array  # rolling direction [-]
@@ -47,7 +47,20 @@ class ContactFrame:
 
 
 def contact_frame(contact: BearingContact | Mapping[str, Any], ball_radius: float) -> ContactFrame:
-    """Frame of a contact, or of its attributes in a file, on a ball of `ball_radius` [m]."""
+    """Frame of a contact on its ball.
+
+    Parameters
+    ----------
+    contact : BearingContact | Mapping[str, Any]
+        Contact, or its attributes in a file.
+    ball_radius : float
+        Radius of the ball [m].
+
+    Returns
+    -------
+    ContactFrame
+        The frame.
+    """
     names = ("origin", "axis_x", "axis_y", "normal")
     if isinstance(contact, BearingContact):
         contact = {name: getattr(contact, name) for name in names}
@@ -87,11 +100,27 @@ class Placement:
 def place_patch(
     x: Array, y: Array, frame: ContactFrame, placement: Placement, height: Array | None = None
 ) -> Array:
-    """Points of a contact plane laid on its ball, shape (nx, ny, 3) [m], in the bearing's frame.
+    """Points of a contact plane laid on its ball, in the bearing's frame.
 
-    Distances and directions from the contact point are kept (exponential map). From principal
-    coordinates `x`, `y` and the height over the ball [m], shape (nx, ny), which is exaggerated
-    already.
+    Distances and directions from the contact point are kept (exponential map).
+
+    Parameters
+    ----------
+    x : Array
+        Principal coordinate along, shape (nx, ny) [m].
+    y : Array
+        Principal coordinate across, shape (nx, ny) [m].
+    frame : ContactFrame
+        Frame of the contact.
+    placement : Placement
+        Magnification of patches and films.
+    height : Array | None, optional
+        Height over the ball, exaggerated already, shape (nx, ny) [m].
+
+    Returns
+    -------
+    Array
+        Points, shape (nx, ny, 3) [m].
     """
     u = (placement.rolling * x)[..., None]
     v = (placement.transverse * y)[..., None]
@@ -105,7 +134,24 @@ def place_patch(
 def crop_to_ball(
     x: Array, y: Array, ball_radius: float, placement: Placement
 ) -> tuple[slice, slice]:
-    """Index ranges of the nodes of a patch that does not wrap around its ball; lengths in [m]."""
+    """Index ranges of the nodes of a patch that does not wrap around its ball.
+
+    Parameters
+    ----------
+    x : Array
+        Nodes along, shape (nx,) [m].
+    y : Array
+        Nodes across, shape (ny,) [m].
+    ball_radius : float
+        Radius of the ball [m].
+    placement : Placement
+        Magnification of patches and films.
+
+    Returns
+    -------
+    tuple[slice, slice]
+        Range along, and across.
+    """
     reach = WRAP_LIMIT * ball_radius / np.sqrt(2.0)
     along = reach / placement.rolling
     across = reach / placement.transverse
@@ -113,7 +159,22 @@ def crop_to_ball(
 
 
 def grid_quads(n: int, m: int, closed: bool = False) -> NDArray[np.int64]:
-    """Corners of the cells of an (n, m) grid, shape (cells, 4); closed joins the last row."""
+    """Corners of the cells of a grid.
+
+    Parameters
+    ----------
+    n : int
+        Nodes along the first axis [-].
+    m : int
+        Nodes along the second axis [-].
+    closed : bool, default False
+        Join the last row to the first.
+
+    Returns
+    -------
+    NDArray[np.int64]
+        Corners, shape (cells, 4).
+    """
     index = np.arange(n * m).reshape(n, m)
     if closed:
         index = np.vstack([index, index[:1]])
@@ -122,7 +183,18 @@ def grid_quads(n: int, m: int, closed: bool = False) -> NDArray[np.int64]:
 
 
 def merge(surfaces: Sequence[Surface]) -> Surface:
-    """One surface of several; points in [m] stay as they are."""
+    """One surface of several; points in [m] stay as they are.
+
+    Parameters
+    ----------
+    surfaces : Sequence[Surface]
+        Surfaces [m].
+
+    Returns
+    -------
+    Surface
+        The surface.
+    """
     offsets = np.cumsum([0] + [len(s.points) for s in surfaces[:-1]])
     quads = [s.quads + offset for s, offset in zip(surfaces, offsets, strict=True)]
     return Surface(
@@ -131,7 +203,22 @@ def merge(surfaces: Sequence[Surface]) -> Surface:
 
 
 def ball_surface(centre: Array, radius: float, rings: int = 24) -> Surface:
-    """Sphere about `centre` [m], shape (3,), of `radius` [m], its poles on the bearing's axis."""
+    """Sphere with its poles on the bearing's axis.
+
+    Parameters
+    ----------
+    centre : Array
+        Centre, shape (3,) [m].
+    radius : float
+        Radius [m].
+    rings : int, default 24
+        Cells from pole to pole [-].
+
+    Returns
+    -------
+    Surface
+        The surface.
+    """
     polar = np.linspace(0.0, pi, rings + 1)
     azimuth = np.linspace(0.0, 2.0 * pi, 2 * rings, endpoint=False)
     t, f = np.meshgrid(azimuth, polar, indexing="ij")
@@ -142,7 +229,22 @@ def ball_surface(centre: Array, radius: float, rings: int = 24) -> Surface:
 
 
 def cage_surface(pitch: float, ball: float, balls: int) -> Surface:
-    """A simplified cage in its own frame, from diameters [m]: two rims, and bars between balls."""
+    """A simplified cage in its own frame: two rims, and bars between balls.
+
+    Parameters
+    ----------
+    pitch : float
+        Pitch diameter [m].
+    ball : float
+        Ball diameter [m].
+    balls : int
+        Number of balls [-].
+
+    Returns
+    -------
+    Surface
+        The surface.
+    """
     side = 0.5 * ball * (1.0 + RIM_WIDTH)
     half_rim = 0.5 * RIM_WIDTH * ball
     radius = np.full(2, 0.5 * pitch)
@@ -158,13 +260,37 @@ def cage_surface(pitch: float, ball: float, balls: int) -> Surface:
 
 
 def bearing_lengths(bearing: Bearing) -> dict[str, float]:
-    """The `LENGTHS` of a bearing that are known [m]."""
+    """The `LENGTHS` of a bearing that are known [m].
+
+    Parameters
+    ----------
+    bearing : Bearing
+        Bearing.
+
+    Returns
+    -------
+    dict[str, float]
+        Length by name [m].
+    """
     lengths = {name: getattr(bearing, name) for name in LENGTHS}
     return {name: value for name, value in lengths.items() if value is not None}
 
 
 def ring_shape(lengths: Mapping[str, Any], inner: bool) -> RingShape:
-    """Shape of a ring from `LENGTHS` [m]; bore, outside diameter, width may be guessed."""
+    """Shape of a ring from the lengths of a bearing.
+
+    Parameters
+    ----------
+    lengths : Mapping[str, Any]
+        `LENGTHS` of a bearing [m]; bore, outside diameter and width may be missing.
+    inner : bool
+        Inner ring, else the outer one.
+
+    Returns
+    -------
+    RingShape
+        The shape.
+    """
     sign = 1.0 if inner else -1.0
     ball = float(lengths["ball_diameter"])
     pitch = float(lengths["pitch_diameter"])
@@ -188,10 +314,23 @@ def ring_surface(
     opening: tuple[float, float],
     resolution: tuple[int, int] = (48, 181),
 ) -> Surface:
-    """One ring as a solid of revolution with its groove about `axial` [m], cut open over a sector.
+    """One ring as a solid of revolution, cut open over a sector.
 
-    `opening`: azimuth at its middle and width [rad], 0 for a whole ring; `resolution`: points
-    across the groove and around the ring.
+    Parameters
+    ----------
+    shape : RingShape
+        Lengths of the ring.
+    axial : float
+        Axial position of its groove [m].
+    opening : tuple[float, float]
+        Azimuth at the middle of the cut-out sector, and its width [rad], 0 for a whole ring.
+    resolution : tuple[int, int], default (48, 181)
+        Points across the groove, and around the ring [-].
+
+    Returns
+    -------
+    Surface
+        The surface.
     """
     profile = groove_profile(shape, resolution[0])
     middle, width = opening
@@ -214,7 +353,20 @@ def ring_surface(
 
 
 def groove_profile(shape: RingShape, points: int) -> Array:
-    """Shoulder, groove, shoulder: axial distance from the groove, radius [m], a row a point."""
+    """Profile of shoulder, groove, shoulder.
+
+    Parameters
+    ----------
+    shape : RingShape
+        Lengths of the ring.
+    points : int
+        Points of the groove [-].
+
+    Returns
+    -------
+    Array
+        Axial distance from the groove and radius, shape (points + 2, 2) [m].
+    """
     sign = 1.0 if shape.inner else -1.0
     groove = shape.groove_radius
     ball = shape.ball_diameter
@@ -227,7 +379,18 @@ def groove_profile(shape: RingShape, points: int) -> Array:
 
 
 def rotation(quaternion: Array) -> Array:
-    """Rotation matrix [-], shape (3, 3), of a unit quaternion w, x, y, z [-]."""
+    """Rotation matrix of a quaternion.
+
+    Parameters
+    ----------
+    quaternion : Array
+        W, x, y, z, shape (4,) [-].
+
+    Returns
+    -------
+    Array
+        Matrix, shape (3, 3) [-].
+    """
     w, x, y, z = quaternion / np.linalg.norm(quaternion)
     return np.array(
         [
@@ -239,7 +402,18 @@ def rotation(quaternion: Array) -> Array:
 
 
 def about_axis(angle: float) -> Array:
-    """Rotation about the bearing's axis by an angle [rad], shape (3, 3) [-]."""
+    """Rotation matrix about the bearing's axis.
+
+    Parameters
+    ----------
+    angle : float
+        Angle [rad].
+
+    Returns
+    -------
+    Array
+        Matrix, shape (3, 3) [-].
+    """
     return np.array([np.eye(3)[0], _radial(angle), _tangential(angle)]).T
 
 
@@ -252,7 +426,7 @@ def _tangential(angle: float) -> Array:
 
 
 def _facing(surface: Surface, outward: Array) -> Surface:
-    """Turn the cells, all alike, so that the first one's normal points to `outward`."""
+    """Turn the cells, of one orientation, so that the first normal points to `outward`."""
     a, b, c, _ = surface.points[surface.quads[0]]
     if np.dot(np.cross(b - a, c - a), outward) >= 0.0:
         return surface

@@ -5,8 +5,17 @@ from numpy.typing import NDArray
 
 
 def hexahedra(number: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Corners of the cells between nodes of a grid by their numbers, shape (nx, ny, nz); lower
-    face first, shape (cells, 8).
+    """Corners of the cells between the nodes of a grid.
+
+    Parameters
+    ----------
+    number : NDArray[np.int64]
+        Numbers of the nodes, shape (nx, ny, nz).
+
+    Returns
+    -------
+    NDArray[np.int64]
+        Corners, lower face first, shape (cells, 8).
     """
     low = slice(None, -1)
     high = slice(1, None)

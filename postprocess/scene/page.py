@@ -4,20 +4,21 @@ vtk.js draws surfaces with even colour scales; logarithmic colours come as the l
 with a scale of its own beside the picture, and texts in space as flat letters.
 """
 
-import json
 import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from html import escape
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pyvista as pv
+from jinja2.utils import htmlsafe_json_dumps
+from markupsafe import escape
 
 from ehl.solution import Array
 
 from ..plot_style import INK, colour_stops, film_ticks
+from ..report.html import environment
 from .parts import ColourScale, Label
 
 OFFLINE = (
@@ -26,49 +27,6 @@ OFFLINE = (
 )
 STOPS = 24  # of the gradient of a colour scale
 LETTER = 0.32  # height of letters in ball diameters
-FONT = f"font:{{}}px system-ui,sans-serif;color:{INK};pointer-events:none"
-NUMBERS_BOX = (
-    f'<div id="numbers" style="position:fixed;left:12px;bottom:12px;white-space:pre-line;'
-    f'background:rgba(255,255,255,0.85);padding:6px 10px;display:none;{FONT.format(14)}"></div>'
-)
-# The viewer of vtk.js leaves its window as `global.renderWindow`. A click shows the numbers of the
-# contact whose place on the screen is nearest, if it is near; a drag turns and picks nothing.
-PICK = """
-(() => {
-  const contacts = CONTACTS, reach = 40, steady = 4;
-  const scene = () => window.global && window.global.renderWindow;
-  const nearest = (x, y) => {
-    const view = scene().getViews()[0];
-    const renderer = scene().getRenderers().find((one) => one.getActors().length);
-    const [width, height] = view.getSize();
-    const frame = view.getCanvas().getBoundingClientRect();
-    let found = null, least = reach;
-    for (const contact of contacts) {
-      const [u, v] = view.worldToDisplay(...contact.place, renderer);
-      const distance = Math.hypot(
-        frame.left + (u * frame.width) / width - x,
-        frame.bottom - (v * frame.height) / height - y);
-      if (distance < least) { found = contact; least = distance; }
-    }
-    return found;
-  };
-  const show = (x, y) => {
-    const found = scene() && nearest(x, y);
-    const box = document.getElementById("numbers");
-    box.style.display = found ? "block" : "none";
-    box.textContent = found ? found.text : "";
-    return found;
-  };
-  let start = [0, 0];
-  window.addEventListener("pointerdown", (e) => { start = [e.clientX, e.clientY]; }, true);
-  window.addEventListener("pointerup", (e) => {
-    const moved = Math.hypot(e.clientX - start[0], e.clientY - start[1]);
-    if (moved < steady) show(e.clientX, e.clientY);
-  }, true);
-  window.oilfilm = { contacts, show };
-})();
-"""
-TICK = "position:absolute;left:20px;bottom:calc({:.2f}% - 8px);border-bottom:0;white-space:nowrap"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,16 +43,30 @@ def add_overlay(
     """Lay title, note, colour scale and the numbers of a clicked contact over an exported page.
 
     It loads nothing from a network.
+
+    Parameters
+    ----------
+    file : Path
+        Exported page.
+    title : str
+        Title of the scene.
+    note : str
+        Magnification of the patches.
+    colours : ColourScale | None
+        Colour scale, or None.
+    spots : Sequence[Spot], default ()
+        Contacts that can be clicked.
     """
-    use = "turn, zoom and shift with the mouse" + ("; click a film for its numbers" * bool(spots))
-    text = f"<b>{escape(title)}</b><br>{escape(note)}; {use}"
-    style = f"position:fixed;left:12px;top:10px;{FONT.format(15)}"
-    over = f'<div style="{style}">{text}</div>' + ("" if colours is None else bar_html(colours))
-    over += NUMBERS_BOX
+    over = overlay_html(title, note, colours, spots)
     # inserted after the body, which the page's own script empties
-    literal = _literal(over)
-    script = f"document.documentElement.insertAdjacentHTML('beforeend', {literal});"
-    script += PICK.replace("CONTACTS", _literal([asdict(spot) for spot in spots]))
+    script = (
+        f"document.documentElement.insertAdjacentHTML('beforeend', {htmlsafe_json_dumps(over)});"
+    )
+    script += (
+        environment(__package__)
+        .get_template("pick.js")
+        .render(spots=[asdict(spot) for spot in spots])
+    )
     page = file.read_text(encoding="utf-8")
     page = re.sub(
         r"<title>.*?</title>", lambda _: f"<title>{escape(title)}</title>", page, count=1
@@ -103,39 +75,83 @@ def add_overlay(
     file.write_text(page.replace("<head>", f"<head>{OFFLINE}", 1), encoding="utf-8")
 
 
-def _literal(value: object) -> str:
-    """A value as JavaScript inside a page."""
-    return json.dumps(value).replace("<", "\\u003c")
+def overlay_html(
+    title: str, note: str, colours: ColourScale | None, spots: Sequence[Spot] = ()
+) -> str:
+    """Title, note, colour scale with its ticks, and the box of a contact's numbers as HTML.
 
+    Parameters
+    ----------
+    title : str
+        Title of the scene.
+    note : str
+        Magnification of the patches.
+    colours : ColourScale | None
+        Colour scale, or None.
+    spots : Sequence[Spot], default ()
+        Contacts that can be clicked.
 
-def bar_html(colours: ColourScale) -> str:
-    """A colour scale with its ticks as HTML."""
-    shades = ",".join(
-        f"rgb({r:.0f},{g:.0f},{b:.0f})"
-        for r, g, b in 255.0 * colour_stops(colours.quantity, STOPS)
-    )
-    ticks = "".join(
-        f'<span style="{TICK.format(100.0 * colours.height(tick))}">– {tick:.3g}</span>'
-        for tick in film_ticks(*colours.limits)
-    )
-    place = "position:fixed;right:64px;top:22%;height:56%;width:18px"
-    gradient = f"background:linear-gradient(to top,{shades})"
-    label = "position:absolute;right:-44px;top:-44px;white-space:nowrap"
+    Returns
+    -------
+    str
+        The HTML.
+    """
+    shades: Any = ()
+    ticks: Any = ()
+    if colours is not None:
+        shades = 255.0 * colour_stops(colours.quantity, STOPS)
+        ticks = [(tick, 100.0 * colours.height(tick)) for tick in film_ticks(*colours.limits)]
     return (
-        f'<div style="{place};{FONT.format(14)};{gradient}">{ticks}'
-        f'<div style="{label}">{escape(colours.label)}</div></div>'
+        environment(__package__)
+        .get_template("overlay.html")
+        .render(
+            title=title,
+            note=note,
+            colours=colours,
+            spots=spots,
+            ink=INK,
+            shades=[f"rgb({r:.0f},{g:.0f},{b:.0f})" for r, g, b in shades],
+            ticks=ticks,
+        )
     )
 
 
 def add_flat_labels(plotter: Any, labels: Sequence[Label], up: Array) -> None:
-    """Labels as flat letters that look along +x, upright where the unit vector `up` [-] is up."""
+    """Labels as flat letters that look along +x.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    labels : Sequence[Label]
+        Texts in space.
+    up : Array
+        Unit vector to the top of the picture, shape (3,) [-].
+    """
     for label in labels:
         body = flat_text(label.text, label.place, up, LETTER * label.ball_diameter)
         plotter.add_mesh(body, color=INK, lighting=False)
 
 
 def flat_text(text: str, place: Array, up: Array, size: float) -> Any:
-    """Letters of a height about a place [mm]; the sign of degrees, which they lack, is a ring."""
+    """Letters about a point; the sign of degrees, which the font lacks, is a ring.
+
+    Parameters
+    ----------
+    text : str
+        Letters, with a sign of degrees at the end or not.
+    place : Array
+        Centre, shape (3,) [mm].
+    up : Array
+        Unit vector upwards, shape (3,) [-].
+    size : float
+        Height of the letters [mm].
+
+    Returns
+    -------
+    Any
+        The mesh.
+    """
     centre = (0.0, 0.0, 0.0)
     letters = text.removesuffix("°")
     body = pv.Text3D(letters, depth=0.0, height=size, center=centre, normal=(0.0, 0.0, 1.0))

@@ -1,4 +1,4 @@
-"""What a scene is made of: bodies, patches, labels, colour bar, camera."""
+"""Parts of a scene: bodies, patches, labels, colour bar, camera."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -32,7 +32,18 @@ class ColourScale:
     logarithmic: bool = False
 
     def height(self, value: float) -> float:
-        """Place of a value on the colour bar, 0 at the bottom, 1 at the top [-]."""
+        """Position of a value on the colour bar.
+
+        Parameters
+        ----------
+        value : float
+            Value in the unit of the scale.
+
+        Returns
+        -------
+        float
+            Position, 0 at the bottom, 1 at the top [-].
+        """
         low, high = self.limits
         if self.logarithmic:
             return log10(value / low) / log10(high / low)
@@ -54,6 +65,22 @@ def add_field(
     """A surface coloured by a quantity in its unit [um] or [GPa]; its mapper for the colour bar.
 
     Logarithmic colours may be the logarithm itself, for viewers without logarithmic scales.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    mesh : Any
+        Surface with the quantity as a field.
+    colours : ColourScale
+        Colour scale.
+    logarithm_as_field : bool, default False
+        Colour by the logarithm itself, for viewers without logarithmic scales.
+
+    Returns
+    -------
+    Any
+        Mapper for the colour bar.
     """
     scalars = colours.quantity
     limits = colours.limits
@@ -75,8 +102,16 @@ def add_field(
 
 
 def add_bodies(plotter: Any, bodies: Any, outlined: Sequence[str] = ()) -> None:
-    """Balls like smoked glass, cage, inner ring, and outer one cut open, with their edges; the
-    edges alone of the rings of `outlined` races.
+    """Balls like smoked glass, cage, inner ring, and outer ring cut open, with their edges.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    bodies : Any
+        Meshes by name [mm].
+    outlined : Sequence[str], default ()
+        Races of rings that are drawn by their edges alone.
     """
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
     glass = {"opacity": 0.2, "specular": 0.5, "specular_power": 30}
@@ -97,17 +132,41 @@ def add_bodies(plotter: Any, bodies: Any, outlined: Sequence[str] = ()) -> None:
 
 
 def read_bodies(directory: Path) -> Any:
-    """Balls, cage and rings of a result folder by their names [mm]."""
+    """Balls, cage and rings of a result folder by their names [mm].
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+
+    Returns
+    -------
+    Any
+        Meshes by name [mm].
+    """
     return pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
 
 
 def ball_labels(
     balls: xarray.Dataset, ball_diameter: float, outside: float, front: float
 ) -> tuple[Label, ...]:
-    """Azimuths around the outer ring of a radius [mm], of the front row's balls; some of many.
+    """Azimuths around the outer ring, of the front row's balls; some of many.
 
-    Those above the axis, as the camera sees it, stand at the last row, the others before the
-    ring, at `front` on x [mm], where no body hides them.
+    Parameters
+    ----------
+    balls : xarray.Dataset
+        Group of the balls.
+    ball_diameter : float
+        Ball diameter [mm].
+    outside : float
+        Radius of the outer ring [mm].
+    front : float
+        Axial end of the rings on the side of +x [mm].
+
+    Returns
+    -------
+    tuple[Label, ...]
+        The labels.
     """
     axial = balls["ball_axial"].values / MILLIMETRE
     row = np.flatnonzero(axial > axial.max() - 0.5 * ball_diameter)
@@ -123,7 +182,17 @@ def ball_labels(
 
 
 def add_labels(plotter: Any, labels: Sequence[Label], scale: float) -> None:
-    """Texts in space that always face the camera; `scale` as in `add_colour_bar` [-]."""
+    """Texts in space that always face the camera.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    labels : Sequence[Label]
+        Texts in space.
+    scale : float
+        Height of the picture over 1200 pixels [-].
+    """
     places = np.array([label.place for label in labels])
     style: Any = {"font_size": int(22 * scale), "text_color": INK, "always_visible": True}
     style |= {"shape": "rounded_rect", "shape_color": "white", "shape_opacity": 0.65}
@@ -132,18 +201,50 @@ def add_labels(plotter: Any, labels: Sequence[Label], scale: float) -> None:
 
 
 def most_loaded(balls: xarray.Dataset) -> float:
-    """Azimuth of the most loaded ball [rad]."""
+    """Azimuth of the most loaded ball.
+
+    Parameters
+    ----------
+    balls : xarray.Dataset
+        Group of the balls.
+
+    Returns
+    -------
+    float
+        Azimuth [rad].
+    """
     return float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
 
 
 def aim(plotter: Any, turn: float) -> Array:
-    """Look from the side of +x at an azimuth [rad], which is up; the unit vector to it [-]."""
+    """Look from the side of +x at an azimuth.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    turn : float
+        Azimuth that is up [rad].
+
+    Returns
+    -------
+    Array
+        Unit vector to the top of the picture, shape (3,) [-].
+    """
     look_at(plotter, turn)
     return np.array([0.0, np.cos(turn), np.sin(turn)])
 
 
 def look_at(plotter: Any, turn: float) -> None:
-    """Put what lies at azimuth `turn` [rad] on top, seen from the side of +x; lean by eye."""
+    """Put an azimuth on top, seen from the side of +x; the lean is by eye.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    turn : float
+        Azimuth on top [rad].
+    """
     radial = np.array([0.0, np.cos(turn), np.sin(turn)])
     tangential = np.array([0.0, -np.sin(turn), np.cos(turn)])
     direction = np.array([0.66, 0.0, 0.0]) + 0.70 * radial - 0.30 * tangential
@@ -154,14 +255,34 @@ def look_at(plotter: Any, turn: float) -> None:
 
 
 def fill_picture(plotter: Any, zoom: float = 1.25) -> None:
-    """Fill the picture, with room for the colour bar at the right."""
+    """Fill the picture, with room for the colour bar at the right.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    zoom : float, default 1.25
+        Magnification after the camera is reset [-].
+    """
     plotter.reset_camera()
     plotter.camera.zoom(zoom)
     plotter.camera.SetWindowCenter(0.1, 0.0)
 
 
 def add_colour_bar(plotter: Any, mapper: Any, label: str, scale: float) -> None:
-    """The colour bar at the right; `scale` is the height of the picture over 1200 pixels [-]."""
+    """The colour bar at the right.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    mapper : Any
+        Mapper of a coloured surface.
+    label : str
+        Quantity and unit.
+    scale : float
+        Height of the picture over 1200 pixels [-].
+    """
     place = {"position_x": 0.88, "position_y": 0.2, "width": 0.05, "height": 0.6}
     sizes = {"title_font_size": int(26 * scale), "label_font_size": int(24 * scale)}
     style: Any = {"vertical": True, "color": INK, "n_labels": 6, "fmt": "%.2f"}

@@ -33,7 +33,18 @@ class Patch:
 
     @classmethod
     def read(cls, data: xarray.Dataset) -> "Patch":
-        """Take the shown part of a contact's data set; lengths in [m] there."""
+        """Take the shown part of a contact's data set; lengths in [m] there.
+
+        Parameters
+        ----------
+        data : xarray.Dataset
+            Fields of a contact, SI.
+
+        Returns
+        -------
+        Patch
+            The part.
+        """
         part = shown_nodes(data)
 
         def values(name: str, quantity: str) -> Any:
@@ -65,20 +76,51 @@ class Patch:
         return min(least, self.minimum) if least > 0.0 else self.minimum
 
     def semi_axis(self, name: str) -> float:
-        """Semi-axis of the Hertz ellipse along "x" or "y" [m]."""
+        """Semi-axis of the Hertz ellipse along "x" or "y" [m].
+
+        Parameters
+        ----------
+        name : str
+            "x" or "y".
+
+        Returns
+        -------
+        float
+            Semi-axis [m].
+        """
         return float(self.attributes[f"semi_axis_{name}"])
 
     def levels(self, quantity: str) -> list[float]:
-        """Contour lines: shares of the central film [um], or of the largest pressure [GPa]."""
+        """Contour lines: shares of the central film [um], or of the largest pressure [GPa].
+
+        Parameters
+        ----------
+        quantity : str
+            "film" or "pressure".
+
+        Returns
+        -------
+        list[float]
+            Values [um] or [GPa].
+        """
         if quantity == "film":
             return [self.central * share for share in (0.9, 0.95, 1.05, 1.1)]
         return [float(self.pressure.max()) * share for share in (0.1, 0.3, 0.5, 0.7, 0.9)]
 
     def mesh(self, ball_radius: float, placement: Placement) -> Any:
-        """Patch on its ball of `ball_radius` [m] as a vtkStructuredGrid in [mm].
+        """Patch on its ball.
 
-        With film exaggeration the end of the colour scale lies on the ball and thinner films
-        below, where no race hides them.
+        Parameters
+        ----------
+        ball_radius : float
+            Radius of the ball [m].
+        placement : Placement
+            Magnification of patches and films.
+
+        Returns
+        -------
+        Any
+            Grid in [mm].
         """
         frame = contact_frame(self.attributes, ball_radius)
         x, y = self.x * MILLIMETRE, self.y * MILLIMETRE
@@ -88,7 +130,20 @@ class Patch:
         return self._grid(points / MILLIMETRE, part)
 
     def relief(self, quantity: str, height: float) -> Any:
-        """Contact plane, the quantity as height, `height` [mm or a] where its scale ends."""
+        """Contact plane with the quantity as height.
+
+        Parameters
+        ----------
+        quantity : str
+            "film" or "pressure".
+        height : float
+            Height at the end of the colour scale [mm or a].
+
+        Returns
+        -------
+        Any
+            Grid in [mm], or in semi-axes.
+        """
         field = self.film if quantity == "film" else self.pressure
         top = self.film_range[1] if quantity == "film" else float(field.max())
         return self._grid(np.stack([self.x, self.y, height * field / top], axis=-1))

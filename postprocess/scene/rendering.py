@@ -22,7 +22,7 @@ WINDOW_WITHOUT_DISPLAY = "vtkEGLRenderWindow"
 PACKAGES = "libegl1 libegl-mesa0 libgl1-mesa-dri"
 PATIENCE = 300.0  # for one picture, which takes seconds on an idle machine [s]
 FULL = 2**22  # below so much free space a picture may have been too large for the disk [bytes]
-# of a frame; chosen to cover all colours, not by area, so that thin arrows keep theirs
+# colours of a frame, chosen to cover all colours, not by area, so that thin arrows keep theirs
 COLOURS = 128
 
 
@@ -31,7 +31,25 @@ class RenderingError(RuntimeError):
 
 
 def with_suffix(file: str | Path, *suffixes: str) -> Path:
-    """The file, if its name ends as it must; ValueError if not."""
+    """The file, if its name ends as it must.
+
+    Parameters
+    ----------
+    file : str | Path
+        Name of a file.
+    *suffixes : str
+        Allowed suffixes, in lower case.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        If it has another suffix.
+    """
     path = Path(file)
     if path.suffix.lower() not in suffixes:
         raise ValueError(f"the file must end in {' or '.join(suffixes)}, got {path.name}")
@@ -41,10 +59,32 @@ def with_suffix(file: str | Path, *suffixes: str) -> Path:
 def draw(
     module: str, directory: str | Path, file: Path, options: dict[str, Any], patience: float
 ) -> Path:
-    """Have a module of this package draw a file in a process of its own, in `patience` [s].
+    """Draw a file by a module of this package in a process of its own.
 
-    It reads directory, file and options that JSON can hold by `read_request`. `RenderingError` if
-    nothing was drawn.
+    Parameters
+    ----------
+    module : str
+        Module of this package that draws.
+    directory : str | Path
+        Folder of the results.
+    file : Path
+        File to write.
+    options : dict[str, Any]
+        Options of plain JSON types.
+    patience : float
+        Longest time of the drawing process [s].
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    RenderingError
+        If nothing was drawn.
+    OSError
+        If the disk is full.
     """
     with atomic_path(file) as temporary:
         try:
@@ -65,14 +105,46 @@ def run_module(
     options: dict[str, Any],
     patience: float | None,
 ) -> None:
-    """Run a module of this package with a request, as `draw`; no file opens a window."""
+    """Run a module of this package with a request, as `draw`.
+
+    Parameters
+    ----------
+    module : str
+        Module of this package that draws.
+    directory : str | Path
+        Folder of the results.
+    file : Path | None
+        File to write; a window opens if None.
+    options : dict[str, Any]
+        Options of plain JSON types.
+    patience : float | None
+        Longest time of the drawing process [s].
+
+    Raises
+    ------
+    RenderingError
+        If the process fails.
+    """
     request = json.dumps([str(directory), None if file is None else str(file), options])
     run_python(["-m", f"{__package__}.{module}", request], patience)
 
 
 def read_request(text: str) -> tuple[Path, Path | None, dict[str, Any]]:
-    """Directory, file to draw or None for a window, and options of a request; from then on this
-    process ends with the one that asked, however that ends.
+    """Read a request; from then on this process ends with the one that asked.
+
+    Parameters
+    ----------
+    text : str
+        Request of `run_module`.
+
+    Returns
+    -------
+    value
+        Folder of the results.
+    value
+        File to draw, or None for a window.
+    value
+        Options.
     """
     threading.Thread(target=_end_with_parent, daemon=True).start()
     directory, file, options = json.loads(text)
@@ -88,9 +160,19 @@ def _end_with_parent() -> None:
 
 
 def run_python(arguments: list[str], patience: float | None) -> None:
-    """Run Python in a process of its own, `patience` [s] at most; `RenderingError` if it fails.
+    """Run Python in a process of its own.
 
-    Its standard input ends when this process does.
+    Parameters
+    ----------
+    arguments : list[str]
+        Arguments of the interpreter.
+    patience : float | None
+        Longest time of the drawing process [s].
+
+    Raises
+    ------
+    RenderingError
+        If the process fails or takes too long.
     """
     home = str(Path(__file__).resolve().parents[2])
     paths = [home, *filter(None, [os.environ.get("PYTHONPATH")])]
@@ -120,7 +202,18 @@ def run_python(arguments: list[str], patience: float | None) -> None:
 
 
 def advice(reason: str) -> str:
-    """Say why no picture was drawn, and what to install."""
+    """Say why no picture was drawn, and what to install.
+
+    Parameters
+    ----------
+    reason : str
+        Reason why no picture was drawn.
+
+    Returns
+    -------
+    str
+        The message.
+    """
     text = f"the scene cannot be drawn: {reason}"
     if not sys.platform.startswith("linux"):
         return text
@@ -152,7 +245,17 @@ def require_display() -> None:
 
 
 def write_gif(frames: Sequence[Image.Image], file: Path | BinaryIO, per_frame: int) -> None:
-    """Write pictures as an endless GIF, each shown for `per_frame` [ms]."""
+    """Write pictures as an endless GIF.
+
+    Parameters
+    ----------
+    frames : Sequence[Image.Image]
+        Pictures of one size.
+    file : Path | BinaryIO
+        File, or memory.
+    per_frame : int
+        Time of each picture [ms].
+    """
     method = Image.Quantize.MAXCOVERAGE
     first, *others = [frame.quantize(COLOURS, method=method) for frame in frames]
     first.save(

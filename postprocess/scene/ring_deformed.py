@@ -21,12 +21,34 @@ RADIAL = "displacement, radial [um]"
 
 
 def ring_file(race: str) -> str:
-    """Name of the file of a ring."""
+    """Name of the file of a ring.
+
+    Parameters
+    ----------
+    race : str
+        "inner" or "outer".
+
+    Returns
+    -------
+    str
+        Name of the file.
+    """
     return f"ring_deformed_{race}.vtu"
 
 
 def ring_files(directory: Path) -> tuple[Path, ...]:
-    """The files of deformed rings that a result folder holds, inner ring first."""
+    """The files of deformed rings that a result folder holds, inner ring first.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The files.
+    """
     paths = (directory / ring_file(race.value) for race in Race)
     return tuple(path for path in paths if path.is_file())
 
@@ -36,6 +58,18 @@ def write_ring_deformed(results: BearingResults, directory: Path) -> tuple[Path,
 
     Nodes of the undeformed ring [mm] in the bearing's frame, with the displacement [um] from its
     seat under all balls; what the ring moves as a whole is not in it.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The files.
     """
     written = []
     for race in Race:
@@ -53,7 +87,20 @@ def write_ring_deformed(results: BearingResults, directory: Path) -> tuple[Path,
 
 
 def displacement_mesh(points: list[Array], displacements: list[Array]) -> meshio.Mesh:
-    """Rings of one or more rows as one mesh, shape (n, m, k, 3) each [m]."""
+    """Rings of one or more rows as one mesh.
+
+    Parameters
+    ----------
+    points : list[Array]
+        Nodes of each row, shape (n, m, k, 3) [m].
+    displacements : list[Array]
+        Displacement at the nodes of each row, shape (n, m, k, 3) [m].
+
+    Returns
+    -------
+    meshio.Mesh
+        Mesh [mm] with displacements [um].
+    """
     cells = []
     first = 0
     for place in points:

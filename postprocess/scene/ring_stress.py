@@ -20,6 +20,18 @@ def write_ring_stress(results: BearingResults, directory: Path) -> tuple[Path, .
 
     A box [mm] in the frame of the contact: x along the rolling direction, y across, z into the
     ring; stresses [GPa] of the ring, and of the half-space beside them.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The files.
     """
     written = []
     bodies = results.finite_bodies
@@ -33,7 +45,18 @@ def write_ring_stress(results: BearingResults, directory: Path) -> tuple[Path, .
 
 
 def stress_mesh(stress: RingStress) -> meshio.Mesh:
-    """The box as a mesh, nodes in the order x, y, z, the last the fastest."""
+    """The box as a mesh, nodes in the order x, y, z, the last the fastest.
+
+    Parameters
+    ----------
+    stress : RingStress
+        Stress of ring and half-space in a box.
+
+    Returns
+    -------
+    meshio.Mesh
+        Mesh [mm] with stresses [GPa].
+    """
     ring, flat = stress.ring, stress.half_space
     grid = np.meshgrid(ring.x, ring.y, ring.depth, indexing="ij")
     points = np.stack([axis.ravel() for axis in grid], axis=1) / MILLIMETRE

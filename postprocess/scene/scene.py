@@ -27,11 +27,11 @@ LABELS = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SceneOptions:
-    """What a scene shows."""
+    """Choices of a scene."""
 
     # "film", "pressure", or "displacement" of rings that are elastic bodies
     quantity: str = "film"
-    # of the patches, along and across the rolling direction [-]; None: so that they can be seen
+    # magnification of patches along and across the rolling direction [-]; None: to be visible
     magnification: tuple[float, float] | None = None
     # film drawn as height, times this; displacement times this, 0: so that it can be seen [-]
     film_exaggeration: float = 0.0
@@ -49,7 +49,7 @@ class SceneOptions:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AnimationOptions:
-    """What the GIF of a simulation shows."""
+    """Choices of the GIF of a simulation."""
 
     frames: int = FRAMES
     turns: float = TURNS  # of the cage at the end of the history [-]
@@ -68,7 +68,26 @@ class AnimationOptions:
 def screenshot(directory: StrPath, file: StrPath, options: SceneOptions | None = None) -> Path:
     """Draw the scene of a result directory into a PNG file, with or without a display.
 
-    ValueError without readable results, `RenderingError` if the machine cannot draw.
+    Parameters
+    ----------
+    directory : StrPath
+        Folder of the results.
+    file : StrPath
+        PNG file.
+    options : SceneOptions | None, optional
+        Choices of the picture; the defaults if None.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        Without readable results.
+    RenderingError
+        If this machine cannot draw.
     """
     return _draw(directory, with_suffix(file, ".png"), options or SceneOptions())
 
@@ -77,7 +96,26 @@ def export_html(directory: StrPath, file: StrPath, options: SceneOptions | None 
     """Write the scene as one HTML page that is turned with the mouse, offline; as `screenshot`.
 
     The viewer (vtk.js) is inside the page. Azimuths and load are flat letters there, which read
-    from the side of +x. `RenderingError` also without the extra `html` (trame-pyvista).
+    from the side of +x.
+
+    Parameters
+    ----------
+    directory : StrPath
+        Folder of the results.
+    file : StrPath
+        HTML file.
+    options : SceneOptions | None, optional
+        Choices of the picture; the defaults if None.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    RenderingError
+        If this machine cannot draw, or without the extra `html` (trame-pyvista).
     """
     path = with_suffix(file, *PAGES)
     if find_spec("trame_pyvista") is None:
@@ -87,14 +125,51 @@ def export_html(directory: StrPath, file: StrPath, options: SceneOptions | None 
 
 
 def movie(directory: StrPath, file: StrPath, options: SceneOptions | None = None) -> Path:
-    """Write the scene as a GIF in which every azimuth comes to the top once; as `screenshot`."""
+    """Write the scene as a GIF in which every azimuth comes to the top once; as `screenshot`.
+
+    Parameters
+    ----------
+    directory : StrPath
+        Folder of the results.
+    file : StrPath
+        GIF file.
+    options : SceneOptions | None, optional
+        Choices of the picture; the defaults if None.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    RenderingError
+        If this machine cannot draw.
+    """
     return _draw(directory, with_suffix(file, ".gif"), options or SceneOptions(size=MOVIE_SIZE))
 
 
 def animate(directory: StrPath, file: StrPath, options: AnimationOptions | None = None) -> Path:
-    """Write the motion of a simulation, a folder with `history.nc`, as a GIF; as `screenshot`.
+    """Write the motion of a simulation as a GIF.
 
-    Balls roll with visible marks, forces are arrows.
+    Parameters
+    ----------
+    directory : StrPath
+        Folder with `history.nc`.
+    file : StrPath
+        GIF file.
+    options : AnimationOptions | None, optional
+        Choices of the picture; the defaults if None.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    RenderingError
+        If this machine cannot draw.
     """
     path = with_suffix(file, ".gif")
     open_history(directory).close()
@@ -103,7 +178,20 @@ def animate(directory: StrPath, file: StrPath, options: AnimationOptions | None 
 
 
 def show(directory: StrPath, options: SceneOptions | None = None) -> None:
-    """Open a window with the scene of a result directory, to be turned with the mouse."""
+    """Open a window with the scene of a result directory, to be turned with the mouse.
+
+    Parameters
+    ----------
+    directory : StrPath
+        Folder of the results.
+    options : SceneOptions | None, optional
+        Choices of the picture; the defaults if None.
+
+    Raises
+    ------
+    RenderingError
+        Without a display.
+    """
     require_display()
     check_scene(directory, options)
     run_module("drawing", directory, None, asdict(options or SceneOptions()), None)
@@ -115,7 +203,20 @@ def _draw(directory: StrPath, file: Path, options: SceneOptions) -> Path:
 
 
 def check_scene(directory: StrPath, options: SceneOptions | None = None) -> None:
-    """ValueError if there is nothing to draw."""
+    """Refuse a folder without results that can be drawn.
+
+    Parameters
+    ----------
+    directory : StrPath
+        Folder of the results.
+    options : SceneOptions | None, optional
+        Choices of the picture; the defaults if None.
+
+    Raises
+    ------
+    ValueError
+        If there is nothing to draw.
+    """
     with open_results(directory) as tree:
         require_contacts(directory, tree, "scene")
         kind = tree.attrs["kind"]

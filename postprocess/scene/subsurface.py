@@ -37,8 +37,28 @@ class StressVolume:
 def stress_volume(
     contact: BearingContact, solution: ContactSolution, ball_radius: float, poisson_ratio: float
 ) -> StressVolume:
-    """Stress [Pa] in a race below the solved pressure, which acts without friction on a half-space
-    of the race's Poisson ratio [-]; `ball_radius` in [m].
+    """Stress in a race below the solved pressure, which acts without friction on a half-space.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        Contact of a ball and a race.
+    solution : ContactSolution
+        Solved film of the contact.
+    ball_radius : float
+        Radius of the ball [m].
+    poisson_ratio : float
+        Poisson's ratio of the race [-].
+
+    Returns
+    -------
+    StressVolume
+        Stress in the race.
+
+    Raises
+    ------
+    ValueError
+        If the contact has no lengths.
     """
     long = solution.x
     wide = solution.y

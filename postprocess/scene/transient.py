@@ -46,8 +46,21 @@ def _never() -> bool:
 def write_transient_series(
     solution: TransientSolution, directory: Path, hurried: Callable[[], bool] = _never
 ) -> Path:
-    """Write a file for each frame, its film as height, and the series; the .pvd file. Frames are
-    left out when one is `hurried`.
+    """Write a file for each frame, its film as height, and their series.
+
+    Parameters
+    ----------
+    solution : TransientSolution
+        Contact over time.
+    directory : Path
+        Folder to write into.
+    hurried : Callable[[], bool], default _never
+        Asked before each frame; once it is true no further one is written.
+
+    Returns
+    -------
+    Path
+        The .pvd file.
     """
     step = max(1, (solution.x.size - 1) // (MOST_NODES - 1))
     x = solution.x[::step]
@@ -88,8 +101,18 @@ def _line_step(solution: TransientSolution, step: int) -> int:
 def write_movie(
     solution: TransientSolution, file: Path, title: str, hurried: Callable[[], bool] = _never
 ) -> None:
-    """Write the frames as a .gif: map of the film above film and pressure on y = 0; none when one
-    is `hurried`.
+    """Write the frames as a GIF: map of the film above film and pressure on y = 0.
+
+    Parameters
+    ----------
+    solution : TransientSolution
+        Contact over time.
+    file : Path
+        GIF file.
+    title : str
+        Title of the case.
+    hurried : Callable[[], bool], default _never
+        Asked before each frame; once it is true nothing is written.
     """
     pictures = []
     with rc_context(RC):

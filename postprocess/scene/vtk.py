@@ -54,7 +54,7 @@ FILM = "film thickness [um]"
 PRESSURE = "pressure [GPa]"
 TEMPERATURE = "film temperature [degC]"
 FILLED = "filled share of the gap [-]"
-# of zlib, 1 to 9; by the default of VTK, 5, a third slower, files 1 % smaller
+# level of zlib, 1 to 9; by the default of VTK, 5, a third slower, files 1 % smaller
 COMPRESSION_LEVEL = 1
 OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
 
@@ -69,6 +69,22 @@ def write_collection(
 
     Lengths in [mm]; paths relative, so that the folder can be moved. Patches may be magnified
     along and across the rolling direction, films drawn as height, exaggerated [-].
+
+    Parameters
+    ----------
+    results : BearingResults | ContactResults
+        Results of a bearing or of a single contact.
+    directory : Path
+        Folder to write into.
+    patch_magnification : tuple[float, float], default (1.0, 1.0)
+        Magnification of patches along and across the rolling direction [-].
+    film_exaggeration : float, default 0.0
+        Film drawn as height, times this [-].
+
+    Returns
+    -------
+    Path
+        The .pvd file.
     """
     if isinstance(results, ContactResults):
         grid = flat_patch(results.solution, film_exaggeration)
@@ -91,6 +107,18 @@ def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
     """Write the stress [GPa] below the solved contacts, if the case asks for it; the .pvd file.
 
     A volume [mm] for each contact, in its frame: x along the rolling direction, z into the race.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    Path | None
+        The .pvd file; None if the case does not ask for it.
     """
     if not results.case.get("ehl", {}).get("subsurface_stress"):
         return None
@@ -123,7 +151,18 @@ def _write_contacts(
 
 
 def volume_grid(volume: StressVolume) -> vtkStructuredGrid:
-    """The stress below a contact, lengths in [mm], stresses in [GPa]."""
+    """The stress below a contact as a grid.
+
+    Parameters
+    ----------
+    volume : StressVolume
+        Stress below a contact.
+
+    Returns
+    -------
+    vtkStructuredGrid
+        Grid in [mm], stresses in [GPa].
+    """
     largest = "largest shear [GPa]"
     depth = np.broadcast_to(volume.depth, volume.maximum_shear.shape)
     fields = {
@@ -141,7 +180,29 @@ def volume_grid(volume: StressVolume) -> vtkStructuredGrid:
 def placed_patch(
     contact: BearingContact, solution: ContactSolution, ball_radius: float, placement: Placement
 ) -> vtkStructuredGrid:
-    """One contact on its ball of `ball_radius` [m], coordinates in [mm]."""
+    """One contact on its ball.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        Contact of a ball and a race.
+    solution : ContactSolution
+        Solved film of the contact.
+    ball_radius : float
+        Radius of the ball [m].
+    placement : Placement
+        Magnification of patches and films.
+
+    Returns
+    -------
+    vtkStructuredGrid
+        Grid in [mm].
+
+    Raises
+    ------
+    ValueError
+        If the contact has no lengths.
+    """
     long = solution.x
     wide = solution.y
     film = solution.film
@@ -154,7 +215,7 @@ def placed_patch(
     height = placement.film * film[part]
     points = place_patch(x, y, contact_frame(contact, ball_radius), placement, height)
     fields = {FILM: film[part] / MICROMETRE, PRESSURE: solution.pressure[part] / GIGAPASCAL}
-    fields |= {name: values[part] for name, values in _of_the_oil(solution).items()}
+    fields |= {name: values[part] for name, values in _oil_fields(solution).items()}
     fields |= {"rolling [mm]": x / MILLIMETRE, "transverse [mm]": y / MILLIMETRE}
     facts: Facts = {
         "ball": float(contact.ball),
@@ -177,7 +238,20 @@ def _micrometres(film: float | None) -> float:
 
 
 def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStructuredGrid:
-    """A single contact in its plane [mm], or in semi-axes a where no length is known."""
+    """A single contact in its plane.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        Solved film of the contact.
+    film_exaggeration : float
+        Film drawn as height, times this [-].
+
+    Returns
+    -------
+    vtkStructuredGrid
+        Grid in [mm], or in semi-axes a where no length is known.
+    """
     a, h, p = shown_scales(solution)
     is_long = solution.film_scale is not None
     height = film_exaggeration * (h * MICROMETRE / MILLIMETRE if is_long else h)
@@ -189,12 +263,13 @@ def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStruct
     unit = "a" if solution.semi_axis_x is None else "mm"
     facts: Facts = {"coordinates": unit, "film exaggeration [-]": film_exaggeration}
     points = np.stack([a * x, a * y, height * solution.H], axis=-1)
-    return structured_grid(points, fields | _of_the_oil(solution), facts)
+    return structured_grid(points, fields | _oil_fields(solution), facts)
 
 
-def _of_the_oil(solution: ContactSolution) -> dict[str, Array]:
-    """By their names the mean temperature over the film [degC], where it was solved with heat, and
-    the share of the gap that oil fills [-], where it was solved behind a layer.
+def _oil_fields(solution: ContactSolution) -> dict[str, Array]:
+    """Fields of the oil by their names, as far as they were solved.
+
+    Mean temperature over the film [degC], and the share of the gap that oil fills [-].
     """
     fields = {}
     if solution.state is not None and solution.state.temperature is not None:
@@ -205,7 +280,18 @@ def _of_the_oil(solution: ContactSolution) -> dict[str, Array]:
 
 
 def bodies(results: BearingResults) -> dict[str, Surface]:
-    """Balls and rings as surfaces [m], set back behind the patches; the outer ring is cut open."""
+    """Balls and rings as surfaces [m], set back behind the patches; the outer ring is cut open.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Surface]
+        Surfaces by name [m].
+    """
     state = results.quasistatic
     bearing = state.bearing
     lengths = bearing_lengths(bearing)
@@ -246,7 +332,22 @@ def _cages(results: BearingResults) -> Surface:
 
 
 def groove_axial(results: BearingResults, race: str, row: int) -> float:
-    """Axial position of a race's groove centre [m]: behind the contact, along the normal."""
+    """Axial position of a race's groove centre: behind the contact, along the normal.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    race : str
+        "inner" or "outer".
+    row : int
+        Number of the row, from 1.
+
+    Returns
+    -------
+    float
+        Axial position [m].
+    """
     state = results.quasistatic
     bearing = state.bearing
     radius = bearing.inner_groove_radius if race == "inner" else bearing.outer_groove_radius
@@ -261,9 +362,21 @@ def groove_axial(results: BearingResults, race: str, row: int) -> float:
 def structured_grid(
     points: Array, fields: dict[str, Array], facts: Facts | None = None
 ) -> vtkStructuredGrid:
-    """A grid of points, shape (nx, ny, 3) or (nx, ny, nz, 3) [mm or a].
+    """A grid of points with fields on its nodes.
 
-    With fields on its nodes, in its shape, and facts of the whole; their names have the units.
+    Parameters
+    ----------
+    points : Array
+        Points, shape (nx, ny, 3) or (nx, ny, nz, 3) [mm or a].
+    fields : dict[str, Array]
+        Fields at the points, by name with unit.
+    facts : Facts | None, optional
+        Numbers and words of the whole, by name with unit.
+
+    Returns
+    -------
+    vtkStructuredGrid
+        The grid.
     """
     corners = vtkPoints()
     columns = np.stack([points[..., k].ravel(order="F") for k in range(3)], axis=1)
@@ -280,14 +393,34 @@ def structured_grid(
 
 
 def add_array(data: Any, name: str, values: Array) -> None:
-    """Add values at the points, shape (points,) or (points, components); the name has the unit."""
+    """Add values at the points.
+
+    Parameters
+    ----------
+    data : Any
+        VTK data set.
+    name : str
+        Name with unit.
+    values : Array
+        Shape (points,) or (points, components).
+    """
     array = numpy_to_vtk(values.astype(np.float32), deep=True)
     array.SetName(name)
     data.GetPointData().AddArray(array)
 
 
 def add_field_data(grid: Any, name: str, value: float | str) -> None:
-    """Add one number or word about the whole block, its unit in the name, such as load [N]."""
+    """Add one number or word about the whole block.
+
+    Parameters
+    ----------
+    grid : Any
+        VTK data set.
+    name : str
+        Name with unit, such as load [N].
+    value : float | str
+        Number or word.
+    """
     array: Any = vtkStringArray() if isinstance(value, str) else vtkDoubleArray()
     array.SetName(name)
     array.InsertNextValue(value)
@@ -295,7 +428,20 @@ def add_field_data(grid: Any, name: str, value: float | str) -> None:
 
 
 def poly_data(surface: Surface, facts: Facts | None = None) -> vtkPolyData:
-    """Turn a surface [m] into vtkPolyData, coordinates in [mm], with facts of the whole."""
+    """Turn a surface into vtkPolyData.
+
+    Parameters
+    ----------
+    surface : Surface
+        Surface [m].
+    facts : Facts | None, optional
+        Numbers and words of the whole, by name with unit.
+
+    Returns
+    -------
+    vtkPolyData
+        Data set in [mm].
+    """
     points = vtkPoints()
     cells = vtkCellArray()
     data = vtkPolyData()
@@ -316,6 +462,20 @@ def write_block(data: Any, path: Path) -> None:
     """Write a grid (.vts) or a surface (.vtp); the file appears when it is complete.
 
     VTK writes into memory: a full disk is to be an error of the system's, with its number.
+
+    Parameters
+    ----------
+    data : Any
+        Grid or surface.
+    path : Path
+        File that ends in .vts or .vtp.
+
+    Raises
+    ------
+    RuntimeError
+        If VTK cannot write it.
+    OSError
+        If the disk does not take it.
     """
     is_grid = isinstance(data, vtkStructuredGrid)
     writer: Any = vtkXMLStructuredGridWriter() if is_grid else vtkXMLPolyDataWriter()
@@ -356,7 +516,18 @@ def _multiblock(blocks: Blocks) -> str:
 
 
 def collection_text(steps: dict[float, str]) -> str:
-    """XML of a .pvd file: relative paths by time [s], azimuth [deg] or what else names a step."""
+    """XML of a .pvd file.
+
+    Parameters
+    ----------
+    steps : dict[float, str]
+        Relative path of a file by time [s], azimuth [deg] or what else names a step.
+
+    Returns
+    -------
+    str
+        The XML.
+    """
     lines = [
         f'<DataSet timestep="{step!r}" group="" part="0" file={quoteattr(file)}/>'
         for step, file in sorted(steps.items())

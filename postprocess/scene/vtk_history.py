@@ -53,8 +53,23 @@ class MovingBearing:
         turns: float,
         window: tuple[float, float] | None = None,
     ) -> "MovingBearing":
-        """Take evenly spaced rows of a history, over the last turns of the cage [-] or over a
-        window of time [s].
+        """Take evenly spaced samples of a history, over its last turns or over a window.
+
+        Parameters
+        ----------
+        data : xarray.Dataset
+            History of a simulation, SI.
+        frames : int
+            Pictures at most [-].
+        turns : float
+            Turns of the cage at the end of the history [-].
+        window : tuple[float, float] | None, optional
+            First and last time [s], instead of the turns.
+
+        Returns
+        -------
+        MovingBearing
+            The bearing.
         """
         diameter = float(data.attrs["ball_diameter"])
         ball, marks = marked_ball(0.5 * diameter)
@@ -69,7 +84,18 @@ class MovingBearing:
         )
 
     def balls_at(self, row: int) -> Surface:
-        """All balls, at their places and in their attitudes."""
+        """All balls, at their positions and in their attitudes.
+
+        Parameters
+        ----------
+        row : int
+            Sample of the history, counted from 0.
+
+        Returns
+        -------
+        Surface
+            The surface [m].
+        """
         one = self.data.isel(time=row)
         centres = one["ball_position"].to_numpy()
         attitudes = one["ball_attitude"].to_numpy().astype(np.float64)
@@ -81,19 +107,56 @@ class MovingBearing:
         )
 
     def cage_at(self, row: int) -> Surface:
-        """The cage."""
+        """The cage at a sample.
+
+        Parameters
+        ----------
+        row : int
+            Sample of the history, counted from 0.
+
+        Returns
+        -------
+        Surface
+            The surface [m].
+        """
         place = self.data["cage_position"].isel(time=row).to_numpy()
         angle = float(self.data.attrs["first_ball_azimuth"]) + place[3]
         return _moved(self.cage, place[:3], about_axis(angle))
 
     def ring_at(self, row: int) -> Surface:
-        """The inner ring."""
+        """The inner ring at a sample.
+
+        Parameters
+        ----------
+        row : int
+            Sample of the history, counted from 0.
+
+        Returns
+        -------
+        Surface
+            The surface [m].
+        """
         one = self.data.isel(time=row)
         turn = about_axis(float(one["ring_rotation"]))
         return _moved(self.ring, one["ring_position"].to_numpy()[:3], turn)
 
     def forces_at(self, row: int, race: str) -> tuple[Array, Array]:
-        """Points where a race pushes on the balls [m], and the forces [N], shapes (Z, 3)."""
+        """Points where a race pushes on the balls, and the forces.
+
+        Parameters
+        ----------
+        row : int
+            Sample of the history, counted from 0.
+        race : str
+            "inner" or "outer".
+
+        Returns
+        -------
+        value
+            Points, shape (Z, 3) [m].
+        value
+            Forces, shape (Z, 3) [N].
+        """
         one = self.data.isel(time=row)
         centres = one["ball_position"].to_numpy().astype(np.float64)
         load = one["contact_load"].sel(race=race).to_numpy()[:, None]
@@ -110,7 +173,20 @@ def _moved(surface: Surface, place: Array, turn: Array) -> Surface:
 
 
 def marked_ball(radius: float) -> tuple[Surface, Array]:
-    """A ball of `radius` [m] and, at its points, 1 on dark and 0 on light eighths of it [-]."""
+    """A ball with dark and light eighths.
+
+    Parameters
+    ----------
+    radius : float
+        Radius [m].
+
+    Returns
+    -------
+    value
+        The surface [m].
+    value
+        1 at points of dark, 0 of light eighths, shape (n,) [-].
+    """
     surface = ball_surface(np.zeros(3), radius, BALL_RINGS)
     direction = surface.points / radius
     return surface, (np.prod(np.sign(np.round(direction, 9)), axis=1) > 0.0).astype(np.float64)
@@ -119,8 +195,28 @@ def marked_ball(radius: float) -> tuple[Surface, Array]:
 def shown_rows(
     data: xarray.Dataset, frames: int, turns: float, window: tuple[float, float] | None = None
 ) -> NDArray[np.int64]:
-    """Rows of the history that are shown, evenly spaced over the last turns of the cage [-], or
-    over a window of time [s]; ValueError if that has no two.
+    """Samples that are shown, evenly spaced.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of a simulation, SI.
+    frames : int
+        Pictures at most [-].
+    turns : float
+        Turns of the cage at the end of the history [-].
+    window : tuple[float, float] | None, optional
+        First and last time [s], instead of the turns.
+
+    Returns
+    -------
+    NDArray[np.int64]
+        Numbers of the samples, ascending.
+
+    Raises
+    ------
+    ValueError
+        If the window has no two samples.
     """
     if window is None:
         place = data["ball_position"].sel(ball=1).to_numpy()
@@ -140,10 +236,24 @@ def shown_rows(
 
 
 def write_motion(directory: Path, frames: int = FRAMES, turns: float = TURNS) -> Path:
-    """Write at most `frames` steps over the last `turns` of the cage [-] for ParaView, with .pvd.
+    """Write steps over the last turns of the cage for ParaView, and their .pvd file.
 
     Each step is one file: balls, cage and inner ring, lengths in [mm]; at the points `mark` (0 and
     1 on balls, 2 cage, 3 ring) and the loads of the ball there [N].
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the history.
+    frames : int, default FRAMES
+        Pictures at most [-].
+    turns : float, default TURNS
+        Turns of the cage at the end of the history [-].
+
+    Returns
+    -------
+    Path
+        The .pvd file.
     """
     with open_history(directory) as data:
         bearing = MovingBearing.read(data, frames, turns)

@@ -21,7 +21,7 @@ from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE,
 from .quantities import AXIAL_LOAD, RADIAL_LOAD, SLIP_FACTOR, SPEED, WORST_FACTOR
 from .results import SlipResults
 
-# of the contour lines, limit 10 [-]
+# values of the contour lines, limit 10 [-]
 LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])
 DEEPEST = 0.01  # of the limit: where the colours end [-]
 MOST_TICKS = 12  # azimuths that are named [-]
@@ -37,7 +37,15 @@ LOAD_STYLES: dict[str, Any] = {
 
 
 def write_slip_plots(results: SlipResults, directory: Path) -> None:
-    """Write the pictures of slip maps; critical_loads.png if these were computed."""
+    """Write the pictures of slip maps; critical_loads.png if these were computed.
+
+    Parameters
+    ----------
+    results : SlipResults
+        Slip maps of the case.
+    directory : Path
+        Folder to write into.
+    """
     drawings = {
         "slip_factors": draw_surface,
         "minimum_preload": draw_minimum_loads,
@@ -58,7 +66,15 @@ def _titled(
 
 
 def draw_surface(figure: Figure, results: SlipResults) -> None:
-    """Slip factor of the worst ball over speed [r/min] and axial load [N], heavy at the limit."""
+    """Slip factor of the worst ball over speed [r/min] and axial load [N], heavy at the limit.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : SlipResults
+        Slip maps of the case.
+    """
     figure.set_size_inches(0.72 * PAGE_WIDTH, 4.0)
     axes: Axes = figure.subplots()
     surface = results.surface
@@ -108,11 +124,22 @@ def _limit_line(axes: Axes, results: SlipResults) -> None:
 
 
 def ball_groups(curve: CriticalCurves) -> dict[tuple[int, ...], Array]:
-    """Critical axial loads [N] of the balls whose curves are the same, by their numbers from 1."""
+    """Critical axial loads of the balls whose curves are the same.
+
+    Parameters
+    ----------
+    curve : CriticalCurves
+        Critical loads of all balls at one speed.
+
+    Returns
+    -------
+    dict[tuple[int, ...], Array]
+        Loads by the numbers of the balls, from 1, shape (n,) [N].
+    """
     groups: dict[tuple[int, ...], Array] = {}
     for ball, loads in enumerate(curve.axial_loads.T, 1):
-        for members, known in groups.items():
-            if np.allclose(loads, known, rtol=SAME_CURVE_RTOL, atol=0.0, equal_nan=True):
+        for members, available in groups.items():
+            if np.allclose(loads, available, rtol=SAME_CURVE_RTOL, atol=0.0, equal_nan=True):
                 groups[(*members, ball)] = groups.pop(members)
                 break
         else:
@@ -121,7 +148,15 @@ def ball_groups(curve: CriticalCurves) -> dict[tuple[int, ...], Array]:
 
 
 def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
-    """Axial and radial load [N] at which each ball just slips; right of its curve it does not."""
+    """Axial and radial load [N] at which each ball just slips; right of its curve it does not.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : SlipResults
+        Slip maps of the case.
+    """
     figure.set_size_inches(PAGE_WIDTH, 3.4)
     panels: Any = figure.subplots(1, len(results.curves), squeeze=False, sharey=True)
     azimuths = results.state.azimuth
@@ -148,7 +183,15 @@ def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
 
 
 def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
-    """Minimum preload [N] over speed [r/min], the catalogue's minimum loads beside."""
+    """Minimum preload [N] over speed [r/min], with the catalogue's minimum loads.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : SlipResults
+        Slip maps of the case.
+    """
     figure.set_size_inches(0.72 * PAGE_WIDTH, 3.6)
     axes: Axes = figure.subplots()
     minimum = results.minimum
@@ -170,7 +213,15 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
 
 
 def draw_balls(figure: Figure, results: SlipResults) -> None:
-    """Slip factor of every ball at the case's own operation, over its azimuth [deg]."""
+    """Slip factor of every ball at the case's own operation, over its azimuth [deg].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : SlipResults
+        Slip maps of the case.
+    """
     figure.set_size_inches(0.72 * PAGE_WIDTH, 3.2)
     axes: Axes = figure.subplots()
     factors = results.factors

@@ -53,7 +53,7 @@ class SlipResults(Results):
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """What did not converge, in words."""
+        """Parts that did not converge, in words."""
         problems: tuple[str, ...] = ()
         if not self.state.converged:
             problems = (f"operation of the case: not converged: {self.state.message}",)

@@ -11,7 +11,18 @@ from .results import SlipResults
 
 
 def slip_summary(results: SlipResults) -> dict[str, Any]:
-    """Summary as plain JSON types, units in the keys, null where a value does not exist."""
+    """Summary as plain JSON types, units in the keys, null where a value does not exist.
+
+    Parameters
+    ----------
+    results : SlipResults
+        Slip maps of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     curves = [
         values_of(curve, CURVE)
         | {
@@ -53,7 +64,18 @@ def _operation(results: SlipResults) -> dict[str, Any]:
 
 
 def ball_values(results: SlipResults) -> list[dict[str, Any]]:
-    """The balls at the operation of the case: loads [N], angles [deg], slip factors [-]."""
+    """The balls at the operation of the case: loads [N], angles [deg], slip factors [-].
+
+    Parameters
+    ----------
+    results : SlipResults
+        Slip maps of the case.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Values by key, a dictionary for each ball.
+    """
     factors = results.factors
     share = results.printed_force
     columns = values_of(results.state, BALLS) | {

@@ -9,7 +9,7 @@ from rich.text import Text
 from ehl.units import from_si, unit_symbol
 
 from ..bearing.quantities import BALL_QUANTITY
-from ..table import number_table
+from ..table import number_table, titled
 from ..text import evenly_chosen, number
 from .quantities import SLIP_FACTOR
 from .results import SlipResults
@@ -26,15 +26,26 @@ COLUMNS = {  # of the balls, with the format of their numbers
 
 
 def slip_table(results: SlipResults) -> Group:
-    """The balls at the case's operation and the minimum loads [N] over speed [r/min]."""
+    """The balls at the case's operation and the minimum loads [N] over speed [r/min].
+
+    Parameters
+    ----------
+    results : SlipResults
+        Slip maps of the case.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
     fx, fy, _ = results.state.ring_force
     speed = from_si("speed_rpm", results.state.operation.inner_speed)
     own = (
         f"At {speed:.0f} r/min, axial {fx:.1f} N, radial {fy:.1f} N; a ball slips below "
         f"{results.limit:g}:"
     )
-    return Group(
-        Text(results.title, style="bold"),
+    return titled(
+        results.title,
         Text(own.replace("-0.0 N", "0.0 N")),
         _balls_table(results),
         Text("Minimum loads over speed (axial, but for the radial load of the last column), N:"),

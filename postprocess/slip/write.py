@@ -20,7 +20,20 @@ SPEED, LOAD, FACTOR = ({"units": unit} for unit in ("rad/s", "N", "1"))
 
 
 def write_slip(results: SlipResults, directory: str | Path) -> tuple[str, ...]:
-    """Write pictures, tables and, last, the summary; pictures that failed are messages."""
+    """Write pictures, tables and, last, the summary; pictures that failed are messages.
+
+    Parameters
+    ----------
+    results : SlipResults
+        Slip maps of the case.
+    directory : str | Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
     folder = Path(directory)
     files = StudyFiles(
         kind="slip",

@@ -6,7 +6,7 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from ..plot_style import PAGE_WIDTH, write_figure
+from ..plot_style import titled_panels, write_figure
 from ..results import STIFFNESS_ORDER
 from .results import StiffnessResults
 from .summary import SPEED, STIFFNESS, TILTING_STIFFNESS
@@ -16,15 +16,29 @@ SMALL_COUPLING = 1e-3  # of the largest stiffness: couplings below are not drawn
 
 
 def write_stiffness_plot(results: StiffnessResults, directory: Path) -> None:
-    """Write `stiffness.png` into a folder; stiffness in [N/um] and [N m/mrad] over speed."""
+    """Write `stiffness.png` into a folder; stiffness in [N/um] and [N m/mrad] over speed.
+
+    Parameters
+    ----------
+    results : StiffnessResults
+        Stiffness over speed of the case.
+    directory : Path
+        Folder to write into.
+    """
     write_figure(directory / "stiffness.png", partial(draw_stiffness, results=results))
 
 
 def draw_stiffness(figure: Figure, results: StiffnessResults) -> None:
-    """Diagonal, largest couplings of translation, and tilts, over the inner ring's speed."""
-    figure.set_size_inches(PAGE_WIDTH, 3.4)
-    figure.suptitle(results.title, fontsize=8.5)
-    left, right = figure.subplots(1, 2)
+    """Diagonal, largest couplings of translation, and tilts, over the inner ring's speed.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : StiffnessResults
+        Stiffness over speed of the case.
+    """
+    left, right = titled_panels(figure, results.title, 3.4, 1, 2)
     speeds = SPEED.value(results.study)
     matrices = results.study.matrices
     translation = STIFFNESS.in_unit(matrices[:, :3, :3])

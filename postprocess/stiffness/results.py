@@ -16,5 +16,5 @@ class StiffnessResults(Results):
 
     @property
     def converged(self) -> bool:
-        """Whether there is an equilibrium at every speed."""
+        """True if there is an equilibrium at every speed."""
         return bool(self.study.converged.all())

@@ -10,22 +10,30 @@ ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Array]:
-    """Keyword arguments of ROSS' BearingElement over speed, but for its node n, as of ROSS 3;
-    ROSS 2 calls the speed `frequency`.
+    """Arguments of the BearingElement of the rotor code ROSS 3 over speed.
 
-    ROSS has z along the shaft; its x and y are our -z and y (a turn of the frame, right-handed in
-    both). Its element has the 2 x 2 block of the lateral directions and the axial stiffness; tilt
-    and what couples axial to lateral are left out: the block is the stiffness with x and the tilts
-    fixed.
+    ROSS 2 calls the speed `frequency`. ROSS has z along the shaft; its x and y are our -z and y (a
+    turn of the frame, right-handed in both). Its element has the 2 x 2 block of the lateral
+    directions and the axial stiffness; tilt and the coupling of axial to lateral are left out: the
+    block is the stiffness with x and the tilts fixed.
 
-    `study`: speeds without an equilibrium are left out; `damping`: Viscous, in x, y and z alike,
-    which the equilibrium does not know [N s/m].
+    Parameters
+    ----------
+    study : StiffnessOverSpeed
+        Stiffness over speed; speeds without an equilibrium are left out.
+    damping : float, default 0.0
+        Viscous damping in x, y and z, which the equilibrium does not know [N s/m].
 
     Returns
     -------
-    dict of ndarray, shape (n,)
-        speed [rad/s] of the rotor; kxx, kxy, kyx, kyy, kzz [N/m]; cxx, cxy, cyx, cyy, czz
-        [N s/m].
+    dict[str, Array]
+        Speed [rad/s] of the rotor; kxx, kxy, kyx, kyy, kzz [N/m]; cxx, cxy, cyx, cyy, czz [N s/m],
+        shape (n,) each.
+
+    Raises
+    ------
+    ValueError
+        If the damping is negative.
     """
     if not damping >= 0.0:
         raise ValueError(f"damping must not be negative, got {damping!r} N s/m")

@@ -17,7 +17,18 @@ DAMPING = "ross: damping {:g} N s/m as given, the equilibrium has none"
 
 
 def stiffness_summary(results: StiffnessResults) -> dict[str, Any]:
-    """The study as plain JSON: speeds [r/min], matrices in [N/m], [N/rad], [N m/rad]."""
+    """The study as plain JSON: speeds [r/min], matrices in [N/m], [N/rad], [N m/rad].
+
+    Parameters
+    ----------
+    results : StiffnessResults
+        Stiffness over speed of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     study = results.study
     columns = {
         "speed_rpm": SPEED.value(study),

@@ -3,7 +3,7 @@
 from rich.console import Group
 from rich.text import Text
 
-from ..table import number_table
+from ..table import number_table, titled
 from ..text import number
 from .results import StiffnessResults
 from .summary import SPEED, STIFFNESS, TILTING_STIFFNESS
@@ -14,7 +14,18 @@ ENTRIES = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 1))  # of translation
 
 
 def stiffness_table(results: StiffnessResults) -> Group:
-    """Main entries over speed: stiffness [N/um] and [N m/mrad]."""
+    """Main entries over speed: stiffness [N/um] and [N m/mrad].
+
+    Parameters
+    ----------
+    results : StiffnessResults
+        Stiffness over speed of the case.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     study = results.study
     rows = []
     for speed, matrix in zip(SPEED.value(study), study.matrices, strict=True):
@@ -24,4 +35,4 @@ def stiffness_table(results: StiffnessResults) -> Group:
         cells = [number(e) if not abs(e) <= noise else "0" for e in entries]
         rows.append([f"{speed:.0f}", *cells])
     units = Text("stiffness k in N/µm, against tilting in N m/mrad", style="dim")
-    return Group(Text(results.title, style="bold"), units, number_table(HEADERS, rows))
+    return titled(results.title, units, number_table(HEADERS, rows))

@@ -17,7 +17,20 @@ MIXED = {"units": "SI: N, m, rad, N m"}
 
 
 def write_stiffness(results: StiffnessResults, directory: Path) -> tuple[str, ...]:
-    """Write matrices, table for ROSS, data set, summary; pictures that failed are messages."""
+    """Write matrices, table for ROSS, data set, summary; pictures that failed are messages.
+
+    Parameters
+    ----------
+    results : StiffnessResults
+        Stiffness over speed of the case.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
     files = StudyFiles(
         kind="stiffness",
         document=stiffness_summary(results),

@@ -7,7 +7,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from bearing.heating.limiting_speed import TURNED
+from bearing.heating.limiting_speed import SpeedLimit
 
 from ..plot_style import PAGE_WIDTH, write_figure
 from .results import TemperatureResults
@@ -24,13 +24,27 @@ LINES = (  # key, name, colour
 
 
 def write_temperatures_plot(results: TemperatureResults, directory: Path) -> None:
-    """Write `temperatures.png` into a folder; temperatures [degrees Celsius]."""
+    """Write `temperatures.png` into a folder; temperatures [degrees Celsius].
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+    directory : Path
+        Folder to write into.
+    """
     write_figure(directory / "temperatures.png", partial(draw_temperatures, results=results))
 
 
 def draw_temperatures(figure: Figure, results: TemperatureResults) -> None:
-    """Left: balances over the speed with what bounds it. Right: course from the start, with the
-    clearance below.
+    """Balances over the speed with its limit, and the course from the start with the clearance.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : TemperatureResults
+        Temperatures of the case.
     """
     document = temperatures_summary(results)
     figure.set_size_inches(PAGE_WIDTH, 3.8)
@@ -46,7 +60,9 @@ def draw_temperatures(figure: Figure, results: TemperatureResults) -> None:
     limit = LIMIT.value(results)
     if limit is not None:
         fastest = results.branch.fastest
-        word = "turns back" if results.branch.limited_by == TURNED else "end of the range"
+        word = (
+            "turns back" if results.branch.limited_by is SpeedLimit.RUNAWAY else "end of the range"
+        )
         over_speed.plot([limit], [FILM.value(fastest.state)], "kx", label=f"limit: {word}")
     over_speed.set_xlabel(SPEED.label)
     over_speed.set_ylabel("temperature [°C]")

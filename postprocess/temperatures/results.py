@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from bearing.heating.limiting_speed import NO_STATE, SpeedBranch
+from bearing.heating.limiting_speed import SpeedBranch, SpeedLimit
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.heating.warm_up import WarmUp
 
@@ -20,8 +20,8 @@ class TemperatureResults(Results):
 
     @property
     def converged(self) -> bool:
-        """Whether the speed of the case has a balance, the branch an end that is understood, and
-        the course reached its time.
+        """True if the speed of the case has a balance, the branch a known end, and the course its
+        full time.
         """
-        known = self.branch.limited_by != NO_STATE
+        known = self.branch.limited_by is not SpeedLimit.NO_STATE
         return self.heating.converged and known and self.warm_up.ended

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from bearing.heating.limiting_speed import FAST_ENOUGH, NO_STATE, TOO_WARM, TURNED
+from bearing.heating.limiting_speed import SpeedLimit
 from bearing.heating.network import NODES
 from ehl.units import from_si
 
@@ -25,20 +25,35 @@ TIME_CONSTANT = Quantity(
     "thermal_time_constant_s", "longest time constant", "heating.stability.longest_time"
 )
 ENDS = {
-    TURNED: "above it friction grows faster with the temperature than the cooling: no balance",
-    TOO_WARM: "there the films reach the highest temperature of lubricants that is reckoned with",
+    SpeedLimit.RUNAWAY: (
+        "above it friction grows faster with the temperature than the cooling: no balance"
+    ),
+    SpeedLimit.TEMPERATURE: (
+        "there the films reach the highest temperature of lubricants that is reckoned with"
+    ),
 }
 
 
 def temperatures_summary(results: TemperatureResults) -> dict[str, Any]:
-    """The study as plain JSON: balances over the speed, course over time, the least clearance."""
+    """The study as plain JSON: balances over the speed, course over time, the least clearance.
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     warm = results.warm_up
     course = {quantity.key: quantity.value(warm) for quantity in (TIME, FILM, CLEARANCE, POWER)}
     course |= _nodes(warm.temperatures)
     least = int(np.argmin(warm.clearance))
     document = {
         **values_of(results, (SPEED, LIMIT)),
-        "limited_by": results.branch.limited_by,
+        "limited_by": results.branch.limited_by.value,
         **values_of(results, (MARGIN, TIME_CONSTANT)),
         "balances": rows_of(balance_columns(results)),
         "warm_up": {
@@ -52,7 +67,18 @@ def temperatures_summary(results: TemperatureResults) -> dict[str, Any]:
 
 
 def balance_columns(results: TemperatureResults) -> dict[str, Any]:
-    """Of the balances over the speed by key, in the units of the keys."""
+    """Balances over the speed as columns, in the units of the keys.
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key, shape (n,) each.
+    """
     balances = results.branch.balances
     states = [balance.state for balance in balances]
     speed = np.array([balance.speed for balance in balances])
@@ -74,23 +100,35 @@ def _nodes(temperatures: Any) -> dict[str, Any]:
 
 
 def temperature_study_messages(results: TemperatureResults) -> Iterator[str]:
-    """What bounds the speed, and what the course does."""
+    """State the limit of the speed, and the end of the course.
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     branch = results.branch
     limit = LIMIT.value(results)
-    if branch.limited_by in (TURNED, TOO_WARM):
+    if branch.limited_by in ENDS:
         film = FILM.value(branch.fastest.state)
         yield (
             f"limiting speed {limit:.0f} r/min by heat, films at {film:.0f} C: "
             f"{ENDS[branch.limited_by]}; material, cage and oil may allow less"
         )
-    elif branch.limited_by == FAST_ENOUGH:
+    elif branch.limited_by is SpeedLimit.NOT_REACHED:
         fastest = SPEED.in_unit(branch.fastest.speed)
         yield f"limiting speed null: none up to {fastest:.0f} r/min, where the search ends"
     else:
         last = branch.balances[-1]
+        reason = branch.message or SpeedLimit.NO_STATE.value
         yield (
             f"limiting speed null: not converged beyond {SPEED.in_unit(last.speed):.0f} r/min, "
-            f"films at {FILM.value(last.state):.0f} C: {branch.message or NO_STATE}"
+            f"films at {FILM.value(last.state):.0f} C: {reason}"
         )
     if not results.heating.converged:
         yield (

@@ -17,7 +17,20 @@ KELVIN = {"units": "K"}
 
 
 def write_temperatures(results: TemperatureResults, directory: Path) -> tuple[str, ...]:
-    """Write balances, course, data set, summary; pictures that failed are messages."""
+    """Write balances, course, data set, summary; pictures that failed are messages.
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
     document = temperatures_summary(results)
     files = StudyFiles(
         kind="temperatures",

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from ehl.traction.table.table import TractionTable
 
-from ..plot_style import PAGE_WIDTH, write_figure
+from ..plot_style import titled_panels, write_figure
 from .results import TractionResults
 
 COLOURS = ("#1f4e8c", "#3a7d44", "#8a6d1d", "#c1440e")
@@ -19,7 +19,20 @@ MAP_POINTS = 61
 
 
 def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Path]:
-    """Write `<name>_curves.png` and `<name>_map.png` beside the tables' file."""
+    """Write `<name>_curves.png` and `<name>_map.png` beside the tables' file.
+
+    Parameters
+    ----------
+    results : TractionResults
+        Traction tables of the case.
+    path : Path
+        File of the tables.
+
+    Returns
+    -------
+    tuple[Path, Path]
+        Both pictures.
+    """
     files = tuple(path.with_name(f"{path.stem}_{kind}.png") for kind in ("curves", "map"))
     for file, draw in zip(files, (draw_traction_curves, draw_traction_map), strict=True):
         write_figure(file, partial(draw, results=results))
@@ -27,10 +40,18 @@ def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Pa
 
 
 def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
-    """Traction coefficient along the entrainment over the slide-roll ratio, by race and load."""
-    figure.set_size_inches(PAGE_WIDTH, 3.2)
-    figure.suptitle(results.title, fontsize=8.5)
-    panels = figure.subplots(1, len(results.tables), sharey=True, squeeze=False)[0]
+    """Traction coefficient along the entrainment over the slide-roll ratio, by race and load.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : TractionResults
+        Traction tables of the case.
+    """
+    panels = titled_panels(
+        figure, results.title, 3.2, 1, len(results.tables), sharey=True, squeeze=False
+    )[0]
     for axes, (race, table) in zip(panels, results.tables.items(), strict=True):
         speed = sqrt(table.range.speed[0] * table.range.speed[1])
         limit = table.range.slide_x
@@ -53,10 +74,16 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
 
 
 def draw_traction_map(figure: Figure, results: TractionResults) -> None:
-    """Traction coefficient over sliding along and across, and over sliding and spin, by race."""
-    figure.set_size_inches(PAGE_WIDTH, 5.4)
-    figure.suptitle(results.title, fontsize=8.5)
-    panels = figure.subplots(len(results.tables), 2, squeeze=False)
+    """Traction coefficient over sliding along and across, and over sliding and spin, by race.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : TractionResults
+        Traction tables of the case.
+    """
+    panels = titled_panels(figure, results.title, 5.4, len(results.tables), 2, squeeze=False)
     for row, (race, table) in zip(panels, results.tables.items(), strict=True):
         load = sqrt(table.range.load[0] * table.range.load[1])
         speed = sqrt(table.range.speed[0] * table.range.speed[1])

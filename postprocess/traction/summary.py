@@ -12,7 +12,18 @@ from .results import TractionResults
 
 
 def traction_summary(results: TractionResults) -> dict[str, Any]:
-    """Summary of the tables: ranges, error, largest coefficients; units in the keys."""
+    """Summary of the tables: ranges, error, largest coefficients; units in the keys.
+
+    Parameters
+    ----------
+    results : TractionResults
+        Traction tables of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     races = {}
     for race, table in results.tables.items():
         block = _table_block(table)
@@ -54,7 +65,18 @@ def _table_block(table: TractionTable) -> dict[str, Any]:
 
 
 def full_solve_entry(solve: FullSolve) -> dict[str, Any]:
-    """The table's film and a full solve at one place; units in the keys."""
+    """The table's film and a full solve at one place; units in the keys.
+
+    Parameters
+    ----------
+    solve : FullSolve
+        Coefficients by the table's film and in full.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     numbers = {
         "load_N": solve.load,
         "entrainment_speed_m_s": solve.speed,

@@ -13,7 +13,18 @@ PLACES = ("race", "load [N]", "speed [m/s]", "slide/roll", "µ, film", "µ, full
 
 
 def traction_table(results: TractionResults) -> Group:
-    """Range and error of each race's table, full solves beside them, and the messages."""
+    """Range and error of each race's table, full solves beside them, and the messages.
+
+    Parameters
+    ----------
+    results : TractionResults
+        Traction tables of the case.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
     rows = [
         [
             race.value,

@@ -9,13 +9,29 @@ from .results import TractionResults
 
 
 def write_traction(results: TractionResults, path: Path) -> None:
-    """Write the tables, and beside them `<name>_curves.png` and `<name>_map.png`."""
+    """Write the tables, and beside them `<name>_curves.png` and `<name>_map.png`.
+
+    Parameters
+    ----------
+    results : TractionResults
+        Traction tables of the case.
+    path : Path
+        File of the tables.
+    """
     save_tables(results, path)
     write_traction_plots(results, path)
 
 
 def save_tables(results: TractionResults, path: Path) -> None:
-    """Write the tables to a file; it appears under its name only when it is complete."""
+    """Write the tables to a file; it appears under its name only when it is complete.
+
+    Parameters
+    ----------
+    results : TractionResults
+        Traction tables of the case.
+    path : Path
+        File of the tables.
+    """
     if results.over_temperature is None:
         save_race_tables(results.tables, path)
     else:

@@ -14,8 +14,21 @@ LIMIT = 32767
 
 
 def write_audio(signal: Array, rate: float, path: Path) -> float:
-    """Write a signal [any unit] at its rate [Hz], scaled to full size; returns its value at full
-    size, 0 of a still one.
+    """Write a signal as sound, scaled to full size.
+
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+    rate : float
+        Sample rate [Hz].
+    path : Path
+        WAVE file.
+
+    Returns
+    -------
+    float
+        Value at full size in the unit of the signal; 0 of a still one.
     """
     part = signal - signal.mean()
     largest = float(abs(part).max())

@@ -30,9 +30,20 @@ class Measured:
 
 
 def measured(results: VibrationResults) -> Measured:
-    """What a case looks at, SI."""
+    """Motion of the body and direction that a case names, SI.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+
+    Returns
+    -------
+    Measured
+        The motion.
+    """
     run = results.run
-    body, first = body_of(run, results.direction)
+    body, first = measured_body(run, results.direction)
     rate = run.model.options.sample_rate
     columns = first + BALLS * np.arange(3)
     motion = sampled(run.motion[:, columns], OVERSAMPLED)
@@ -52,8 +63,23 @@ def measured(results: VibrationResults) -> Measured:
     )
 
 
-def body_of(run: VibrationRun, direction: Direction) -> tuple[str, int]:
-    """The body that is looked at, and its coordinate in the state [-]."""
+def measured_body(run: VibrationRun, direction: Direction) -> tuple[str, int]:
+    """Body whose motion is measured, and its coordinate.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        Vibration over time.
+    direction : Direction
+        Direction of the motion.
+
+    Returns
+    -------
+    value
+        Name of the body.
+    value
+        Its coordinate in the state [-].
+    """
     support = run.model.support
     if support.sensor is not None and direction is Direction.Y:
         return "sensor", SENSOR
@@ -63,14 +89,36 @@ def body_of(run: VibrationRun, direction: Direction) -> tuple[str, int]:
 
 
 def turned_time(run: VibrationRun, time: Array) -> Array:
-    """Time that would have turned the rings as far at the end's speeds [s]."""
+    """Time that would have turned the rings as far at the speeds of the end.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        Vibration over time.
+    time : Array
+        Times of the samples, shape (n,) [s].
+
+    Returns
+    -------
+    Array
+        Time, shape (n,) [s].
+    """
     start = run.model.options.start_speed_ratio
     return start * time + 0.5 * (1.0 - start) * time**2 / run.model.options.duration
 
 
 def envelope_band(results: VibrationResults) -> tuple[float, float]:
-    """Band of the envelope: given, or the high band of ISO 15242-2 at the end's speed, at least
-    from a twentieth of the sample rate down and up to what is sampled [Hz].
+    """Band of the envelope: given, or the high band of ISO 15242-2 as far as it is sampled.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+
+    Returns
+    -------
+    tuple[float, float]
+        Lower and upper frequency [Hz].
     """
     if results.envelope_band is not None:
         return results.envelope_band
@@ -81,5 +129,16 @@ def envelope_band(results: VibrationResults) -> tuple[float, float]:
 
 
 def shaft_frequency(run: VibrationRun) -> float:
-    """Of the inner ring against the outer one at the end [Hz]."""
+    """Frequency of the inner ring against the outer one at the end.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        Vibration over time.
+
+    Returns
+    -------
+    float
+        Frequency [Hz].
+    """
     return run.solution.operation.shaft_speed / (2.0 * pi)

@@ -18,6 +18,7 @@ from ..plot_style import (
     OUTER_COLOUR,
     PAGE_WIDTH,
     REFERENCE,
+    titled_panels,
     write_figures,
 )
 from .measured import Measured, envelope_band, shaft_frequency
@@ -44,7 +45,26 @@ def write_vibration_plots(
     directory: Path,
     hurried: Callable[[], bool],
 ) -> tuple[str, ...]:
-    """Write the pictures; those that failed are messages."""
+    """Write the pictures; those that failed are messages.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    directory : Path
+        Folder to write into.
+    hurried : Callable[[], bool]
+        Asked before each picture; once it is true no further one is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
     given: dict[str, Any] = {"results": results, "seen": seen, "document": document}
     pictures = {
         "time": draw_time,
@@ -61,10 +81,22 @@ def write_vibration_plots(
 
 
 def draw_time(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
-    """Acceleration [m/s^2], velocity [um/s] and displacement [um] over the last turns [ms]."""
-    figure.set_size_inches(PAGE_WIDTH, 4.6)
-    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
-    rows = figure.subplots(3, 1, sharex=True)
+    """Acceleration [m/s^2], velocity [um/s] and displacement [um] over the last turns [ms].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
+    rows = titled_panels(
+        figure, f"{results.title}: {document['vibration']['measured']}", 4.6, 3, 1, sharex=True
+    )
     span = SHOWN_TURNS / shaft_frequency(results.run)
     shown = seen.time >= seen.time[-1] - span
     time = from_si("x_ms", seen.time[shown])
@@ -83,15 +115,25 @@ def draw_time(figure: Figure, results: VibrationResults, seen: Measured, documen
 def draw_spectrum(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
-    """Velocity [um/s] over frequency [Hz], with bands and the lines that are expected."""
-    figure.set_size_inches(PAGE_WIDTH, 3.4)
-    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
-    axes = figure.subplots()
-    found = spectrum(seen.velocity, seen.rate)
-    top = _decades(axes, found, "x_um_s")
+    """Velocity [um/s] over frequency [Hz], with bands and the lines that are expected.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
+    axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.4)
+    result = spectrum(seen.velocity, seen.rate)
+    top = _decades(axes, result, "x_um_s")
     axes.set_xscale("log")
     slowest = LEAST_ORDER * shaft_frequency(results.run)
-    axes.set_xlim(max(found.frequency[1], slowest), 0.5 * seen.rate)
+    axes.set_xlim(max(result.frequency[1], slowest), 0.5 * seen.rate)
     steady = results.run.model.options.start_speed_ratio == 1.0
     lines = document["vibration"]["lines"] if steady else []
     shown = [line for line in lines if (line["velocity_um_s"] or 0.0) > 1e-4 * top]
@@ -108,15 +150,25 @@ def draw_spectrum(
 
 
 def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
-    """Velocity [um/s] over the order of the shaft, with the passing balls."""
-    figure.set_size_inches(PAGE_WIDTH, 3.2)
-    figure.suptitle(f"{results.title}: orders of the shaft", fontsize=8.5)
-    axes = figure.subplots()
-    found = by_order(seen.velocity, seen.turned, results.run.solution.operation.shaft_speed)
-    _decades(axes, found, "x_um_s")
+    """Velocity [um/s] over the order of the shaft, with the passing balls.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
+    axes = titled_panels(figure, f"{results.title}: orders of the shaft", 3.2)
+    result = by_order(seen.velocity, seen.turned, results.run.solution.operation.shaft_speed)
+    _decades(axes, result, "x_um_s")
     shaft = shaft_frequency(results.run)
     passes = document["frequencies_Hz"]["with_slip"]
-    axes.set_xlim(0.0, min(found.frequency[-1], 6.0 * passes["ball_pass_inner"] / shaft))
+    axes.set_xlim(0.0, min(result.frequency[-1], 6.0 * passes["ball_pass_inner"] / shaft))
     _mark(axes, {name: f / shaft for name, f in passes.items()}, "-")
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     axes.set_xlabel("order [-]")
@@ -126,15 +178,27 @@ def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, docum
 def draw_envelope(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
-    """Envelope of the acceleration [m/s^2] over frequency [Hz], marks kinematic and with slip."""
+    """Envelope of the acceleration [m/s^2] over frequency [Hz], marks kinematic and with slip.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
     figure.set_size_inches(PAGE_WIDTH, 3.2)
     band = envelope_band(results)
     title = f"{results.title}: envelope of {band[0]:.0f} to {band[1]:.0f} Hz"
     figure.suptitle(title, fontsize=8.5)
     axes = figure.subplots()
     size = envelope(seen.acceleration, seen.rate, band)
-    found = spectrum(size, seen.rate)
-    axes.plot(found.frequency, found.amplitude, color=INK, linewidth=0.7)
+    result = spectrum(size, seen.rate)
+    axes.plot(result.frequency, result.amplitude, color=INK, linewidth=0.7)
     kinds = document["frequencies_Hz"]
     _mark(axes, kinds["with_slip"], "-")
     _mark(axes, kinds["kinematic"], ":", named=False)
@@ -148,10 +212,20 @@ def draw_envelope(
 def draw_waterfall(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
-    """Acceleration [dB] over time [s], in a run-up over speed [r/min], and frequency [Hz]."""
-    figure.set_size_inches(PAGE_WIDTH, 3.8)
-    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
-    axes = figure.subplots()
+    """Acceleration [dB] over time [s], in a run-up over speed [r/min], and frequency [Hz].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
+    axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.8)
     time, frequency, size = waterfall(seen.acceleration, seen.rate)
     options = results.run.model.options
     levels = 20.0 * np.log10(np.maximum(size, 1e-300) / results.reference)
@@ -171,10 +245,20 @@ def draw_waterfall(
 
 
 def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
-    """Loads of all balls at the outer race [N] over the last turns [ms]."""
-    figure.set_size_inches(PAGE_WIDTH, 3.2)
-    figure.suptitle(f"{results.title}: loads of the balls", fontsize=8.5)
-    axes = figure.subplots()
+    """Loads of all balls at the outer race [N] over the last turns [ms].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
+    axes = titled_panels(figure, f"{results.title}: loads of the balls", 3.2)
     run = results.run
     balls = run.assembled.arrays.balls
     time = np.arange(len(run.loads)) * (run.model.options.duration / len(run.loads))
@@ -195,12 +279,12 @@ def _speed(options: VibrationOptions, time: Any) -> Any:
     return start + (1.0 - start) * time / options.duration
 
 
-def _decades(axes: Any, found: Spectrum, key: str) -> float:
+def _decades(axes: Any, result: Spectrum, key: str) -> float:
     """Amplitudes on a logarithmic axis, down to `FLOOR` of the largest, which is returned."""
-    values = from_si(key, found.amplitude)
+    values = from_si(key, result.amplitude)
     top = float(values[1:].max())
     axes.set_yscale("log")
-    axes.plot(found.frequency, np.maximum(values, FLOOR * top), color=INK, linewidth=0.6)
+    axes.plot(result.frequency, np.maximum(values, FLOOR * top), color=INK, linewidth=0.6)
     if top > 0.0:
         axes.set_ylim(FLOOR * top, 3.0 * top)
     axes.grid(linewidth=0.3, alpha=0.5)

@@ -23,5 +23,5 @@ class VibrationResults(Results):
 
     @property
     def converged(self) -> bool:
-        """Whether the motion stayed finite and energies balance."""
+        """True if the motion stayed finite and energies balance."""
         return self.run.energy_balance_error <= ENERGY_LIMIT  # false of what is not a number

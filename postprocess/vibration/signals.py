@@ -9,7 +9,7 @@ from scipy.signal import ShortTimeFFT, get_window, hilbert, resample_poly
 from bearing.geometry import Array
 from ehl.units import RPM
 
-# of ISO 15242-2 at 1800 r/min [Hz]; they scale with the speed
+# bands of ISO 15242-2 at 1800 r/min [Hz]; they scale with the speed
 BANDS = {"low": (50.0, 300.0), "medium": (300.0, 1800.0), "high": (1800.0, 10000.0)}
 BAND_SPEED = 1800.0 * RPM  # [rad/s]
 ANDERON = 7.5e-6  # for each square root of an octave [m/s]
@@ -27,13 +27,39 @@ class Spectrum:
 
 
 def sampled(fine: Array, factor: int) -> Array:
-    """Every factor-th value of columns [any unit], what is too fast for that filtered out."""
+    """Fewer samples of columns, higher frequencies filtered out.
+
+    Parameters
+    ----------
+    fine : Array
+        Columns of values, shape (n, columns) [any unit].
+    factor : int
+        Samples of which one is taken [-].
+
+    Returns
+    -------
+    Array
+        Every factor-th value, shape (m, columns).
+    """
     mean = fine.mean(axis=0)
     return np.asarray(resample_poly(fine - mean, 1, factor, axis=0) + mean)
 
 
 def spectrum(signal: Array, rate: float) -> Spectrum:
-    """Amplitudes of a signal [any unit] without its mean, Hann's window; rate: [Hz]."""
+    """Amplitudes of a signal without its mean, Hann's window.
+
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+    rate : float
+        Sample rate [Hz].
+
+    Returns
+    -------
+    Spectrum
+        Amplitudes over frequency.
+    """
     window = get_window("hann", signal.size)
     values = np.fft.rfft((signal - signal.mean()) * window)
     return Spectrum(
@@ -43,7 +69,22 @@ def spectrum(signal: Array, rate: float) -> Spectrum:
 
 
 def band_rms(signal: Array, rate: float, band: tuple[float, float]) -> float:
-    """Root mean square of a signal [any unit] within a band [Hz], Hann's window."""
+    """Root mean square of a signal within a band, Hann's window.
+
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+    rate : float
+        Sample rate [Hz].
+    band : tuple[float, float]
+        Lower and upper frequency [Hz].
+
+    Returns
+    -------
+    float
+        Root mean square in the unit of the signal.
+    """
     window = get_window("hann", signal.size)
     values = np.fft.rfft((signal - signal.mean()) * window)
     frequency = np.fft.rfftfreq(signal.size, 1.0 / rate)
@@ -53,19 +94,56 @@ def band_rms(signal: Array, rate: float, band: tuple[float, float]) -> float:
 
 
 def speed_bands(speed: float) -> dict[str, tuple[float, float]]:
-    """Bands of ISO 15242-2 at a speed [rad/s], in proportion to it [Hz]."""
+    """Bands of ISO 15242-2, in proportion to the speed.
+
+    Parameters
+    ----------
+    speed : float
+        Speed of the shaft [rad/s].
+
+    Returns
+    -------
+    dict[str, tuple[float, float]]
+        Lower and upper frequency by name [Hz].
+    """
     scale = abs(speed) / BAND_SPEED
     return {name: (low * scale, high * scale) for name, (low, high) in BANDS.items()}
 
 
 def anderon(velocity: float, band: tuple[float, float]) -> float:
-    """Velocity [m/s] within a band [Hz] in anderon: 7.5 um/s for each root of an octave."""
+    """Velocity within a band in anderon: 7.5 um/s for each root of an octave.
+
+    Parameters
+    ----------
+    velocity : float
+        Velocity within the band [m/s].
+    band : tuple[float, float]
+        Lower and upper frequency [Hz].
+
+    Returns
+    -------
+    float
+        Velocity [anderon].
+    """
     return velocity / (ANDERON * sqrt(log2(band[1] / band[0])))
 
 
 def amplitude_at(signal: Array, turned: Array, frequency: float) -> float:
-    """Amplitude of a signal [any unit] at a frequency [Hz] of the end's speeds; turned: time that
-    would have turned the rings as far at these [s].
+    """Amplitude of a signal at a frequency.
+
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+    turned : Array
+        Time that would have turned the rings as far at the speeds of the end, shape (n,) [s].
+    frequency : float
+        Frequency at the speeds of the end [Hz].
+
+    Returns
+    -------
+    float
+        Amplitude in the unit of the signal.
     """
     window = get_window("hann", signal.size)
     wave = np.exp(-2j * pi * frequency * turned)
@@ -74,18 +152,45 @@ def amplitude_at(signal: Array, turned: Array, frequency: float) -> float:
 
 
 def by_order(signal: Array, turned: Array, speed: float) -> Spectrum:
-    """Amplitudes of a signal [any unit] over the order of the shaft, evenly sampled by its angle.
+    """Amplitudes of a signal over the order of the shaft, evenly sampled by its angle.
 
-    turned: see `amplitude_at` [s]; speed: of the shaft at the end [rad/s].
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+    turned : Array
+        Time that would have turned the rings as far at the speeds of the end, shape (n,) [s].
+    speed : float
+        Speed of the shaft at the end [rad/s].
+
+    Returns
+    -------
+    Spectrum
+        Amplitudes over the order [-].
     """
     even = np.linspace(turned[0], turned[-1], signal.size)
-    found = spectrum(np.interp(even, turned, signal), 1.0 / (even[1] - even[0]))
-    orders = found.frequency * 2.0 * pi / abs(speed)
-    return Spectrum(frequency=orders, amplitude=found.amplitude)
+    result = spectrum(np.interp(even, turned, signal), 1.0 / (even[1] - even[0]))
+    orders = result.frequency * 2.0 * pi / abs(speed)
+    return Spectrum(frequency=orders, amplitude=result.amplitude)
 
 
 def envelope(signal: Array, rate: float, band: tuple[float, float]) -> Array:
-    """Size of a signal [any unit] that is limited to a band [Hz] (Hilbert)."""
+    """Envelope of a signal that is limited to a band (Hilbert).
+
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+    rate : float
+        Sample rate [Hz].
+    band : tuple[float, float]
+        Lower and upper frequency [Hz].
+
+    Returns
+    -------
+    Array
+        Envelope, shape (n,) in the unit of the signal.
+    """
     values = np.fft.rfft(signal)
     frequency = np.fft.rfftfreq(signal.size, 1.0 / rate)
     values[(frequency < band[0]) | (frequency > band[1])] = 0.0
@@ -93,15 +198,41 @@ def envelope(signal: Array, rate: float, band: tuple[float, float]) -> Array:
 
 
 def kurtosis(signal: Array) -> float | None:
-    """Fourth moment over the square of the second, 3 of noise [-]; None of a still signal."""
+    """Fourth moment over the square of the second, 3 of noise.
+
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+
+    Returns
+    -------
+    float | None
+        Kurtosis [-]; None of a still signal.
+    """
     part = signal - signal.mean()
     square = float((part**2).mean())
     return float((part**4).mean()) / square**2 if square > 0.0 else None
 
 
 def waterfall(signal: Array, rate: float) -> tuple[Array, Array, Array]:
-    """Amplitudes of short pieces, all inside the signal: time [s], frequency [Hz], amplitude,
-    shape (frequency, time).
+    """Amplitudes of short pieces of a signal.
+
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+    rate : float
+        Sample rate [Hz].
+
+    Returns
+    -------
+    value
+        Time, shape (m,) [s].
+    value
+        Frequency, shape (k,) [Hz].
+    value
+        Amplitude, shape (k, m) in the unit of the signal.
     """
     size = max(64, signal.size // PIECES)
     window = get_window("hann", size)
@@ -117,8 +248,21 @@ def waterfall(signal: Array, rate: float) -> tuple[Array, Array, Array]:
 
 
 def answered(signal: Array, rate: float, response: Array) -> Array:
-    """A signal [any unit] through a given frequency response: rows of frequency [Hz], amplitude
-    ratio [-], phase [rad]; zero outside of its frequencies.
+    """A signal through a frequency response, zero outside of its frequencies.
+
+    Parameters
+    ----------
+    signal : Array
+        Signal, shape (n,) [any unit].
+    rate : float
+        Sample rate [Hz].
+    response : Array
+        Frequency [Hz], amplitude ratio [-] and phase [rad], shape (m, 3).
+
+    Returns
+    -------
+    Array
+        Signal, shape (n,) in its unit.
     """
     values = np.fft.rfft(signal - signal.mean())
     frequency = np.fft.rfftfreq(signal.size, 1.0 / rate)

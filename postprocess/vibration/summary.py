@@ -31,8 +31,17 @@ PEAKS = 12  # largest of a spectrum that are listed
 
 
 def vibration_summary(results: VibrationResults) -> dict[str, Any]:
-    """The vibration as plain JSON: levels, bands, lines; what does not apply is None with the
-    reason in `messages`. Keys end in their units.
+    """Levels, bands and lines of a vibration as plain JSON; null with the reason in `messages`.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
     """
     run = results.run
     seen = measured(results)
@@ -61,8 +70,8 @@ def vibration_summary(results: VibrationResults) -> dict[str, Any]:
 def _cage_ratio(run: VibrationRun) -> float | None:
     """Cage speed over that of rolling at the mean contact angle."""
     rolling = kinematic(run.solution).cage
-    found = passing(run.solution, run.assembled).cage
-    return found / rolling if rolling > 0.0 else None
+    result = passing(run.solution, run.assembled).cage
+    return result / rolling if rolling > 0.0 else None
 
 
 def _vibration(results: VibrationResults, seen: Measured) -> dict[str, Any]:
@@ -108,7 +117,7 @@ def _bands(run: VibrationRun, seen: Measured) -> dict[str, Any]:
 
 
 def _is_covered(run: VibrationRun, band: tuple[float, float]) -> bool:
-    """Whether the record is long and fine enough for a band [Hz]."""
+    """True if the record is long and fine enough for a band [Hz]."""
     options = run.model.options
     return band[0] * options.duration >= 2.0 and band[1] <= EDGE * options.sample_rate
 
@@ -140,17 +149,17 @@ def _peaks(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
     """Largest lines of the velocity's spectrum, and the nearest expected one within its width."""
     if run.model.options.start_speed_ratio != 1.0:
         return []
-    found = spectrum(seen.velocity, seen.rate)
-    size = found.amplitude
+    result = spectrum(seen.velocity, seen.rate)
+    size = result.amplitude
     inner = size[1:-1]
     tops = 1 + np.flatnonzero((inner > size[:-2]) & (inner >= size[2:]) & (inner > 0.0))
     largest = tops[np.argsort(-size[tops])][:PEAKS]
     width = 2.0 * seen.rate / seen.velocity.size
-    known = expected_lines(run.solution, run.assembled, run.model.form)
+    available = expected_lines(run.solution, run.assembled, run.model.form)
     rows = []
     for k in largest:
-        frequency = float(found.frequency[k])
-        near = [line for line in known if abs(line.frequency - frequency) <= width]
+        frequency = float(result.frequency[k])
+        near = [line for line in available if abs(line.frequency - frequency) <= width]
         name = min(near, key=lambda line: abs(line.frequency - frequency)).source if near else None
         rows.append(
             {
@@ -249,7 +258,7 @@ def _messages(results: VibrationResults) -> Iterator[str]:
 
 
 def _uncertain_damping(run: VibrationRun) -> Iterator[str]:
-    """Where the damping of films is not told from zero."""
+    """Warn where the damping of films is zero within its error bar, or negative."""
     for race, films in run.assembled.films.items():
         if (films.damping < -films.damping_uncertainty).any():
             yield (

@@ -3,9 +3,8 @@
 from typing import Any
 
 from rich.console import Group
-from rich.text import Text
 
-from ..table import facts_table, number_table
+from ..table import facts_table, number_table, titled
 from ..text import number
 
 SHOWN = 14  # lines at most
@@ -13,26 +12,37 @@ HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
 
 
 def vibration_table(document: dict[str, Any]) -> Group:
-    """What of a summary is looked at first: levels with their reference, bands, largest lines."""
-    found = document["vibration"]
-    bands = found["bands_Hz"]
+    """Levels with their reference, bands, and the largest lines.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
+    result = document["vibration"]
+    bands = result["bands_Hz"]
     facts = {
-        "measured": found["measured"],
+        "measured": result["measured"],
         "acceleration": (
-            f"{number(found['acceleration_m_s2'])} m/s² rms, "
-            f"{number(found['acceleration_dB'])} dB re {found['reference_m_s2']:g} m/s²"
+            f"{number(result['acceleration_m_s2'])} m/s² rms, "
+            f"{number(result['acceleration_dB'])} dB re {result['reference_m_s2']:g} m/s²"
         ),
-        "velocity": f"{number(found['velocity_um_s'])} µm/s rms",
-        "displacement": f"{number(found['displacement_um'])} µm rms",
+        "velocity": f"{number(result['velocity_um_s'])} µm/s rms",
+        "displacement": f"{number(result['displacement_um'])} µm rms",
     }
-    for name, level in found["bands_um_s"].items():
+    for name, level in result["bands_um_s"].items():
         low, high = bands[name]
         facts[f"{name} {low:.4g}-{high:.4g} Hz"] = (
-            f"{number(level)} µm/s, {number(found['anderon'][name])} anderon"
+            f"{number(level)} µm/s, {number(result['anderon'][name])} anderon"
         )
     cage = document["cage_speed_rpm"]
     facts["cage"] = f"{cage:.1f} r/min, {number(document['cage_speed_ratio'], '.5f')} of rolling"
-    lines = sorted(found["lines"], key=lambda line: -(line["displacement_um"] or 0.0))[:SHOWN]
+    lines = sorted(result["lines"], key=lambda line: -(line["displacement_um"] or 0.0))[:SHOWN]
     rows = [
         [
             line["source"],
@@ -45,5 +55,8 @@ def vibration_table(document: dict[str, Any]) -> Group:
         ]
         for line in lines
     ]
-    title = Text(document["case"].get("title", ""), style="bold")
-    return Group(title, facts_table(facts), number_table(HEADERS, rows, ("line", "direction")))
+    return titled(
+        document["case"].get("title", ""),
+        facts_table(facts),
+        number_table(HEADERS, rows, ("line", "direction")),
+    )

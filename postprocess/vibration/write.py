@@ -27,7 +27,22 @@ LINE_KEYS = (
 def write_vibration(
     results: VibrationResults, directory: Path, hurried: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
-    """Write all files into a folder, pictures unless `hurried`; those that failed are messages."""
+    """Write all files of a vibration.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+    directory : Path
+        Folder to write into.
+    hurried : Callable[[], bool], default lambda: False
+        Once it is true no picture is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
     document = vibration_summary(results)
     seen = measured(results)
     directory.mkdir(parents=True, exist_ok=True)
@@ -53,10 +68,10 @@ def _tables(
 ) -> dict[str, Table]:
     speed = results.run.solution.operation.shaft_speed
     orders = by_order(seen.velocity, seen.turned, speed)
-    found = spectrum(seen.acceleration, seen.rate)
+    result = spectrum(seen.acceleration, seen.rate)
     size = envelope(seen.acceleration, seen.rate, envelope_band(results))
     wrapped = spectrum(size, seen.rate)
-    columns = (found.frequency, found.amplitude, wrapped.amplitude)
+    columns = (result.frequency, result.amplitude, wrapped.amplitude)
     return {
         "lines": (LINE_KEYS, [[line[key] for key in LINE_KEYS] for line in lines]),
         "spectrum": (

@@ -20,6 +20,20 @@ def write_extras(
     0.
 
     Returns what could not be written, and why.
+
+    Parameters
+    ----------
+    results : BearingResults | ContactResults
+        Results of a bearing or of a single contact.
+    folder : Path
+        Folder to write into.
+    part : tuple[str, int] | None, optional
+        Kind of the part and its number from 0; all if None.
+
+    Returns
+    -------
+    tuple[str, ...]
+        What could not be written, and why.
     """
     problems: tuple[str, ...] = ()
     if part is None or part[0] == PARAVIEW:

@@ -15,10 +15,28 @@ from .summaries import summary
 def write_numbers(
     results: BearingResults | ContactResults, folder: Path, extras: Callable[[], tuple[str, ...]]
 ) -> tuple[str, ...]:
-    """Write the numbers; `extras` waits for pictures and VTK and returns what failed, as here.
+    """Write the numbers of a run: netCDF, CSV and summary.
 
-    The summary comes last: where it stands, all files are complete. OSError if they cannot be
-    written: disk full, no permission.
+    The summary comes last: where it stands, all files are complete.
+
+    Parameters
+    ----------
+    results : BearingResults | ContactResults
+        Results of a bearing or of a single contact.
+    folder : Path
+        Folder to write into.
+    extras : Callable[[], tuple[str, ...]]
+        Waits for pictures and VTK files, and returns the messages on what failed.
+
+    Returns
+    -------
+    tuple[str, ...]
+        What `extras` returned.
+
+    Raises
+    ------
+    OSError
+        If the disk does not take the files.
     """
     document = summary(results)
     if isinstance(results, ContactResults):

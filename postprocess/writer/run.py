@@ -14,8 +14,22 @@ def write_results(
 ) -> tuple[str, ...]:
     """Write netCDF, CSV, VTK, pictures, last the summary; files of the same names are replaced.
 
-    Returns what could not be drawn and why, which `summary.json` says too. OSError if the numbers
-    themselves cannot be written: disk full, no permission.
+    Parameters
+    ----------
+    results : BearingResults | ContactResults
+        Results of a bearing or of a single contact.
+    directory : str | Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[str, ...]
+        What could not be drawn, and why; `summary.json` has these messages, too.
+
+    Raises
+    ------
+    OSError
+        If the numbers cannot be written: disk full, no permission.
     """
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)

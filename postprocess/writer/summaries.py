@@ -11,6 +11,11 @@ from ..contact.summary import contact_summary
 def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
     """Results as one JSON document in named units, the keys as published.
 
+    Parameters
+    ----------
+    results : BearingResults | ContactResults
+        Results of a bearing or of a single contact.
+
     Returns
     -------
     dict

@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-LAYERS = ("ehl", "bearing", "postprocess", "verification", "cases", "oilfilm")
+LAYERS = ("ehl", "bearing", "postprocess", "cases", "oilfilm")
 NOT_COUNTED = ("__init__.py", "__init__.pyi", "py.typed", "__pycache__")
 
 

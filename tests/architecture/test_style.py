@@ -1,4 +1,4 @@
-"""Air and order: short lines, one statement a line, small folders, packages that say what is in them."""
+"""Air and order: short lines, one statement a line, packages that say what is in them."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ import re
 
 import pytest
 
-from .import_graph import LAYERS, ROOT, names_in
 from .sources import FILES, at, nodes, nothing, text, tree
 
-COLUMNS, NAMES = 99, 20
+COLUMNS = 99
 
 
 def test_lines_are_short():
@@ -75,18 +74,6 @@ def test_one_assignment_a_statement():
         if not may_be_parallel(node)
     ]
     assert nothing(offenders)
-
-
-def folders():
-    """Folders of the product, its data among them."""
-    for layer in LAYERS:
-        yield ROOT / layer
-        yield from (path for path in sorted((ROOT / layer).rglob("*")) if path.is_dir() and path.name != "__pycache__")
-
-
-def test_folders_are_small():
-    sizes = {path.relative_to(ROOT).as_posix(): len(names_in(path)) for path in folders()}
-    assert nothing({name: size for name, size in sizes.items() if size > NAMES})
 
 
 def members(package):

@@ -8,12 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
-import pytest
-from numba.core.errors import NumbaError
-
 import ehl
-from ehl.compiled import allocating, compiled, forget_old_kernels
+from ehl.compiled import forget_old_kernels
 from ehl.kernel_sources import kernel_digest, kernel_sources
 
 ROOT = Path(ehl.__file__).parents[1]  # of the packages that are tested, installed or not
@@ -107,27 +103,3 @@ def test_the_digest_is_of_the_contents(monkeypatch, tmp_path):
     assert kernel_digest.__wrapped__() == first
     source.write_text("two")
     assert kernel_digest.__wrapped__() != first
-
-
-def test_a_kernel_that_counts_no_arrays_may_not_return_one():
-    def first_row(values):
-        return values[0], 1.0
-
-    for _ in range(2):  # nor be found on disk then
-        with pytest.raises(TypeError, match="first_row returns an array: it is to be @allocating"):
-            compiled(first_row)(np.zeros((2, 3)))
-
-
-def test_a_kernel_that_counts_no_arrays_may_not_make_one():
-    def doubled_sum(values):
-        return np.sum(2.0 * values)
-
-    with pytest.raises(NumbaError, match="NRT required but not enabled"):
-        compiled(doubled_sum)(np.ones(3))
-
-
-def test_an_allocating_kernel_makes_and_returns_arrays():
-    def doubled(values):
-        return 2.0 * values
-
-    assert allocating(doubled)(np.ones(3)).tolist() == [2.0, 2.0, 2.0]

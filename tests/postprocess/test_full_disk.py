@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 from bearing.files import require_room, write_bytes
-from postprocess.dynamics.spill import SpillingFile
 from postprocess.files import attempt
 
 resource = pytest.importorskip("resource", reason="limits of POSIX")
@@ -38,40 +37,34 @@ def test_a_file_is_there_as_a_whole_or_not_at_all(small_files, tmp_path):
     assert (tmp_path / "a").read_bytes() == b"1" * 19_000
 
 
-def test_hdf5_never_sees_the_error(small_files, tmp_path):
-    content = SpillingFile(tmp_path / "a.nc")
-    file = h5netcdf.File(content, "w")
-    file.dimensions = {"t": None}
-    values = file.create_variable("v", ("t",), dtype="f8", chunks=(128,))
-    rng = np.random.default_rng(51_377)
-    written = []
+def test_hdf5_never_sees_the_error(tmp_path):
+    """A history on a disk that is full ends with the error of the disk, and what was written can be read."""
+    code = f"""
+import resource
+import numpy as np
+from types import SimpleNamespace
+from pathlib import Path
+from postprocess.dynamics import history
 
-    def write():
-        for _ in range(100):
-            written.append(rng.random(128))
-            file.resize_dimension("t", 128 * len(written))
-            values[-128:] = written[-1]
-            file.flush()
-            content.check()
+def variables(record, balls):
+    return {{"v": (("time", "ball"), record.v, "N"), "contact_state": (("time", "ball"), record.v, "1")}}
 
-    with pytest.raises(OSError, match="File too large"):
-        write()
-    assert len(written) > 10
-    np.testing.assert_array_equal(values[:], np.concatenate(written))  # the rest is in memory
-    file.close()
-    content.close()
-
-
-def test_a_spilling_file_is_a_file(tmp_path):
-    content = SpillingFile(tmp_path / "a")
-    content.write(b"abcdef")
-    content.error = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-    content.seek(4)
-    content.write(b"xyz")
-    content.seek(-5, os.SEEK_END)
-    assert (content.read(3), content.tell()) == (b"cdx", 5)
-    content.close()
-    assert (tmp_path / "a").read_bytes() == b"abcdef"
+history.variables = variables
+resource.setrlimit(resource.RLIMIT_FSIZE, (2_000_000, 2_000_000))
+rng = np.random.default_rng(51_377)
+with history.HistoryWriter(Path({str(tmp_path / "a.nc")!r}), 9, {{"title": "made up"}}) as writer:
+    for k in range(1000):
+        writer.add(SimpleNamespace(time=128.0 * k + np.arange(128), v=rng.random((128, 9))))
+"""
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert answer.returncode == 1
+    assert answer.stderr.splitlines()[-1] == f"OSError: [Errno {errno.EFBIG}] {os.strerror(errno.EFBIG)}"
+    with h5netcdf.File(tmp_path / "a.nc", "r") as file:
+        values = np.asarray(file["v"])
+        rows = len(values)
+    assert rows % 128 == 0 and rows > 1280
+    expected = np.random.default_rng(51_377).random((rows, 9))
+    np.testing.assert_allclose(values, expected, rtol=1e-6)
 
 
 def test_a_full_disk_is_no_lost_picture():

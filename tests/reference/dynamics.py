@@ -19,9 +19,10 @@ from bearing.dynamics.arrays import (
     STIFFNESS,
     TABLE,
     Array,
+    CoefficientData,
     Constants,
     EquationData,
-    FrictionData,
+    TableData,
 )
 from bearing.dynamics.layout import Layout
 from ehl.traction.table.splines import spline_weights
@@ -84,20 +85,20 @@ def normal_force(law: Array, approach: Array, speed: Array, impact_speed: Array)
     return np.maximum(0.0, elastic * (1.0 + law[DAMPING] * speed / impact_speed))
 
 
-def table_loads(data: FrictionData) -> tuple[float, float]:
+def table_loads(data: TableData) -> tuple[float, float]:
     """Smallest and largest load of a table [N]."""
     first, density, nodes = data.axes[0]
     smallest, largest = ((-place) ** (1.0 / LOAD_POWER) for place in (first, first + (nodes - 1) / density))
     return float(smallest), float(largest)
 
 
-def table_speeds(data: FrictionData) -> tuple[float, float]:
+def table_speeds(data: TableData) -> tuple[float, float]:
     """Smallest and largest entrainment speed of a table [m/s]."""
     first, density, nodes = data.axes[1]
     return exp(first), exp(first + (nodes - 1) / density)
 
 
-def film(data: FrictionData, load: float, speed: float) -> float:
+def film(data: TableData, load: float, speed: float) -> float:
     """Central film of a table [m]; beyond its ends that at the end, but in proportion to slower
     speeds.
 
@@ -112,14 +113,14 @@ def film(data: FrictionData, load: float, speed: float) -> float:
     return exp(float(values)) * min(1.0, speed / slowest)
 
 
-def elastic_approach(data: FrictionData, law: Array, distance: float, speed: float) -> float:
+def elastic_approach(data: TableData, law: Array, distance: float, speed: float) -> float:
     """w of w = delta + h_c(K w^n, u) [m], the load being K w^n; twin of the kernel by bracketing.
 
     Below the smallest load of the table the film goes on linearly in w.
 
     Parameters
     ----------
-    data : FrictionData
+    data : TableData
         Of a race with a table.
     law : ndarray, shape (3,)
         K [N/m^n], n [-], chi [-].
@@ -192,14 +193,14 @@ def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table:
     law = problem.normal[race]
     data = problem.friction_inner if race == 0 else problem.friction_outer
     if problem.friction_kind == FILM:
-        apart = [elastic_approach(data, law, d, s) for d, s in zip(approach[:, 0], abs(u[:, 0]), strict=True)]
+        apart = [elastic_approach(data.table, law, d, s) for d, s in zip(approach[:, 0], abs(u[:, 0]), strict=True)]
         approach = np.array(apart)[:, None]
     push = normal_force(law, approach, dots(slide, n), memory)
     elastic = normal_force(law, approach, 0.0 * approach, memory)
     force, moment = np.zeros_like(n), np.zeros_like(n)
     slides = (dots(slide, x), dots(slide, y))
     if problem.friction_kind == COEFFICIENT:
-        parts = friction(data, (elastic, abs(u)), slides, dots(turn, n))
+        parts = friction(data.coefficient, (elastic, abs(u)), slides, dots(turn, n))
         force, moment = parts[0] * x + parts[1] * y, parts[2] * n + parts[3] * y
     if problem.friction_kind in (TABLE, FILM):
         values = looked_up(table, (elastic, abs(u)), slides, dots(turn, n))
@@ -222,7 +223,7 @@ def looked_up(
 
 
 def friction(
-    data: FrictionData, load_and_speed: tuple[Array, Array], slides: tuple[Array, Array], spin: Array
+    data: CoefficientData, load_and_speed: tuple[Array, Array], slides: tuple[Array, Array], spin: Array
 ) -> tuple[Array, Array, Array, Array]:
     """F_x, F_y [N], M_n, M_y [N m] on the balls by a coefficient over the ellipse."""
     load, speed = load_and_speed

@@ -213,7 +213,7 @@ def test_rigid_isoviscous_limit():
     half_kapitza = (contact.speed * np.pi * np.sqrt(2.0) / (5.0 * contact.load)) ** 2
     assert solution.converged
     film = solution.film_central_dimensionless
-    # the direct solution with Reynolds' condition of `oilfilm verify --section rigid`
+    # the direct solution with Reynolds' condition of `tools/verification/run.py --section rigid`
     assert abs(film.value / half_kapitza / 1.2501 - 1.0) < film.relative_uncertainty + 0.003
     assert film.relative_uncertainty < 0.05
 
@@ -570,7 +570,7 @@ def test_minimum_is_never_above_the_centre():
 
 def test_attempts_end_with_the_work_they_may_take(monkeypatch):
     """The first attempt is always made; the others are named as left out."""
-    monkeypatch.setattr(full_multigrid, "MOST_WORK", 0)
+    monkeypatch.setattr(full_multigrid, "MAX_WORK", 0)
     s = solve_contact(CIRCULAR, SolverOptions(points=65, max_cycles=1))
     assert not s.converged
     taken = [name for name in s.record.fallbacks if not name.startswith("cycle")]

@@ -1,4 +1,4 @@
-"""Properties that every contact keeps, drawn at random: verification in the small of the sweep of `oilfilm verify`."""
+"""Properties that every contact keeps, drawn at random: the sweep of `verification/run.py` on a few contacts."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from ehl.finite_element.solver import solve_contact_finite_element
 
 CONTACTS = {"6208_full_ceramic": 5, "7008C_hybrid": 18, "6304_planar": 3}  # distinct ones of each case
 OPTIONS = SolverOptions(points=257)
-LEFT_OPEN = 1e-3  # of the film, beside the bars of both, as in `oilfilm verify --section elements`
+LEFT_OPEN = 1e-3  # of the film, beside the bars of both, as in `tools/verification/run.py --section elements`
 
 
 @cache

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 from math import atan, exp, log, pi, sqrt
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +13,9 @@ from scipy.stats import qmc
 
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_coefficients
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import OIL, from_groups, moes
 
 # E' so large that contacts are small beside their radii, and circles parabolas

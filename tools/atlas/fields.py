@@ -34,12 +34,12 @@ from ehl.traction.atlas.fields import (
     SECTORS,
     TREND,
     FieldTable,
-    carried,
+    carried_load_fraction,
     field_vectors,
     fields_of_vector,
     kernel,
     layout,
-    sheared,
+    sheared_area,
 )
 from ehl.traction.atlas.table import oil_features, trend_terms
 from ehl.traction.film_quadrature import (
@@ -52,6 +52,9 @@ from ehl.traction.film_quadrature import (
 )
 from ehl.traction.response.normal import normal_response
 from ehl.traction.shear import bounded_viscosity, with_outlet
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import OIL, from_groups, moes
 
 KEPT = Path(__file__).parents[2] / "build" / "atlas_fields"
@@ -111,9 +114,9 @@ def vector(zone, blocks, scales, damping):
     found[parts.pressure] = (half[4] / scales[4]).ravel()
     found[parts.film] = np.log(half[3] / scales[3]).ravel()
     found[parts.cells] = cells(blocks, scales).ravel()
-    found[parts.load] = carried(found)
+    found[parts.load] = carried_load_fraction(found)
     found[parts.damping] = damping
-    found[parts.shear] = log(sheared(found))
+    found[parts.shear] = log(sheared_area(found))
     return found
 
 

@@ -17,11 +17,11 @@ from ehl.traction.atlas.table import (
     Patch,
     Table,
     functions,
-    near,
     oil_features,
     patch_base,
     radial,
     slanted,
+    slanted_radial,
     trend_terms,
     with_line,
 )
@@ -163,7 +163,7 @@ def patch(name, kinds, rows):
     own = np.isin(kinds, FITTED) & there
     slant, step = np.array(SLANT[name]), np.array(STEP[name])
     solved = slanted(x[own], slant).astype(np.float32).astype(float)
-    shape = near(solved, solved, scales, step)
+    shape = slanted_radial(solved, solved, scales, step)
     mean = y[own].mean(0)
     pairs = [fitted(solved, y[own, k] - mean[k], shape, NOISE[name]) for k in range(y.shape[1])]
     trend, weights = np.array([p[0] for p in pairs]).T, np.array([p[1] for p in pairs]).T

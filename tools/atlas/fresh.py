@@ -72,7 +72,7 @@ def _moment(place, entry, scale):
     conditions = place.conditions()
     scaled = scale_contact(conditions)
     layer = entry["layers"][0] * scale
-    moment = ehl.atlas_films(conditions, layer=layer).rolling_moment
+    moment = ehl.atlas_films(conditions, inlet_film_thickness=layer).rolling_moment
     whole = row[13] * _unit(scaled)
     return 0.0 if moment is None else moment.value / whole - 1.0
 

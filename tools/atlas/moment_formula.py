@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from math import log
+from pathlib import Path
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -17,6 +18,9 @@ from ehl import Lubricant, atlas_films
 from ehl.scaling import scale_contact
 from ehl.traction.atlas.films import NotInAtlasError
 from ehl.traction.kapitza import kapitza_moment
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import from_groups, moes
 
 LAYERS = (50e-6, 100e-6, 400e-6)  # [m]

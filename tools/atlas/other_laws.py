@@ -25,6 +25,9 @@ from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
 from ehl.traction.atlas.oils import by_density, with_inlet_oil
 from ehl.traction.atlas.table import BASE_ALPHA, BASE_Z, functions
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import from_groups, moes
 
 SOLVES = Path(__file__).parents[2] / "build" / "atlas_other_laws.jsonl"

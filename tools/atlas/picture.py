@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import gzip
+import sys
 from dataclasses import replace
 from math import exp
 from pathlib import Path
@@ -19,6 +20,9 @@ from ehl.closed_form.film_formula import RANGE
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
 from postprocess.plot_style import INNER_COLOUR, RC, REFERENCE
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import OIL, from_groups, moes
 
 LABELS = Path(__file__).with_name("labels.csv.gz")

@@ -49,7 +49,7 @@ def by_films(wanted: TableContact, load: float, ratios: Array) -> Array:
     """Coefficients of the film that a table of this contact shears [-]."""
     film = table_film(wanted, load, SPEED, SolverOptions(points=POINTS))
     none = np.zeros(ratios.size)
-    forces = film.forces((SPEED * ratios, none, none), np.full(ratios.size, SPEED / wanted.radius_x), 0.0)
+    forces = film.sliding_forces((SPEED * ratios, none, none), np.full(ratios.size, SPEED / wanted.radius_x), 0.0)
     return np.asarray(-forces[:, 0] / load)
 
 

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from bearing import BallKinematics, QuasistaticModel, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.contacts.motion import bearing_kinematics, motion_map
-from bearing.friction.law import BallTraction, TractionLaw
+from bearing.friction.law import BallTraction, FrictionSource
 from bearing.friction.sources import CoefficientTraction, CoulombTraction, FilmTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from cases import load_case
@@ -58,7 +58,7 @@ class Row:
     imbalance: float | None
 
 
-def sources(case: Case) -> dict[str, TractionLaw]:
+def sources(case: Case) -> dict[str, FrictionSource]:
     """Ways to the friction of the balls."""
     assert case.rheology is not None
     solver = PooledFilms(case=CaseFilms(options=SolverOptions(points=POINTS), films=NEWTONIAN))
@@ -69,7 +69,7 @@ def sources(case: Case) -> dict[str, TractionLaw]:
     }
 
 
-def imbalance(state: QuasistaticSolution, source: TractionLaw, case: Case) -> float:
+def imbalance(state: QuasistaticSolution, source: FrictionSource, case: Case) -> float:
     """Power of the rings less the heat, over the heat [-]."""
     contacts = contact_conditions(state, case.lubricant)
     kinematics = [bearing_kinematics(state, contact) for contact in contacts]
@@ -81,7 +81,7 @@ def imbalance(state: QuasistaticSolution, source: TractionLaw, case: Case) -> fl
     return (shaft - heat) / heat
 
 
-def row(case: Case, model: QuasistaticModel, source: TractionLaw | None) -> Row:
+def row(case: Case, model: QuasistaticModel, source: FrictionSource | None) -> Row:
     """Ball 1 of the case under a model; in traction equilibrium where there is a source of friction."""
     if source is None:
         state = solve_quasistatic(case.bearing, case.operation, model)

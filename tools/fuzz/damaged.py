@@ -199,6 +199,7 @@ def main() -> None:
             )
             print(f"{text}\n  {errors[-400:].strip()}\n  {where}", flush=True)
     print(f"{arguments.count} damaged files, exit codes {dict(sorted(codes.items()))}, {bad} with faults")
+    sys.exit(bad > 0)
 
 
 if __name__ == "__main__":

@@ -15,10 +15,11 @@ import random
 import resource
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
-from kills import COMMANDS, calm, environment, oilfilm, prepare
+from kills import COMMANDS, PAGE, calm, environment, oilfilm, prepare
 
 SHORT = {
     "run": "run 6208_full_ceramic -o {}/out",
@@ -29,8 +30,8 @@ SHORT = {
     "table": "table 6208_full_ceramic --points 65 -o {}/table.zip",
     "stiffness": "stiffness 6208_full_ceramic --points 300 -o {}/out",
     "batch": "batch sweep.toml -o {}/out --plot",
-    "verify": "verify --section hertz --quick -o {}/out",
-    "robustness": "verify --robustness 6 --quick --seed 5 -o {}/out",
+    "page": f"{PAGE} --section hertz --quick -o {{}}/out",
+    "robustness": f"{PAGE} --robustness 6 --quick --seed 5 -o {{}}/out",
     "report": "report {}/results",
     "screenshot": "view results --screenshot {}/a.png",
     "movie": "view results --movie {}/a.gif",
@@ -132,6 +133,7 @@ def main() -> None:
                     print(f"{command} with {free} bytes: {fault}", flush=True)
             print(f"{command}: done", flush=True)
     print(f"{total} runs, {bad} with faults")
+    sys.exit(bad > 0)
 
 
 if __name__ == "__main__":

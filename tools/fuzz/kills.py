@@ -25,6 +25,7 @@ from pathlib import Path
 WITHIN = 2.0  # [s] from the signal to the end, on a machine with nothing else to do
 HANG = 120.0  # [s]
 ROOT = Path(__file__).resolve().parents[2]
+PAGE = "tools/verification/run.py"  # a script beside the commands
 SWEEP = """case = "6208_full_ceramic"
 [fixed]
 "ehl.points" = 65
@@ -65,8 +66,9 @@ COMMANDS = {
     "stiffness": "stiffness 6208_full_ceramic --points 1001 -o out",
     "batch": "batch sweep.toml -o out --resume",
     "torque": "batch torque.toml -o out --resume",
-    "verify": "verify --quick -o out",
-    "robustness": "verify --robustness 40 --quick --seed 5 -o out",
+    "verify": "verify --quick",
+    "page": f"{PAGE} --quick -o out",
+    "robustness": f"{PAGE} --robustness 40 --quick --seed 5 -o out",
     "report": "report results",
     "screenshot": "view results --screenshot a.png",
     "movie": "view results --movie a.gif",
@@ -93,7 +95,10 @@ class Ended:
 
 
 def oilfilm(words: str) -> list[str]:
-    return [sys.executable, "-m", "cases.cli", *words.split()]
+    command, *rest = words.split()
+    if command == PAGE:
+        return [sys.executable, str(ROOT / PAGE), *rest]
+    return [sys.executable, "-m", "cases.cli", command, *rest]
 
 
 def environment(temporary: Path) -> dict[str, str]:
@@ -239,6 +244,7 @@ def main() -> None:
             ends = "goes on" if code is None else f"code {code}"
             print(f"{command}: {ends}, {whole:.1f} s, {arguments.rounds} kills, slowest end {worst}", flush=True)
         print(f"{total} kills, {bad} with faults")
+    sys.exit(bad > 0)
 
 
 if __name__ == "__main__":

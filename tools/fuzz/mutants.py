@@ -30,7 +30,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 LIST = Path(__file__).with_suffix(".toml")
-COPIED = "bearing cases docs ehl postprocess tests tools verification pyproject.toml README.md CONTRIBUTING.md".split()
+COPIED = "bearing cases docs ehl postprocess tests tools pyproject.toml README.md CONTRIBUTING.md".split()
 LEAST_SHARE = 0.95  # killed of all
 LONGEST = 300.0  # of one run of tests, unless these take more than a tenth of it without a mutant [s]
 LONGEST_UNCHANGED = 1800.0  # of one without a mutant [s]

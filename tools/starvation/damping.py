@@ -8,6 +8,7 @@ Those that the file has are left out, so that a run that was stopped goes on.
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -19,6 +20,9 @@ from ehl.multigrid.supply.oil_supply import inlet_ratio, starved_film_guess
 from ehl.scaling import scale_contact
 from ehl.solver import solve_attempts
 from ehl.traction.response.linear import linear_contact
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import from_groups, moes
 
 DAMPING = Path(__file__).with_name("damping.jsonl")

@@ -23,6 +23,9 @@ from ehl.closed_form.film import film_nijenbanning_central
 from ehl.multigrid.threads import cores
 from ehl.oil.lubricant import density
 from ehl.scaling import scale_contact
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.draws import Draw, draws
 
 POINTS = 129

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,9 @@ from solves import SOLVES
 from ehl.closed_form.hertz import hertz_deflection
 from ehl.closed_form.starvation import rolling_share_biboulet_houpert, starvation_shares
 from ehl.scaling import scale_contact
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import moes
 
 PICTURE = Path(__file__).parents[2] / "docs" / "images" / "starvation_law.png"

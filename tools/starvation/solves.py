@@ -22,6 +22,9 @@ from ehl.multigrid.supply.oil_supply import inlet_ratio, oil_supply, pressure_mo
 from ehl.scaling import scale_contact
 from ehl.solver import solve_attempts
 from ehl.traction.rolling_moment import scaled_as_solved
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import from_groups, moes
 
 SOLVES = Path(__file__).with_name("solves.jsonl")

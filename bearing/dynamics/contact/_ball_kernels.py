@@ -8,17 +8,18 @@ from ._kernels import elastic_force, normal_force, ramped
 
 
 @compiled
-def ball_collisions(p, y):
+def ball_collisions(p, balls, memory, y):
     """Each ball and the next one: Hertz contact with Coulomb friction, in the places of the
     pockets, of which there are none.
     """
     c = p.constants
     law = p.normal[POCKET]
-    forces = p.forces
     power = p.power
     for j in range(c.balls):
-        out = p.pocket_out[j]
         k = (j + 1) % c.balls
+        out = balls[j].pocket_out
+        forces = balls[j].forces
+        next_forces = balls[k].forces
         position, velocity, turn = ball_motion(y, c.balls, j)
         other, other_velocity, other_turn = ball_motion(y, c.balls, k)
         offset = minus(other, position)
@@ -27,7 +28,7 @@ def ball_collisions(p, y):
         approach = 2.0 * c.ball_radius - distance
         relative = minus(velocity, other_velocity)
         rate = dot(relative, normal)
-        push = normal_force(law, approach, rate, p.memory[POCKET * c.balls + j])
+        push = normal_force(law, approach, rate, memory[POCKET * c.balls + j])
         out[CONTACT.load] = push
         out[CONTACT.approach] = approach
         out[CONTACT.approach_speed] = rate
@@ -42,7 +43,7 @@ def ball_collisions(p, y):
         grip = times(-pull, slide)
         force = minus(grip, times(push, normal))
         moment = cross(arm, grip)
-        accumulate(forces[j], FORCE, force)
-        accumulate(forces[k], FORCE, times(-1.0, force))
-        accumulate(forces[j], MOMENT, moment)
-        accumulate(forces[k], MOMENT, moment)
+        accumulate(forces, FORCE, force)
+        accumulate(next_forces, FORCE, times(-1.0, force))
+        accumulate(forces, MOMENT, moment)
+        accumulate(next_forces, MOMENT, moment)

@@ -94,7 +94,7 @@ def film_now(p, film, frame, play, motion):
 
 
 @inlined
-def ball_in_pocket(p, body, turned, y, j):
+def ball_in_pocket(p, ball, memory, body, turned, y, j):
     """Forces of its pocket on a ball and back: contact with friction, film all around the ball.
 
     turned: direction (y, z) of the cage's own z = 0.
@@ -105,15 +105,15 @@ def ball_in_pocket(p, body, turned, y, j):
     power = p.power
     # 1. contact
     position, velocity, turn = ball_motion(y, c.balls, j)
-    play = p.pocket_play[j]
-    forces = p.forces[j]
-    out = p.pocket_out[j]
-    frame = pocket_frame(c, body, p.pocket_place[j], turned)
+    play = ball.pocket_play
+    forces = ball.forces
+    out = ball.pocket_out
+    frame = pocket_frame(c, body, ball.pocket_place, turned)
     normal, distance, place = pocket_motion(c, body, frame, position)
     relative = minus(velocity, point_velocity(body, position))
     spin = minus(turn, body.turn)
     rate = dot(relative, normal)
-    push = normal_force(law, distance - play, rate, p.memory[POCKET * c.balls + j])
+    push = normal_force(law, distance - play, rate, memory[POCKET * c.balls + j])
     out[CONTACT.load] = push
     out[CONTACT.approach] = distance - play
     out[CONTACT.approach_speed] = rate
@@ -126,7 +126,7 @@ def ball_in_pocket(p, body, turned, y, j):
         accumulate(forces, MOMENT, moment)
     # 2. film
     if c.film_viscosity * c.pocket_height > 0.0:
-        force, moment, lost = film_now(p, p.pocket_films[j], frame, play, (place, relative, spin))
+        force, moment, lost = film_now(p, ball.pocket_films, frame, play, (place, relative, spin))
         power[WORK.pocket_film] += lost
         add_load(load, body, position, times(-1.0, force))
         accumulate(load, MOMENT, times(-1.0, moment))
@@ -142,15 +142,15 @@ def cage_direction(y):
 
 
 @compiled
-def pocket_forces(p, body, y):
+def pocket_forces(p, balls, memory, body, y):
     """Forces of pockets on balls, and back."""
     turned = cage_direction(y)
     for j in range(p.constants.balls):
-        ball_in_pocket(p, body, turned, y, j)
+        ball_in_pocket(p, balls[j], memory, body, turned, y, j)
 
 
 @compiled
-def land_contact(p, side, eccentricity, velocity, slide_about):
+def land_contact(p, memory, side, eccentricity, velocity, slide_about):
     """Solid contact of cage and land where the gap is used up: normal force, its direction (y, z),
     friction, power stored; slide_about: sliding speed by the rotations.
     """
@@ -165,7 +165,7 @@ def land_contact(p, side, eccentricity, velocity, slide_about):
     rate = vy * uy + vz * uz
     out[CONTACT.approach] = approach
     out[CONTACT.approach_speed] = rate
-    push = normal_force(law, approach, rate, p.memory[LAND * c.balls + side])
+    push = normal_force(law, approach, rate, memory[LAND * c.balls + side])
     out[CONTACT.load] = push
     slide = slide_about + uy * vz - uz * vy
     grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp)
@@ -174,7 +174,7 @@ def land_contact(p, side, eccentricity, velocity, slide_about):
 
 
 @compiled
-def cage_land(p, side, ring, cage):
+def cage_land(p, memory, side, ring, cage):
     """One land of the guiding ring and the cage: film, its friction, and the solid contact.
 
     The friction of the film is the journal's, the couple of its force the sleeve's; the journal is
@@ -203,7 +203,8 @@ def cage_land(p, side, ring, cage):
     turning += min(journal, 0.0) * (ey * fz - ez * fy)
     # 3. solid contact with friction
     slide_about = journal * c.land_radius * speed_difference
-    push, uy, uz, grip, stored_power = land_contact(p, side, (ey, ez), (vy, vz), slide_about)
+    motion = (ey, ez), (vy, vz)
+    push, uy, uz, grip, stored_power = land_contact(p, memory, side, *motion, slide_about)
     fy = fy - push * uy - grip * uz
     fz = fz - push * uz + grip * uy
     turning += journal * c.land_radius * grip

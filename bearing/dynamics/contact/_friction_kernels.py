@@ -16,7 +16,7 @@ from ehl.compiled import compiled
 from ehl.traction._kernels import hertz_friction, straight_friction, table_lookup
 
 from .._state_kernels import dot, vector
-from ..arrays import COEFFICIENT, FRICTION_COLUMNS, LINEAR
+from ..arrays import FRICTION_COLUMNS, LINEAR
 
 FORCES = 4  # F_x, F_y, M_n, M_y: those that sliding changes
 MOTIONS = 3  # slide_x, slide_y, spin
@@ -30,18 +30,21 @@ SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that 
 
 
 @compiled
-def friction_law(kind, mirrored, data, load, speed, motions, friction):
-    """Friction of the law: a row of numbers, as the kernels of `ehl.traction` write them."""
+def friction_law(mirrored, coefficient, table, load, speed, motions, friction):
+    """Friction of the law: a row of numbers, as the kernels of `ehl.traction` write them.
+
+    One of coefficient and table is None, which is a type: its branch is not compiled.
+    """
     slide_x, slide_y, spin = motions
-    if kind == COEFFICIENT and mirrored and data.disc.shape[0] == STRAIGHT_ROWS:
-        straight_friction(data.disc, data.law, data.shape, load, speed, slide_x, friction)
-    elif kind == COEFFICIENT:
-        hertz_friction(
-            data.disc, data.law, data.shape, load, speed, slide_x, slide_y, spin, friction
-        )
-    else:
+    if coefficient is not None:
+        disc, law, shape = coefficient
+        if mirrored and disc.shape[0] == STRAIGHT_ROWS:
+            straight_friction(disc, law, shape, load, speed, slide_x, friction)
+        else:
+            hertz_friction(disc, law, shape, load, speed, slide_x, slide_y, spin, friction)
+    if table is not None:
         table_lookup(
-            data.axes, data.constants, data.scalars, data.values,
+            table.axes, table.constants, table.scalars, table.values,
             load, speed, slide_x, slide_y, spin, friction,
         )  # fmt: skip
 
@@ -118,7 +121,7 @@ def difference(motion, force, mobility, least, time):
 
 
 @compiled
-def set_slopes(c, kind, data, load, motion, linear, friction, time):
+def set_slopes(c, data, load, motion, linear, friction, time):
     """Slopes of the law by differences at a load and motion for steps of some time, and the rate
     at which a ball that slides comes to rest by them; the base is that of `set_friction`.
     """
@@ -139,7 +142,7 @@ def set_slopes(c, kind, data, load, motion, linear, friction, time):
             motion.slide_y + (size if i == 1 else 0.0),
             motion.spin + (size if i == 2 else 0.0),
         )
-        friction_law(kind, c.mirrored, data, load, speed, moved, friction)
+        friction_law(c.mirrored, data.coefficient, data.table, load, speed, moved, friction)
         for k in range(FORCES):
             change = friction[k] - linear[LINEAR.friction + k]
             linear[LINEAR.slopes + MOTIONS * k + i] = change / size

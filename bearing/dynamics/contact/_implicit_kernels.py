@@ -38,20 +38,21 @@ def sliding_rate(p, ball):
     """Rate at which friction on both races ends the sliding of a ball, by its slopes."""
     rate = 0.0
     for race in range(2):
-        approach = p.race_out[race, ball, CONTACT.approach]
-        share = load_share(p.normal[race], p.linear[race, ball], approach)
-        rate += share * p.linear[race, ball, LINEAR.rate]
+        approach = ball.race_out[race, CONTACT.approach]
+        share = load_share(p.normal[race], ball.linear[race], approach)
+        rate += share * ball.linear[race, LINEAR.rate]
     return rate
 
 
 @compiled
-def friction_is_stiff(p):
+def friction_is_stiff(p, balls):
     """Whether a step cannot resolve the sliding of some ball."""
     h = p.pace[0]
     for j in range(p.constants.balls):
+        ball = balls[j]
         # shares of the loads are at most LOAD_CHANGE: most balls need no more than this
-        most = LOAD_CHANGE * (p.linear[INNER, j, LINEAR.rate] + p.linear[OUTER, j, LINEAR.rate])
-        if h * most > STIFF and h * sliding_rate(p, j) > STIFF:
+        most = LOAD_CHANGE * (ball.linear[INNER, LINEAR.rate] + ball.linear[OUTER, LINEAR.rate])
+        if h * most > STIFF and h * sliding_rate(p, ball) > STIFF:
             return True
     return False
 
@@ -119,34 +120,34 @@ def solve(system):
 
 
 @compiled
-def begin_system(p, y, ball):
+def begin_system(p, ball, y, j):
     """The unit matrix, and the acceleration of a ball as it would be."""
     c = p.constants
     free = p.free
     system = p.system
-    v = ball_velocity(c.balls, ball)
+    v = ball_velocity(c.balls, j)
     pull = c.drag * norm(vector(y, v))
     system[:] = 0.0
     for row in range(FREEDOMS):
         system[row, row] = 1.0
-        push = p.forces[ball, FORCE + row] - (pull * y[v + row] if row < 3 else 0.0)
+        push = ball.forces[FORCE + row] - (pull * y[v + row] if row < 3 else 0.0)
         system[row, FREEDOMS] = push * mobility(c, free, row)
         if row < 3:
             system[row, FREEDOMS] += free[BODIES + row] * c.gravity[row]
 
 
 @compiled
-def ball_friction(p, body, race, y, ball, delay):
+def ball_friction(p, ball, body, race, y, j, delay):
     """Add what friction gains by the acceleration of the ball, over a time `delay`."""
     c = p.constants
-    linear = p.linear[race, ball]
-    out = p.race_out[race, ball]
+    linear = ball.linear[race]
+    out = ball.race_out[race]
     system = p.system
     friction = p.friction
     share = load_share(p.normal[race], linear, out[CONTACT.approach])
     if share == 0.0:
         return
-    motion = motion_of(c, race, body, y, ball)
+    motion = motion_of(c, race, body, y, j)
     friction[:] = 0.0
     for i in range(MOTIONS):
         velocity, turn = motion_direction(c, motion, i)
@@ -156,7 +157,7 @@ def ball_friction(p, body, race, y, ball, delay):
         for k in range(FORCES):
             slope = linear[LINEAR.slopes + MOTIONS * k + i]
             friction[k] += share * delay * slope * change
-    add_friction(c, motion, body, vector(friction, 0), friction[3], p.forces[ball], p.loads[race])
+    add_friction(c, motion, body, vector(friction, 0), friction[3], ball.forces, p.loads[race])
     out[CONTACT.friction_x] += friction[0]
     out[CONTACT.friction_y] += friction[1]
     slides = dot(vector(friction, 0), (motion.slide_x, motion.slide_y, motion.spin))
@@ -172,27 +173,27 @@ def motion_of(c, race, body, y, ball):
 
 
 @compiled
-def implicit_friction(p, y, inner, outer):
+def implicit_friction(p, balls, y, inner, outer):
     """Make friction implicit over the step `p.pace` where it is stiff; forces, loads and powers
     are those of all other parts before.
     """
     c = p.constants
     h = p.pace[0]
     for j in range(c.balls):
-        rate = sliding_rate(p, j)
+        ball = balls[j]
+        rate = sliding_rate(p, ball)
         if h * rate <= STIFF:
             continue
         delay = h / STIFF - 1.0 / rate
-        begin_system(p, y, j)
+        begin_system(p, ball, y, j)
         for race in range(2):
             body = inner if race == INNER else outer
-            share = load_share(
-                p.normal[race], p.linear[race, j], p.race_out[race, j, CONTACT.approach]
-            )
+            linear = ball.linear[race]
+            share = load_share(p.normal[race], linear, ball.race_out[race, CONTACT.approach])
             if share > 0.0:
                 motion = motion_of(c, race, body, y, j)
-                add_slopes(c, p.free, motion, p.linear[race, j], share * delay, p.system)
+                add_slopes(c, p.free, motion, linear, share * delay, p.system)
         solve(p.system)
         for race in range(2):
             body = inner if race == INNER else outer
-            ball_friction(p, body, race, y, j, delay)
+            ball_friction(p, ball, body, race, y, j, delay)

@@ -135,32 +135,37 @@ def motion_on_race(c, body, centre_radius, groove_radius, y, ball):
 
 
 @compiled
-def elastic_and_film(kind, data, law, motion):
+def elastic_and_film(kind, table, law, motion):
     """Approach of the elastic bodies, and the film between them, 0 where the bodies meet dry."""
-    if kind != FILM:
-        return motion.approach, 0.0
-    approach = elastic_approach(data.axes, data.scalars, law, motion.approach, motion.entrainment)
+    approach = motion.approach
+    if table is not None and kind == FILM:
+        approach = elastic_approach(table.axes, table.scalars, law, approach, motion.entrainment)
     return approach, approach - motion.approach
 
 
 @compiled
+def fade_damping(table, load, friction):
+    """Damping of a film, which fades below the table's smallest load as friction does."""
+    if table is not None:
+        friction[FILM_DAMPING] *= min(1.0, load / smallest_load(table.axes))
+
+
+@inlined
 def race_friction(c, kind, data, load, motion, linear, friction):
     """Friction of a race on a ball under a load, a row of numbers: by its slopes in `linear` where
     they hold, else by the law.
-
-    Where films separate the bodies, the damping fades below the table's smallest load as friction
-    does.
     """
     if load <= 0.0 or kind == FRICTIONLESS:
         friction[:] = 0.0
-        return
-    if slopes_hold(linear, load, motion):
-        friction_by_slopes(c.mirrored, linear, load, motion, friction)
     else:
-        motions = (motion.slide_x, motion.slide_y, motion.spin)
-        friction_law(kind, c.mirrored, data, load, motion.entrainment, motions, friction)
-    if kind == FILM:
-        friction[FILM_DAMPING] *= min(1.0, load / smallest_load(data.axes))
+        if slopes_hold(linear, load, motion):
+            friction_by_slopes(c.mirrored, linear, load, motion, friction)
+        else:
+            speed = motion.entrainment
+            motions = (motion.slide_x, motion.slide_y, motion.spin)
+            friction_law(c.mirrored, data.coefficient, data.table, load, speed, motions, friction)
+        if kind == FILM:
+            fade_damping(data.table, load, friction)
 
 
 @compiled
@@ -195,11 +200,10 @@ def add_friction(c, motion, body, along, roll, forces, load):
 
 
 @inlined
-def ball_on_race(p, race, body, y, j):
+def ball_on_race(p, ball, data, memory, race, body, y, j):
     """Forces of one race on a ball and back; powers; state of the contact."""
     c = p.constants
     kind = p.friction_kind
-    data = p.friction_inner if race == INNER else p.friction_outer
     law = p.normal[race]
     friction = p.friction
     power = p.power
@@ -207,12 +211,12 @@ def ball_on_race(p, race, body, y, j):
     groove_radius = c.inner_groove if race == INNER else c.outer_groove
     # 1. motion, friction, normal force
     motion = motion_on_race(c, body, centre_radius, groove_radius, y, j)
-    approach, film = elastic_and_film(kind, data, law, motion)
+    approach, film = elastic_and_film(kind, data.table, law, motion)
     elastic = elastic_force(law, approach)
-    race_friction(c, kind, data, elastic, motion, p.linear[race, j], friction)
+    race_friction(c, kind, data, elastic, motion, ball.linear[race], friction)
     if kind == TABLE:
         film = friction[CENTRAL_FILM]
-    out = p.race_out[race, j]
+    out = ball.race_out[race]
     record_contact(motion, approach, film, friction, out)
     if approach <= 0.0:
         return
@@ -220,7 +224,7 @@ def ball_on_race(p, race, body, y, j):
     if kind == FILM:
         push = max(0.0, elastic + friction[FILM_DAMPING] * rate)
     else:
-        push = damped(law, elastic, rate, p.memory[race * c.balls + j])
+        push = damped(law, elastic, rate, memory[race * c.balls + j])
     out[CONTACT.load] = push
     # 2. power lost
     power[WORK.friction_inner + race] -= (
@@ -232,14 +236,14 @@ def ball_on_race(p, race, body, y, j):
     power[WORK.race_damping] += (push - elastic) * rate
     # 3. loads on ball and ring
     force = times(-push, motion.normal)
-    load, forces = p.loads[race], p.forces[j]
+    load, forces = p.loads[race], ball.forces
     add_load(load, body, motion.point, times(-1.0, force))
     accumulate(forces, FORCE, force)
     add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces, load)
 
 
 @compiled
-def race_forces(p, race, body, y):
+def race_forces(p, balls, data, memory, race, body, y):
     """Forces of one race on every ball and back; powers; states of the contacts."""
     for j in range(p.constants.balls):
-        ball_on_race(p, race, body, y, j)
+        ball_on_race(p, balls[j], data, memory, race, body, y, j)

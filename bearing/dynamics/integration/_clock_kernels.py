@@ -10,16 +10,7 @@ from ehl.oil._elementary_kernels import copy
 
 from .._kernels import place_bodies
 from .._state_kernels import ball_motion, minus, norm
-from ..arrays import (
-    COEFFICIENT,
-    CONTACT,
-    FRICTIONLESS,
-    INNER,
-    INNER_SPEED,
-    LINEAR,
-    OIL_VISCOSITY,
-    OUTER_SPEED,
-)
+from ..arrays import CONTACT, FRICTIONLESS, INNER, INNER_SPEED, LINEAR, OIL_VISCOSITY, OUTER_SPEED
 from ..contact._belt_kernels import INTERVAL, belt_gap, film_by_matrix, film_holds, film_matrix
 from ..contact._cage_kernels import cage_direction, pocket_frame, pocket_motion
 from ..contact._friction_kernels import (
@@ -43,9 +34,11 @@ SMALL = 0.05
 
 
 @compiled
-def costs_little(kind, disc):
-    """Whether a law is asked in every evaluation: a coefficient at the contact's centre alone."""
-    return kind == COEFFICIENT and disc.shape[1] == 1
+def costs_little(coefficient):
+    """True of a law that is asked in every evaluation: a coefficient at the contact's centre."""
+    if coefficient is not None:
+        return coefficient.disc.shape[1] == 1
+    return False
 
 
 @compiled
@@ -58,14 +51,16 @@ def friction_error(c, linear, friction, time, speed):
 
 
 @compiled
-def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time, speed):
+def renew_contact(c, data, load, motion, linear, foretold, friction, time, speed):
     """Friction of one contact from its law, and after how many steps again."""
     held = slopes_hold(linear, load, motion)
     if held:
         friction_by_slopes(c.mirrored, linear, load, motion, friction)
         copy(friction[:FORCES], foretold)
     motions = (motion.slide_x, motion.slide_y, motion.spin)
-    friction_law(kind, c.mirrored, data, load, motion.entrainment, motions, friction)
+    friction_law(
+        c.mirrored, data.coefficient, data.table, load, motion.entrainment, motions, friction
+    )
     error = 0.0
     interval = linear[LINEAR.interval]
     if held:
@@ -73,7 +68,7 @@ def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time,
     changed = abs(load - linear[LINEAR.load]) > 0.2 * load
     set_friction(linear, load, motion, friction)
     if not held or error > STEEP or changed:
-        set_slopes(c, kind, data, load, motion, linear, friction, time)
+        set_slopes(c, data, load, motion, linear, friction, time)
     if not held or error > LARGE:
         linear[LINEAR.interval] = 1.0
     elif error < SMALL:
@@ -81,31 +76,36 @@ def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time,
 
 
 @compiled
-def forget_slopes(linear, films):
+def forget_slopes(balls):
     """Slopes of friction and matrices of films, so that all are due at the next step."""
-    linear[:] = 0.0
-    linear[:, :, LINEAR.interval] = 1.0
-    films[:] = 0.0
-    films[:, INTERVAL] = 1.0
+    for j in range(balls.size):
+        linear = balls[j].linear
+        linear[:] = 0.0
+        linear[:, LINEAR.interval] = 1.0
+        film = balls[j].pocket_films
+        film[:] = 0.0
+        film[INTERVAL] = 1.0
 
 
 @compiled
-def renew_friction(p, y, step, time, speed):
+def renew_friction(data, y, step, time, speed):
     """Ask the law of the contacts that are due at a state whose `derivative` was just taken:
     whether there were any.
 
     step: number of this one. speed: an error of velocity that counts as one.
     """
+    p = data.bearing
     c = p.constants
-    if p.friction_kind == FRICTIONLESS or costs_little(p.friction_kind, p.friction_inner.disc):
+    if p.friction_kind == FRICTIONLESS or costs_little(data.friction_inner.coefficient):
         return False
     inner, outer, _ = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
     some = False
     for race in range(2):
         body = inner if race == INNER else outer
         for j in range(c.balls):
-            linear = p.linear[race, j]
-            load = elastic_force(p.normal[race], p.race_out[race, j, CONTACT.approach])
+            ball = data.balls[j]
+            linear = ball.linear[race]
+            load = elastic_force(p.normal[race], ball.race_out[race, CONTACT.approach])
             if load <= 0.0:
                 linear[LINEAR.load] = 0.0
                 linear[LINEAR.interval] = 1.0
@@ -114,10 +114,8 @@ def renew_friction(p, y, step, time, speed):
                 continue
             some = True
             motion = motion_of(c, race, body, y, j)
-            data = p.friction_inner if race == INNER else p.friction_outer
-            renew_contact(
-                c, p.friction_kind, data, load, motion, linear, p.foretold, p.friction, time, speed
-            )
+            law = data.friction_inner if race == INNER else data.friction_outer
+            renew_contact(c, law, load, motion, linear, p.foretold, p.friction, time, speed)
     return some
 
 
@@ -146,7 +144,7 @@ def renew_pocket(c, frame, play, motion, film, time, speed):
 
 
 @compiled
-def renew_pockets(p, y, step, time, speed):
+def renew_pockets(p, balls, y, step, time, speed):
     """`renew_friction` of the films in the pockets: whether there were any to renew."""
     c = p.constants
     if c.cage_mass <= 0.0 or c.film_viscosity * c.pocket_height <= 0.0:
@@ -155,18 +153,18 @@ def renew_pockets(p, y, step, time, speed):
     _, _, body = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
     turned = cage_direction(y)
     for j in range(c.balls):
-        film = p.pocket_films[j]
+        ball = balls[j]
+        film = ball.pocket_films
         due = step % int(film[INTERVAL]) == 0
         # in a round pocket the film's gap is wider by what the ball is off along the pocket's axis
-        if not due and film_holds(c, film, -p.pocket_out[j, CONTACT.approach]):
+        if not due and film_holds(c, film, -ball.pocket_out[CONTACT.approach]):
             continue
         some = True
         position, velocity, turn = ball_motion(y, c.balls, j)
-        frame = pocket_frame(c, body, p.pocket_place[j], turned)
+        frame = pocket_frame(c, body, ball.pocket_place, turned)
         place = pocket_motion(c, body, frame, position)[2]
         relative = minus(velocity, point_velocity(body, position))
         motion = (place, relative, minus(turn, body.turn))
-        renew_pocket(
-            c, frame, p.pocket_play[j], motion, film, p.given[OIL_VISCOSITY] * time, speed
-        )
+        time_of_film = p.given[OIL_VISCOSITY] * time
+        renew_pocket(c, frame, ball.pocket_play, motion, film, time_of_film, speed)
     return some

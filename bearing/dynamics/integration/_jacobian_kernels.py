@@ -7,17 +7,16 @@ ring and cage. Its columns cost the contacts of one ball each, those of ring and
 
 import numpy as np
 
-from ehl.compiled import allocating, compiled, inlined
+from ehl.compiled import compiled, inlined
 from ehl.oil._elementary_kernels import copy_rows
 
-from .._handle_kernels import handle
 from .._kernels import (
     ball_rates,
     cage_equations,
     place_bodies,
     ring_equations,
     schedule_at,
-    solved_rates,
+    solved_derivative,
 )
 from .._state_kernels import velocities
 from ..arrays import INNER, INNER_SPEED, OUTER, OUTER_SPEED
@@ -45,78 +44,81 @@ def balls_act_alone(c):
 
 
 @compiled
-def ball_alone(p, bodies, y, j):
+def ball_alone(data, bodies, y, j):
     """Contacts of one ball: forces on it, added to the loads of rings and cage."""
+    p = data.bearing
+    ball = data.balls[j]
+    memory = data.memory
     inner, outer, cage = bodies
-    p.forces[j] = 0.0
-    ball_on_race(p, INNER, inner, y, j)
-    ball_on_race(p, OUTER, outer, y, j)
-    ball_in_pocket(p, cage, cage_direction(y), y, j)
+    ball.forces[:] = 0.0
+    ball_on_race(p, ball, data.friction_inner, memory, INNER, inner, y, j)
+    ball_on_race(p, ball, data.friction_outer, memory, OUTER, outer, y, j)
+    ball_in_pocket(p, ball, memory, cage, cage_direction(y), y, j)
 
 
 @compiled
-def difference(p, base, owner, ball, column, step, out):
+def difference(data, base, owner, ball, column, step, out):
     """A column of slopes from the rates now: rows of ring and cage, and of a ball or all balls."""
     for row in range(owner.size):
         if ball == OF_BODIES or owner[row] == OF_BODIES or owner[row] == ball:
-            out[row, column] = (p.rates[p.solved[row]] - base[row]) / step
+            out[row, column] = (data.rates[data.solved[row]] - base[row]) / step
 
 
 @inlined
-def columns_of_ball(p, t, j, base, owner, scale, out):
+def columns_of_ball(data, t, j, base, owner, scale, out):
     """Columns of one ball, by its contacts alone; `p.loads` are those of all balls, before and
     after.
     """
+    p = data.bearing
     c = p.constants
-    y = p.whole
-    acceleration = schedule_at(p.times, p.schedule, t, p.given)
+    y = data.whole
+    acceleration = schedule_at(data.times, data.schedule, t, p.given)
     bodies = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
     total = p.loads.copy()
     p.loads[:] = 0.0
-    ball_alone(p, bodies, y, j)
+    ball_alone(data, bodies, y, j)
     others = total - p.loads
     for column in range(owner.size):
         if owner[column] != j:
             continue
-        place = p.solved[column]
+        place = data.solved[column]
         kept = y[place]
         y[place] = kept + scale[column]
         copy_rows(others, p.loads)
-        ball_alone(p, bodies, y, j)
-        ball_rates(p, y, j, p.rates)
-        ring_equations(p, t, y, acceleration, bodies[0], p.rates)
-        cage_equations(p, y, bodies[2], p.rates)
-        difference(p, base, owner, j, column, scale[column], out)
+        ball_alone(data, bodies, y, j)
+        ball_rates(p, data.balls[j], y, j, data.rates)
+        ring_equations(p, t, y, acceleration, bodies[0], data.rates)
+        cage_equations(p, y, bodies[2], data.rates)
+        difference(data, base, owner, j, column, scale[column], out)
         y[place] = kept
     copy_rows(total, p.loads)
 
 
-@allocating
+@compiled
 def jacobian(t, y, data, scale, out):
     """Slopes of the rates of coordinates and speeds that are solved over them, shape (mechanical,
     mechanical), by one-sided differences of steps `scale`.
     """
-    p = handle(data)
-    c = p.constants
+    c = data.bearing.constants
     size = scale.size
     base = np.zeros(y.size)
     rates = np.zeros(y.size)
     owner = np.zeros(size, np.int64)
     alone = balls_act_alone(c)
     for column in range(size):
-        owner[column] = ball_of(c.balls, p.solved[column])
-    solved_rates(t, y, p, base)
+        owner[column] = ball_of(c.balls, data.solved[column])
+    solved_derivative(t, y, data, base)
     # 1. ring and cage, and balls that act on each other, by all contacts
     for column in range(size):
         if alone and owner[column] != OF_BODIES:
             continue
         kept = y[column]
         y[column] = kept + scale[column]
-        solved_rates(t, y, p, rates)
-        difference(p, base, owner, OF_BODIES, column, scale[column], out)
+        solved_derivative(t, y, data, rates)
+        difference(data, base, owner, OF_BODIES, column, scale[column], out)
         y[column] = kept
     # 2. each ball by its own
-    solved_rates(t, y, p, rates)
+    solved_derivative(t, y, data, rates)
     if alone:
         for j in range(c.balls):
-            columns_of_ball(p, t, j, base, owner, scale, out)
+            columns_of_ball(data, t, j, base, owner, scale, out)

@@ -12,8 +12,7 @@ import numpy as np
 from ehl.compiled import compiled, inlined
 from ehl.oil._elementary_kernels import copy, copy_rows
 
-from .._handle_kernels import handle
-from .._kernels import energies, put, solved_rates
+from .._kernels import energies, put, solved_derivative
 from .._state_kernels import ball_turn, plus, times, vector
 from ..arrays import (
     ACCUMULATORS,
@@ -68,7 +67,7 @@ HERTZ_DURATION = 2.943
 
 
 @inlined
-def stages(t, y, h, p, k, trial):
+def stages(t, y, h, data, k, trial):
     """Stages 2 to 7 from the first one in k[0]; then the states of stages 6 and 7."""
     for i in range(STAGES - 1):
         for m in range(y.size):
@@ -79,7 +78,7 @@ def stages(t, y, h, p, k, trial):
                 trial[m] += share * k[j, m]
         if i == STAGES - 3:
             copy(trial, k[STATE_6])
-        solved_rates(t + C[i] * h, trial, p, k[i + 1])
+        solved_derivative(t + C[i] * h, trial, data, k[i + 1])
     copy(trial, k[STATE_7])
 
 
@@ -139,14 +138,16 @@ def remember_onset(memory, onset, place, contact, floor, t):
 
 
 @compiled
-def after_step(p, t, h, onset, states, shares):
+def after_step(p, balls, memory, t, h, history):
     """Memory of the impacts, and the time spent separated, in contact and in impacts."""
     c = p.constants
-    memory = p.memory
+    onset = history.onset
+    states = history.states
+    shares = history.shares
     for race in range(2):
         for j in range(c.balls):
             place = race * c.balls + j
-            contact = p.race_out[race, j]
+            contact = balls[j].race_out[race]
             age = t - onset[place]
             speed = memory[place]
             state = contact_state(
@@ -156,54 +157,56 @@ def after_step(p, t, h, onset, states, shares):
             shares[race, j, state] += h
             remember_onset(memory, onset, place, contact, c.floor, t)
     for j in range(c.balls):
-        remember_onset(memory, onset, POCKET * c.balls + j, p.pocket_out[j], c.floor, t)
+        remember_onset(memory, onset, POCKET * c.balls + j, balls[j].pocket_out, c.floor, t)
     for side in range(2):
         remember_onset(memory, onset, LAND * c.balls + side, p.land_out[side], c.floor, t)
 
 
 @compiled
-def mark_films(p):
+def mark_films(p, balls):
     """Load and film of the races' contacts as the last `derivative` left them."""
     for race in range(2):
         for j in range(p.constants.balls):
-            out = p.race_out[race, j]
-            p.films[race, j, STEP_LOAD] = elastic_force(p.normal[race], out[CONTACT.approach])
-            p.films[race, j, STEP_FILM] = out[CONTACT.film]
+            out = balls[j].race_out[race]
+            film = balls[j].films[race]
+            film[STEP_LOAD] = elastic_force(p.normal[race], out[CONTACT.approach])
+            film[STEP_FILM] = out[CONTACT.film]
 
 
 @compiled
-def add_film_work(p, y):
+def add_film_work(p, balls, y):
     """After a step: energy taken up by separating films, -integral of Q dh_c, O(h^2)."""
     if p.friction_kind != FILM:
         return
     place = y.size - ACCUMULATORS + WORK.films
     for race in range(2):
         for j in range(p.constants.balls):
-            out = p.race_out[race, j]
+            out = balls[j].race_out[race]
+            film = balls[j].films[race]
             load = elastic_force(p.normal[race], out[CONTACT.approach])
-            change = out[CONTACT.film] - p.films[race, j, STEP_FILM]
-            taken = -0.5 * (load + p.films[race, j, STEP_LOAD]) * change
+            change = out[CONTACT.film] - film[STEP_FILM]
+            taken = -0.5 * (load + film[STEP_LOAD]) * change
             y[place] += p.constants.copies * taken
-    mark_films(p)
+    mark_films(p, balls)
 
 
 @compiled
-def remember_turns(p):
-    """Angular velocities of the balls as the last `solved_rates` had them."""
-    for j in range(p.constants.balls):
-        place = ball_turn(p.constants.balls, j)
+def remember_turns(balls, whole):
+    """Angular velocities of the balls as the last `solved_derivative` had them."""
+    for j in range(balls.size):
+        place = ball_turn(balls.size, j)
         for i in range(3):
-            p.turns[j, i] = p.whole[place + i]
+            balls[j].turns[i] = whole[place + i]
 
 
 @compiled
-def turn_balls(p, h, attitude):
-    """Attitudes (w, x, y, z) after a step whose last `solved_rates` were those at its end: the
+def turn_balls(balls, whole, h, attitude):
+    """Attitudes (w, x, y, z) after a step, right after `solved_derivative` at its end: the
     rotation by the mean angular velocity, O(h^2).
     """
-    for j in range(p.constants.balls):
-        after = vector(p.whole, ball_turn(p.constants.balls, j))
-        a, b, c = times(0.25 * h, plus(vector(p.turns[j], 0), after))
+    for j in range(balls.size):
+        after = vector(whole, ball_turn(balls.size, j))
+        a, b, c = times(0.25 * h, plus(vector(balls[j].turns, 0), after))
         half = np.sqrt(a * a + b * b + c * c)
         s = np.sin(half) / half if half > 0.0 else 1.0
         w = np.cos(half)
@@ -216,11 +219,11 @@ def turn_balls(p, h, attitude):
         attitude[j, 1] = w * q1 + a * q0 + b * q3 - c * q2
         attitude[j, 2] = w * q2 - a * q3 + b * q0 + c * q1
         attitude[j, 3] = w * q3 + a * q2 - b * q1 + c * q0
-    remember_turns(p)
+    remember_turns(balls, whole)
 
 
 @compiled
-def longest_step(p, control):
+def longest_step(p, balls, control):
     """Longest next step: shorter where a ball is pressed harder than `control` counts with, by
     the frequency of its vibration.
     """
@@ -228,43 +231,45 @@ def longest_step(p, control):
     for race in range(2):
         law = p.normal[race]
         for j in range(p.constants.balls):
-            approach = p.race_out[race, j, CONTACT.approach]
+            approach = balls[j].race_out[race, CONTACT.approach]
             if approach > 0.0:
                 steepest = max(steepest, elastic_force(law, approach) / approach)
     return control.longest * np.sqrt(control.steepest / steepest)
 
 
 @inlined
-def trial_step(t, y, step, p, control, scale, k, trial, counters):
+def trial_step(t, y, step, data, control, scale, k, trial, counters):
     """Stages of a step, its error, and whether a law of friction was asked at its end."""
+    p = data.bearing
     p.pace[0] = step
-    stages(t, y, step, p, k, trial)
+    stages(t, y, step, data, k, trial)
     counters[EVALUATIONS] += STAGES - 1
     error = error_norm(k, step, scale)
     if not error <= 1.0:
         return error, False
     number = counters[STEPS] + 1
-    renewed = renew_friction(p, p.whole, number, step, control.speed)
-    return error, renew_pockets(p, p.whole, number, step, control.speed) or renewed
+    renewed = renew_friction(data, data.whole, number, step, control.speed)
+    pockets = renew_pockets(p, data.balls, data.whole, number, step, control.speed)
+    return error, pockets or renewed
 
 
 @inlined
-def accept_step(t, y, step, p, k, renewed, history, counters):
+def accept_step(t, y, step, data, k, renewed, history, counters):
     """State, attitudes, memory of impacts and work of films after a step that ends at t."""
-    turn_balls(p, step, history.attitude)
+    turn_balls(data.balls, data.whole, step, history.attitude)
     copy(k[STATE_7], y)
     if renewed:
-        solved_rates(t, y, p, k[0])
+        solved_derivative(t, y, data, k[0])
         counters[EVALUATIONS] += 1
     else:
         copy(k[STAGES - 1], k[0])
-    after_step(p, t, step, history.onset, history.states, history.shares)
-    add_film_work(p, y)
+    after_step(data.bearing, data.balls, data.memory, t, step, history)
+    add_film_work(data.bearing, data.balls, y)
     counters[STEPS] += 1
 
 
 @inlined
-def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
+def advance(t, y, end, h, data, control, scale, k, trial, history, counters):
     """Steps from t to `end`; y, k[0] (its derivative) and the history are brought up to date.
     Status, time, next step.
 
@@ -277,7 +282,7 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
         last = h >= remaining * (1.0 - 1e-9)
         # 1. a trial step and its error
         step = remaining if last else min(h, control.longest)
-        error, renewed = trial_step(t, y, step, p, control, scale, k, trial, counters)
+        error, renewed = trial_step(t, y, step, data, control, scale, k, trial, counters)
         finite = np.isfinite(error)
         factor = SMALLEST_FACTOR
         if error < FEW_ERRORS:
@@ -295,10 +300,11 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
         # 3. accepted
         t = end if last else t + step
         stiff = count_stiff(stiffness(k, step, scale), counters)
-        accept_step(t, y, step, p, k, renewed, history, counters)
+        accept_step(t, y, step, data, k, renewed, history, counters)
         # 4. next step, not longer right after a rejection
         grown = step * (min(factor, 1.0) if after_rejection else factor)
-        h = min(max(h, grown) if last else grown, longest_step(p, control))
+        longest = longest_step(data.bearing, data.balls, control)
+        h = min(max(h, grown) if last else grown, longest)
         after_rejection = False
         # 5. stiff, with steps too short to go on like this
         if stiff and step < control.stiff:
@@ -321,20 +327,21 @@ def count_stiff(value, counters):
 
 @compiled
 def sample(y, data, history, record, row):
-    """One row of a `Record`, right after `solved_rates` of the state.
+    """One row of a `Record`, right after `solved_derivative` of the state.
 
     An open contact has no film there; its film goes on over the gap for `add_film_work` alone.
     """
-    p = handle(data)
-    put(y, p.solved, p.whole)
-    copy(p.whole, record.state[row])
-    for race in range(2):
-        copy_rows(p.race_out[race], record.races[row, race])
-        for j in range(p.constants.balls):
-            if p.race_out[race, j, CONTACT.approach] <= 0.0:
+    p = data.bearing
+    put(y, data.solved, data.whole)
+    copy(data.whole, record.state[row])
+    for j in range(p.constants.balls):
+        ball = data.balls[j]
+        for race in range(2):
+            copy(ball.race_out[race], record.races[row, race, j])
+            if ball.race_out[race, CONTACT.approach] <= 0.0:
                 record.races[row, race, j, CONTACT.film] = 0.0
-    copy_rows(p.pocket_out, record.pockets[row])
-    energies(p.whole, p, record.energy[row])
+        copy(ball.pocket_out, record.pockets[row, j])
+    energies(data.whole, data, record.energy[row])
     copy(p.loads[INNER], record.loads[row, :LOAD_COLUMNS])
     copy(p.loads[CAGE_LOAD], record.loads[row, LOAD_COLUMNS:])
     copy_rows(history.states, record.contact_state[row])
@@ -344,9 +351,8 @@ def sample(y, data, history, record, row):
 @compiled
 def begin_steps(data):
     """Before steps, right after `solved_derivative` of the state."""
-    p = handle(data)
-    remember_turns(p)
-    mark_films(p)
+    remember_turns(data.balls, data.whole)
+    mark_films(data.bearing, data.balls)
 
 
 @compiled
@@ -354,28 +360,27 @@ def end_step(t, y, step, data, history):
     """After a step to a time `t` and `solved_derivative` there: attitudes, memory of impacts, work
     of films.
     """
-    p = handle(data)
-    turn_balls(p, step, history.attitude)
-    after_step(p, t, step, history.onset, history.states, history.shares)
-    add_film_work(p, y)
+    turn_balls(data.balls, data.whole, step, history.attitude)
+    after_step(data.bearing, data.balls, data.memory, t, step, history)
+    add_film_work(data.bearing, data.balls, y)
 
 
 @compiled
 def advance_samples(t, y, h, data, control, scale, k, trial, history, counters, record):
     """`advance` to each time of a record, and its rows. Status, rows written, time, next step."""
-    p = handle(data)
+    p = data.bearing
     p.pace[0] = h
-    forget_slopes(p.linear, p.pocket_films)
-    solved_rates(t, y, p, k[0])
-    renew_friction(p, p.whole, counters[STEPS], h, control.speed)
-    renew_pockets(p, p.whole, counters[STEPS], h, control.speed)
-    solved_rates(t, y, p, k[0])
-    remember_turns(p)
-    mark_films(p)
+    forget_slopes(data.balls)
+    solved_derivative(t, y, data, k[0])
+    renew_friction(data, data.whole, counters[STEPS], h, control.speed)
+    renew_pockets(p, data.balls, data.whole, counters[STEPS], h, control.speed)
+    solved_derivative(t, y, data, k[0])
+    remember_turns(data.balls, data.whole)
+    mark_films(p, data.balls)
     for row in range(record.time.size):
         end = record.time[row]
-        status, t, h = advance(t, y, end, h, p, control, scale, k, trial, history, counters)
+        status, t, h = advance(t, y, end, h, data, control, scale, k, trial, history, counters)
         if status != DONE:
             return status, row, t, h
-        sample(y, p, history, record, row)
+        sample(y, data, history, record, row)
     return DONE, record.time.size, t, h

@@ -30,15 +30,33 @@ LOOK = 10000
 def advance_explicit(
     state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
-    """Move a state on to the given times [s]; the kernel's status, and the rows reached.
+    """Move a state on to the given times by compiled explicit steps.
 
-    `scale`, shape (mechanical,): errors that count as one [SI].
+    Parameters
+    ----------
+    state : SimulationState
+        state of the simulation, changed
+    motion : SolvedMotion
+        equations in use
+    times : Array
+        times of the samples, rising [s]
+    control : StepControl
+        limits of the steps
+    scale : Array
+        errors that count as one, shape (mechanical,) [SI]
+
+    Returns
+    -------
+    status
+        status of the kernel
+    record
+        the rows reached
     """
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
     stages = np.zeros((STAGE_ROWS, y.size))
     status, rows, state.time, state.step = _kernels.advance_samples(
-        state.time, y, state.step, motion.data, control, motion.scale(scale),
+        state.time, y, state.step, motion.data.kernel, control, motion.scale(scale),
         stages, np.zeros(y.size), history, state.counters, record,
     )  # fmt: skip
     motion.finish(state, y, history)
@@ -46,11 +64,11 @@ def advance_explicit(
 
 
 @dataclass(slots=True)
-class _Pace:
-    """Whether steps lead on."""
+class _Progress:
+    """Progress of the steps over time."""
 
     before: float  # time LOOK steps ago [s]
-    least: float  # mean of LOOK steps [s]
+    shortest: float  # mean of LOOK steps [s]
     steps: int = 0
 
     def crawls(self, time: float) -> bool:
@@ -66,21 +84,41 @@ class _Pace:
 def advance_implicit(
     state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
-    """`advance_explicit` by LSODA; status DONE or TOO_SMALL, and the rows reached [SI].
+    """Move a state on to the given times by LSODA.
 
     Its systems of a hundred unknowns are solved by one thread: several took twelve times as long.
+
+    Parameters
+    ----------
+    state : SimulationState
+        state of the simulation, changed
+    motion : SolvedMotion
+        equations in use
+    times : Array
+        times of the samples, rising [s]
+    control : StepControl
+        limits of the steps
+    scale : Array
+        errors that count as one, shape (mechanical,) [SI]
+
+    Returns
+    -------
+    status
+        DONE or TOO_SMALL
+    record
+        the rows reached
     """
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
     state.counters[[STIFF_SEEN, SOFT_SEEN]] = 0  # the test begins anew when explicit steps do
     reached = 0
-    pace = _Pace(state.time, CRAWL * control.stiff)
+    progress = _Progress(state.time, CRAWL * control.stiff)
     with threadpool_limits(1, user_api="blas"):
         for row, time in enumerate(times):
             limits = (float(time), control, motion.scale(scale))
-            if not _advance_to(state, motion, (y, history), limits, pace):
+            if not _advance_to(state, motion, (y, history), limits, progress):
                 break
-            _kernels.sample(y, motion.data, history, record, row)
+            _kernels.sample(y, motion.data.kernel, history, record, row)
             reached = row + 1
     motion.finish(state, y, history)
     record = first_rows(motion.whole_record(record), reached)
@@ -90,20 +128,20 @@ def advance_implicit(
 def _advance_to(
     state: SimulationState,
     motion: SolvedMotion,
-    moved: tuple[Array, ContactHistory],
+    unknowns: tuple[Array, ContactHistory],
     limits: tuple[float, StepControl, Array],
-    pace: "_Pace",
+    progress: "_Progress",
 ) -> bool:
     """Steps of LSODA up to the time of `limits` [s], impacts remembered after each; whether it was
-    reached. `moved`: what is solved and what its contacts remember, brought up to date.
+    reached. `unknowns`: what is solved and what its contacts remember, brought up to date.
     """
-    y, history = moved
+    y, history = unknowns
     data = motion.data
     rates = np.zeros_like(y)
     data.linear[:] = 0.0  # each evaluation asks the laws of friction and films
     data.pocket_films[:] = 0.0
-    solved_derivative(state.time, y, data, rates)
-    _kernels.begin_steps(data)
+    solved_derivative(state.time, y, data.kernel, rates)
+    _kernels.begin_steps(data.kernel)
     if limits[0] <= state.time:  # the explicit steps were given up right at a sample
         return True
     solver = _solver(state, data, y, limits)
@@ -116,12 +154,12 @@ def _advance_to(
             return False
         step = solver.t - solver.t_old
         y[: solver.n] = solver.y
-        solved_derivative(solver.t, y, data, rates)
-        _kernels.end_step(solver.t, y, step, data, history)
+        solved_derivative(solver.t, y, data.kernel, rates)
+        _kernels.end_step(solver.t, y, step, data.kernel, history)
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step
-        if pace.crawls(solver.t):
+        if progress.crawls(solver.t):
             return False
     state.counters[EVALUATIONS] += solver.nfev
     return True
@@ -138,13 +176,13 @@ def _solver(
 
     def rates(t: float, y: Array) -> Array:
         full[:size] = y
-        solved_derivative(t, full, data, derivative)
+        solved_derivative(t, full, data.kernel, derivative)
         return derivative[:size].copy()
 
     def slopes(t: float, y: Array) -> Array:
         full[:size] = y
         out = np.zeros((size, size))
-        jacobian(t, full, data, scale, out[:mechanical, :mechanical])
+        jacobian(t, full, data.kernel, scale, out[:mechanical, :mechanical])
         return out
 
     energy = np.maximum(np.abs(y[mechanical:size]), 1.0) * ACCUMULATOR_TOLERANCE

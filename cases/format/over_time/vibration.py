@@ -315,9 +315,9 @@ def _support(table: SupportTable) -> Support:
             frequency=si["sensor_frequency"],
             damping_ratio=si["sensor_damping_ratio"],
         )
-    held = table.inner_ring == "held"
+    fixed = table.inner_ring == "held"
     outer_mass = si["outer_ring_mass"]
-    return table.build(Support, inner_ring_held=held, outer_mass=outer_mass, sensor=sensor)
+    return table.build(Support, inner_ring_fixed=fixed, outer_mass=outer_mass, sensor=sensor)
 
 
 def _options(table: VibrationTable, speed: float, end_time: float | None) -> VibrationOptions:

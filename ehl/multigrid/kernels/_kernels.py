@@ -8,17 +8,20 @@ Poiseuille terms by the conservative five-point stencil with eps averaged betwee
 hy^2), Couette terms by second-order differences upstream, (3, -4, 1)/2, central where these leave
 the grid. Arrays are stored with lines along x contiguous, shape (ny, nx). On a symmetric grid row
 0 is the line y = 0 and the row below it is the mirror image of row 1.
+
+A term that a film does not have is None in place of its array. Kernels are compiled for the types
+of their arguments, so that nothing is compiled for it.
 """
 
 import numpy as np
 
-from ...compiled import allocating, compiled
+from ...compiled import compiled
 from ...oil._elementary_kernels import exponential, logarithm
 
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 
 
-@allocating
+@compiled
 def flow_properties(
     P, H, slope, pressure, exponent, dense_1, dense_2, thinning, at, speed, eps, rho, rho_slope,
     first, stop
@@ -122,11 +125,9 @@ def operator_of_line(P, north, south, eps, eps_north, eps_south, flow, H, hx, hy
 
 
 @compiled
-def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out):
+def reynolds_operator(P, H, eps, flow_x, flow_y, hx, hy, symmetric, out):
     """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H) at interior nodes, zero on
-    the edge.
-
-    flow_y is used if `lateral`.
+    the edge; flow_y: None where nothing flows across the lines.
     """
     ny, nx = P.shape
     out[:, :] = 0.0
@@ -135,13 +136,13 @@ def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out
         operator_of_line(
             P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], flow_x[j], H[j], hx, hy, out[j]
         )
-        if lateral:
+        if flow_y is not None:
             for i in range(1, nx - 1):
                 out[j, i] -= lateral_at(j, i, flow_y, H, hy)
 
 
 @compiled
-def residual_sums(P, H, residual, flow_x, flow_y, lateral, hx, hy):
+def residual_sums(P, H, residual, flow_x, flow_y, hx, hy):
     """Sums over the nodes inside the box: |residual|; over those with pressure: residual,
     |d_X(flow_x H) + d_Y(flow_y H)|.
     """
@@ -153,7 +154,7 @@ def residual_sums(P, H, residual, flow_x, flow_y, lateral, hx, hy):
             size += abs(residual[j, i])  # a cavity that asks for pressure counts, too
             if P[j, i] > 0.0:
                 couette = _along(i, flow_x[j], H[j], hx)
-                if lateral and j > 0:
+                if flow_y is not None and j > 0:
                     couette += lateral_at(j, i, flow_y, H, hy)
                 balance += residual[j, i]
                 divergence += abs(couette)

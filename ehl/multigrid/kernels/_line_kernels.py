@@ -9,7 +9,7 @@ side.
 
 import numpy as np
 
-from ...compiled import allocating, compiled
+from ...compiled import compiled
 
 LANES = 8  # lines solved at once, as many as fit a register of 512 bits
 LOWER = 4  # sub-diagonals of the line system
@@ -40,7 +40,7 @@ HERE = LOWER * ROW
 WINDOW = (LOWER + 1 + LOWER) * ROW
 
 
-@allocating
+@compiled
 def line_influences(near, weights):
     """Deflections at distances 0 to 6 in the line of a change and in the next two, from a change
     of each kind: [line][Gauss-Seidel, Jacobi][distance].
@@ -305,10 +305,12 @@ def _substitute(w, lanes):
 
 
 @compiled
-def solve_lines(work, lanes, lines, mesh, weights, backward, lateral, starved, stored):
+def solve_lines(work, lanes, lines, mesh, weights, reversing, backward, flow_y, empty, storage):
     """Changes of LANES lines from their fields: their linear systems, elimination from the first
     node to the last, and the way back. `lanes` is LANES, in a form that the compiler cannot see
-    through: it would write out the short loop of the way back number by number.
+    through: it would write out the short loop of the way back number by number. reversing,
+    flow_y, empty, storage: as in `relax_lines`, None of a term that is not there; backward: true
+    where the flow of some line runs towards smaller x.
     """
     last = work.size // ROW - 2 * LOWER - 2
     for i in range(1, last + 1):
@@ -316,14 +318,14 @@ def solve_lines(work, lanes, lines, mesh, weights, backward, lateral, starved, s
         behind = 1.0 if i > 1 else 0.0
         ahead = 1.0 if i < last else 0.0
         _set_wedge(window, lines[0][0], lines[0][1], mesh[2], behind, ahead)
-        if backward:
+        if reversing is not None and backward:
             _add_backward(window, lines[0][0], lines[0][1], mesh[2], behind, ahead)
         _add_pressure(window, mesh, weights, behind, ahead)
-        if lateral:
+        if flow_y is not None:
             _add_lateral(window, lines)
-        if starved and i > 1:
+        if empty is not None and i > 1:
             _add_front(window, lines[0][0], lines[0][1], mesh, weights)
-        if stored:
+        if storage is not None:
             _add_storage(window, lines[0][0], lines[0][1], weights[0])
         _eliminate(window)
     for i in range(last, 0, -1):

@@ -4,7 +4,7 @@ layout of arrays, `_line_kernels` for the systems of the lines.
 
 import numpy as np
 
-from ...compiled import allocating, compiled
+from ...compiled import compiled
 from ...oil._elementary_kernels import copy
 from ._kernels import lateral_at, operator_of_line
 from ._line_kernels import (
@@ -34,7 +34,7 @@ JACOBI = 2
 
 
 @compiled
-def _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, storage, hx, hy, residual):
+def _line_residual(j, P, H, eps, flow_x, flow_y, f, storage, hx, hy, residual):
     """f - L(P) at the nodes of line j, with what they store over time."""
     s = abs(j - 1)
     operator_of_line(
@@ -42,10 +42,10 @@ def _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, storage, hx, hy, re
     )
     for i in range(1, residual.size - 1):
         residual[i] = f[j, i] - residual[i]
-    if lateral:
+    if flow_y is not None:
         for i in range(1, residual.size - 1):
             residual[i] += lateral_at(j, i, flow_y, H, hy)
-    if storage.size > 0:
+    if storage is not None:
         for i in range(1, residual.size - 1):
             residual[i] += storage[0, j, i] * H[j, i]
 
@@ -108,7 +108,7 @@ def _interleave_fill(empty, share, start, stop, work):
 
 
 @compiled
-def _interleave_lateral(flow, slope, H, hy, kinds, empty, starved, start, stop, work):
+def _interleave_lateral(flow, slope, H, hy, kinds, empty, start, stop, work):
     """As `_interleave`, of the flow across the lines: zero where the stencil leaves the grid, and
     at fixed nodes; without what enters from a node whose oil does not fill the gap.
     """
@@ -123,7 +123,7 @@ def _interleave_lateral(flow, slope, H, hy, kinds, empty, starved, start, stop, 
                 row[LANES + lane] = -up * 2.0 * flow[j + up, i] / hy
                 row[2 * LANES + lane] = up * 0.5 * flow[j + 2 * up, i] / hy
                 row[3 * LANES + lane] = up * 1.5 * slope[j, i] * H[j, i] / hy
-                if starved and empty[j + up, i]:
+                if empty is not None and empty[j + up, i]:
                     row[LANES + lane] = -up * 0.5 * flow[j + up, i] / hy
                     row[2 * LANES + lane] = 0.0
             else:
@@ -159,10 +159,10 @@ def _apply_line(P, eps, kind, delta, wx, relief, spread):
         P[i] = changed if kind[i] == GAUSS_SEIDEL else P[i]
 
 
-@allocating
+@compiled
 def relax_lines(
-    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, storage, near, hx, hy, symmetric,
-    starved, rest, empty, share, relief, switch, kinds, spread, first, stop,
+    P, H, eps, flow_x, slope_x, flow_y, slope_y, reversing, f, storage, near, hx, hy, symmetric,
+    rest, empty, share, relief, switch, kinds, spread, first, stop,
 ):  # fmt: skip
     """First part of a hybrid line sweep, Venner and Lubrecht (2000), sec. 5.5: every second line
     from `first` to before `stop`; the film stays as it is.
@@ -173,9 +173,10 @@ def relax_lines(
 
     near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x,
     flow_y: density times the velocity of the Couette flow, slope_x, slope_y: their derivatives by
-    P; those of y are used if `lateral`. storage: density and its derivative by P over a time step,
-    shape (2, ny, nx); empty where nothing is stored. rest, empty, share: residual, nodes whose oil
-    does not fill the gap, and share of it that leaves them along the line, used if `starved`.
+    P; those of y None where nothing flows across the lines. reversing: None where no flow along
+    the lines runs towards smaller x. storage: density and its derivative by P over a time step,
+    shape (2, ny, nx), or None. rest, empty, share: residual, nodes whose oil does not fill the
+    gap, and share of it that leaves them along the line, or None where all gaps are full.
     kinds, spread: kind of each node, and the changes left to `spread_changes`. Lines of one
     colour, even or odd, are independent of each other.
     """
@@ -191,22 +192,23 @@ def relax_lines(
         # 1. residuals and kinds of the nodes
         for j in range(start, end, 2):
             own = residual[(j - start) // 2]
-            if starved:
+            if rest is not None:
                 copy(rest[j], own)
             else:
-                _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, storage, hx, hy, own)
+                _line_residual(j, P, H, eps, flow_x, flow_y, f, storage, hx, hy, own)
             _line_kinds(j, P, own, eps, mesh, threshold, kinds)
         # 2. linear systems of the changes
         backward = _interleave(eps, flow_x, slope_x, H, residual, kinds, start, end, work)
-        if lateral:
-            _interleave_lateral(flow_y, slope_y, H, hy, kinds, empty, starved, start, end, work)
-        if starved:
+        if flow_y is not None:
+            _interleave_lateral(flow_y, slope_y, H, hy, kinds, empty, start, end, work)
+        if empty is not None:
             _interleave_fill(empty, share, start, end, work)
-        if storage.size > 0:
+        if storage is not None:
             _interleave_storage(storage, H, kinds, start, end, work)
         # 3. solution and changes
-        terms = (backward, lateral, starved, storage.size > 0)
-        solve_lines(work, len(residual), lines, mesh, weights, *terms)
+        solve_lines(
+            work, len(residual), lines, mesh, weights, reversing, backward, flow_y, empty, storage
+        )
         for j in range(start, end, 2):
             delta = work[LOWER * ROW + RIGHT + (j - start) // 2 :: ROW]
             _apply_line(P[j], eps[j], kinds[j], delta, weights[0], relief, spread[j])

@@ -1,9 +1,10 @@
-"""What a layer of oil at the inlet leaves of a flooded film, from two solutions in one box."""
+"""Effect of a layer of oil at the inlet on a flooded film, from two solutions in one box."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...grid import unfolded
+from ...oil._kernels import dowson_higginson
 from ...oil.lubricant import density
 from ...scaling import ScaledContact, contact_shares, scale_contact
 from ...solution import ContactSolution, OilSupply
@@ -14,16 +15,49 @@ Array = NDArray[np.float64]
 
 
 def starved_film_guess(flooded: float, ratio: float) -> float:
-    """Central film to start from behind a layer, H r/(1 + r^3)^(1/3) [-]: between all of the layer
-    and the flooded film; a guess too thick diverges, one too thin costs nothing.
+    """Guess the central film behind an inlet film, H r/(1 + r^3)^(1/3).
+
+    It lies between all of the inlet film and the flooded film; a guess too thick diverges, one
+    too thin costs nothing.
+
+    Parameters
+    ----------
+    flooded : float
+        central film of the flooded contact [-]
+    ratio : float
+        inlet film over the oil that the flooded film takes along [-]
+
+    Returns
+    -------
+    float
+        initial guess of the central film [-]
     """
     return flooded * ratio / (1.0 + ratio**3) ** (1.0 / 3.0)
 
 
-def inlet_ratio(layer: float, flooded: ContactSolution, contact: ScaledContact) -> float:
-    """Layer over the oil that the flooded film takes along, rho(P(0, 0)) H_c [-]."""
+def inlet_ratio(
+    inlet_film_thickness: float, flooded: ContactSolution, contact: ScaledContact
+) -> float:
+    """Relate the inlet film to the oil that the flooded film takes along, rho(P(0, 0)) H_c.
+
+    Parameters
+    ----------
+    inlet_film_thickness : float
+        thickness of the inlet film in a^2/Rx [-]
+    flooded : ContactSolution
+        flooded solution
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    float
+        ratio r [-]
+    """
     P = flooded.P[int(np.abs(flooded.X).argmin()), int(np.abs(flooded.Y).argmin())]
-    return layer / (_density(float(P), contact) * flooded.film_central_dimensionless.value)
+    return inlet_film_thickness / (
+        _density(float(P), contact) * flooded.film_central_dimensionless.value
+    )
 
 
 def _density(P: float, contact: ScaledContact) -> float:
@@ -31,12 +65,22 @@ def _density(P: float, contact: ScaledContact) -> float:
     if contact.oil is not None:
         at = density(np.array([0.0, P * contact.hertz_pressure]), contact.oil)
         return float(at[1] / at[0])
-    return 1.0 + contact.density_numerator * P / (1.0 + contact.density_denominator * P)
+    ratio = dowson_higginson(P, contact.density_numerator, contact.density_denominator)
+    return float(ratio)
 
 
 def turned_round(levels: Multigrid) -> str:
-    """Why a contact is not solved behind a layer: oil that runs against the entrainment somewhere
-    in its box; empty where none does.
+    """Explain why a contact is not solved behind an inlet film: oil runs against the entrainment.
+
+    Parameters
+    ----------
+    levels : Multigrid
+        levels of the contact
+
+    Returns
+    -------
+    str
+        message; empty where all oil runs one way
     """
     along = levels.levels[-1].factors.couette_x
     if along is None or float(along.min()) > 0.0:
@@ -50,22 +94,39 @@ def turned_round(levels: Multigrid) -> str:
 def oil_supply(
     flooded: ContactSolution, starved: ContactSolution, levels: Multigrid, ratio: float
 ) -> OilSupply:
-    """What the layer does, from the finest of the levels of the starved solution [-]."""
+    """Summarise the effect of an inlet film, from the finest level of the starved solution.
+
+    Parameters
+    ----------
+    flooded : ContactSolution
+        flooded solution in the same box
+    starved : ContactSolution
+        solution behind the inlet film
+    levels : Multigrid
+        levels of the starved solution
+    ratio : float
+        inlet film over the oil that the flooded film takes along [-]
+
+    Returns
+    -------
+    OilSupply
+        supply, meniscus and filled fraction of the contact
+    """
     level = levels.levels[-1]
-    fill = level.fill
-    assert fill is not None
+    film_content = level.film_content
+    assert film_content is not None
     grid = level.grid
     # 1. share of the gap that is filled, at the outgoing faces; the edges as beside them
-    own = level.flow_x * level.H
-    full = 1.5 * own
-    full[:, 1:] -= 0.5 * own[:, :-1]
-    filled = np.ones_like(own)
-    np.divide(fill.along, full, out=filled, where=(fill.empty > 0) & (full > 0.0))
+    transport = level.flow_x * level.H
+    full = 1.5 * transport
+    full[:, 1:] -= 0.5 * transport[:, :-1]
+    filled = np.ones_like(transport)
+    np.divide(film_content.along, full, out=filled, where=(film_content.empty > 0) & (full > 0.0))
     filled = np.clip(filled, 0.0, 1.0)
     filled[:, [0, -1]] = filled[:, [1, -2]]
     # 2. layer that leaves the box
     factor = level.factors.couette_x
-    outlet = fill.along[:, -2] / (1.0 if factor is None else factor[:, -2])
+    outlet = film_content.along[:, -2] / (1.0 if factor is None else factor[:, -2])
     for values in (filled, outlet):
         values[-1] = values[-2]
         if not grid.symmetric:
@@ -76,7 +137,7 @@ def oil_supply(
     return OilSupply(
         flooded=flooded,
         inlet_ratio=ratio,
-        meniscus=_meniscus(starved, fill.empty[0 if grid.symmetric else grid.ny // 2]),
+        meniscus=_meniscus(starved, film_content.empty[0 if grid.symmetric else grid.ny // 2]),
         rolling_moment_ratio=_moment(starved, levels) / _moment(flooded, levels),
         damping=contact_shares(along, ratio).damping,
         flooded_fft_equivalents=flooded.record.fft_equivalents * flooded.P.size / starved.P.size,
@@ -86,7 +147,7 @@ def oil_supply(
 
 
 def _meniscus(solution: ContactSolution, empty: NDArray[np.int8]) -> float | None:
-    """Where the gap fills ahead of the centre on the line Y = 0, half a mesh before the first full
+    """Locate the meniscus ahead of the centre on the line Y = 0, half a mesh before the first full
     node behind the last empty one [-]; None where the box begins full.
     """
     ahead = np.flatnonzero((empty > 0) & (solution.X < 0.0))
@@ -96,16 +157,17 @@ def _meniscus(solution: ContactSolution, empty: NDArray[np.int8]) -> float | Non
 
 
 def _moment(solution: ContactSolution, levels: Multigrid) -> float:
-    """Of the pressure in the box about the centre [-]."""
+    """Sum the moment of the pressure in the box about the centre [-]."""
     return sum(pressure_moment(solution, levels.contact))
 
 
 def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[float, float]:
-    """Moment of the pressure in the box that resists rolling along the entrainment, and what makes
-    it that by which the surfaces turn as much power into heat as the flow does that the pressure
-    drives [-].
+    """Evaluate the moment of the pressure in the box that resists rolling along the entrainment,
+    and its correction by the balance of power.
 
-    Reynolds' equation times the integral of dP/rho, summed over the box, is the balance of power
+    The corrected moment is that by which the surfaces turn as much power into heat as the flow
+    does that the pressure drives. Reynolds' equation times the integral of dP/rho, summed over the
+    box, is the balance of power
 
         -II P (u H_X + v H_Y) = II eps/rho |grad P|^2 - I P eps/rho dP/dn,
 
@@ -114,6 +176,20 @@ def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[
     moments about both axes. The right side is a sum of squares that the scheme keeps with the
     squared mesh; the left one is a small difference of the load's two halves, which the mesh
     shifts along the entrainment: on 257 points off by up to a third where little oil flows.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    moment
+        moment of the pressure [-]
+    correction
+        what closes the balance of power [-]
     """
     X = solution.X[:, None]
     Y = solution.Y[None, :]
@@ -145,7 +221,9 @@ def _over_box(solution: ContactSolution, values: Array) -> float:
 
 
 def _flow_heat(P: Array, eps: Array, h: float) -> Array:
-    """Of the flow along the first axis, less what it takes over both ends, by lines [-]."""
+    """Sum the heat of the flow along the first axis, less that which leaves over both ends, by
+    lines [-].
+    """
     faces = 0.5 * (eps[1:] + eps[:-1]) * (P[1:] - P[:-1]) ** 2 / h
     first = (3.0 * P[0] - 4.0 * P[1] + P[2]) / (2.0 * h)
     last = (3.0 * P[-1] - 4.0 * P[-2] + P[-3]) / (2.0 * h)

@@ -5,7 +5,7 @@ from math import exp, hypot, inf, log
 
 import numpy as np
 
-from ...closed_form.starvation import Share
+from ...closed_form.starvation import ReductionFactor
 from ...conditions import ContactConditions, MoesConditions
 from ...scaling import ScaledContact, contact_shares
 from ...solution import Array, ContactSolution, FilmValue, OilSupply
@@ -18,45 +18,64 @@ def behind_layer(
     flooded: ContactSolution,
     conditions: ContactConditions | MoesConditions,
     frames: tuple[ScaledContact, ScaledContact],
-    layer: float,
+    inlet_film_thickness: float,
 ) -> ContactSolution:
-    """The flooded solution with the films that a layer leaves, in a^2/Rx.
+    """Starve a flooded solution by the tabulated law of starvation.
 
     The film's field is that of the flooded contact, lowered: by as much as the centre where it is
     thicker than there, in proportion between the minimum and the centre elsewhere. The pressure
     stays that of the flooded contact.
-    `frames`: the contact in that of the solution and in that of its entrainment.
+
+    Parameters
+    ----------
+    flooded : ContactSolution
+        flooded solution
+    conditions : ContactConditions | MoesConditions
+        conditions with the inlet film
+    frames : tuple[ScaledContact, ScaledContact]
+        the contact in the frame of the solution, and in that of its entrainment
+    inlet_film_thickness : float
+        thickness of the inlet film in a^2/Rx [-]
+
+    Returns
+    -------
+    ContactSolution
+        solution with the films that the inlet film leaves
     """
     contact, along = frames
-    ratio = inlet_ratio(layer, flooded, contact)
+    ratio = inlet_ratio(inlet_film_thickness, flooded, contact)
     ample = inf
     if flooded.film_scale is not None:
-        ample = conditions.lubricant.flooded_layer / (layer * flooded.film_scale) * ratio
-    shares = contact_shares(along, ratio, ample)
+        ample = (
+            conditions.lubricant.flooded_layer
+            / (inlet_film_thickness * flooded.film_scale)
+            * ratio
+        )
+    fractions = contact_shares(along, ratio, ample)
     less = contact_shares(along, ratio * exp(-RATIO_STEP), ample)
     thick = flooded.film_central_dimensionless
     thin = flooded.film_minimum_dimensionless
     # a thicker flooded film finds less of a layer: little oil passes, whatever that film is
-    rise = _rise(shares.central, less.central)
-    central = _left(shares.central, thick, (1.0 - rise) * thick.relative_uncertainty)
-    by_ratio = _rise(shares.minimum, less.minimum) * thick.relative_uncertainty
-    minimum = _left(shares.minimum, thin, hypot(thin.relative_uncertainty, by_ratio))
+    rise = _rise(fractions.central, less.central)
+    central = _reduced_film(fractions.central, thick, (1.0 - rise) * thick.relative_uncertainty)
+    by_ratio = _rise(fractions.minimum, less.minimum) * thick.relative_uncertainty
+    minimum = _reduced_film(fractions.minimum, thin, hypot(thin.relative_uncertainty, by_ratio))
     if minimum.value > central.value:
         minimum = replace(minimum, value=central.value)
     supply = OilSupply(
         flooded=flooded,
         inlet_ratio=ratio,
         meniscus=None,
-        rolling_moment_ratio=shares.rolling_moment.value,
-        damping=shares.damping,
-        law=shares,
+        rolling_moment_ratio=fractions.rolling_moment.value,
+        damping=fractions.damping,
+        law=fractions,
         flooded_moment=pressure_moment(flooded, contact),
         flooded_fft_equivalents=flooded.record.fft_equivalents,
     )
     return replace(
         flooded,
         conditions=conditions,
-        H=_lowered(flooded, central.value, minimum.value),
+        H=_lowered_field(flooded, central.value, minimum.value),
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
         approach_dimensionless=_lowered_approach(flooded, central),
@@ -64,12 +83,12 @@ def behind_layer(
     )
 
 
-def _rise(share: Share, less: Share) -> float:
+def _rise(share: ReductionFactor, less: ReductionFactor) -> float:
     """d ln R/d ln r from the share at a ratio smaller by `RATIO_STEP` [-]."""
     return log(share.value / less.value) / RATIO_STEP
 
 
-def _left(share: Share, film: FilmValue, relative: float) -> FilmValue:
+def _reduced_film(share: ReductionFactor, film: FilmValue, relative: float) -> FilmValue:
     """A film that keeps a share; its error bar holds that of the share, and what the flooded films
     leave open, over the film [-].
     """
@@ -91,7 +110,7 @@ def _lowered_approach(flooded: ContactSolution, central: FilmValue) -> FilmValue
     )
 
 
-def _lowered(flooded: ContactSolution, central: float, minimum: float) -> Array:
+def _lowered_field(flooded: ContactSolution, central: float, minimum: float) -> Array:
     """Field of the film with other central and minimum values [-]."""
     at_centre = flooded.film_central_dimensionless.value
     least = flooded.film_minimum_dimensionless.value

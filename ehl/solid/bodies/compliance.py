@@ -1,16 +1,16 @@
-r"""Structural compliance of a ring at its balls, without the half-space's part.
+r"""Structural compliance of a ring at its balls, without that of a half-space.
 
 A ball presses on a patch of the groove at the contact angle alpha, along the normal n_0 there:
 half an ellipse of pressure over |s| <= b across the track, on one line of nodes, each nodal force
-f_a = w_a n_a/(n_a n_0) along its own normal with weights w_a of sum 1. What it moves at another
+f_a = w_a n_a/(n_a n_0) along its normal with weights w_a of sum 1. The displacement at another
 azimuth is measured with the same weights, d = sum w_a u_a n_a/(n_a n_0), so that a rigid motion is
-itself. At the load itself the displacement of a flat block under the same forces is taken off,
+itself. At the load itself the displacement of a flat block under the same forces is subtracted,
 which Hertz' theory has already.
 
-A groove moves along the axis and the radius, and it opens, both flanks alike, by g(beta) =
+A groove moves along the axis and the radius, and it opens, both flanks equally, by g(beta) =
 sin^2(beta)/sin^2(alpha) along its normal at beta. A force at beta is (sin(beta), cos(beta),
 g(beta)) in these three, and d between two forces the sum over the entries of a matrix G, in which
-the axial one stands alone, as rings are alike on both sides. A load at the bottom of the groove
+the axial one stands alone, as rings are symmetric. A load at the bottom of the groove
 and one at alpha, measured at both and at -alpha, yield it::
 
     G_xx = [d(alpha, alpha) - d(alpha, -alpha)] / (2 sin^2(alpha))
@@ -33,13 +33,13 @@ from .flat_block import flat_block, indentation
 from .hexahedra import quadratic_line, surface_weights, volume_weights
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import Elasticity, RingCells, RingProfile, Seat, track_angle
-from .seat_places import SeatResponse, place_forces, seat_response
+from .seat_places import SeatResponse, seat_contact_forces, seat_response
 
 # half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
-# change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, beside 9.3 um
-# of Hertz' approach at 1 kN [-]
+# change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, with Hertz'
+# approach 9.3 um at 1 kN [-]
 PATCH = 0.25
-# half length of the flat block in patches, beside half the wall [-]
+# half length of the flat block in patches, in addition to half the wall [-]
 BLOCK_PATCHES = 2.0
 
 Patch = tuple[Array, Array, float]  # lines across the track [m], weights [-], angle [rad]
@@ -56,22 +56,31 @@ class RingResponse:
     # along the normal, per force, of the whole body: d(0, 0), d(0, alpha), d(alpha, alpha),
     # d(alpha, -alpha), shape (4, n) [m/N]
     displacement: Array
-    half_space: Array  # part of it at theta = 0 that a half-space has, shape (4,) [m/N]
-    # of all nodes (x, y, z), shape (nodes, 3, 2); under a place, too: (nodes, 3, 3) [m/N]
+    half_space: Array  # displacement of a half-space at theta = 0, shape (4,) [m/N]
+    # of all nodes (x, y, z), shape (nodes, 3, 2); (nodes, 3, 3) with a seat contact [m/N]
     field: Array
-    places: SeatResponse | None  # where the seat touches at places only
+    seat_contacts: SeatResponse | None  # of a ring whose seat touches at some azimuths only
     unknowns: int
     iterations: int
     residual: float  # relative [-]
     method: str
 
     def at(self, theta: Array) -> Array:
-        """Structural compliance between places an angle apart [rad], shape (4, n) [m/N]: G_xx,
-        G_rr, G_ro, G_oo.
+        """Structural compliance between two azimuths.
+
+        Parameters
+        ----------
+        theta : Array
+            angle between them, shape (n,) [rad]
+
+        Returns
+        -------
+        Array
+            G_xx, G_rr, G_ro, G_oo, shape (4, n) [m/N]
         """
         distance = np.abs((np.asarray(theta) + np.pi) % (2.0 * np.pi) - np.pi)
-        numbers, parts = quadratic_line(self.theta, distance)
-        values = (self.displacement[:, numbers] * parts).sum(axis=-1)
+        numbers, shapes = quadratic_line(self.theta, distance)
+        values = (self.displacement[:, numbers] * shapes).sum(axis=-1)
         values = values - np.where(distance < 1e-9, self.half_space[:, None], 0.0)
         bottom, across, here, image = values
         alpha = self.angles[1]
@@ -88,38 +97,64 @@ def ring_response(
     contact_angle: float,
     cells: RingCells | None = None,
     patch: float = PATCH,
-    place: float | None = None,
+    seat_contact: float | None = None,
 ) -> RingResponse:
-    """Displacement of a ring under unit loads on its track, at the bottom of the groove and at a
-    contact angle [rad]; half a ring between planes of symmetry. `place`: half the angle of the
-    places that a seat touches at [rad].
+    """Displacement of a ring under unit loads at the bottom of the groove and at a contact angle.
+
+    Half a ring between planes of symmetry.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    elasticity : Elasticity
+        elastic constants of ring and shaft or housing
+    seat : Seat
+        support of the ring
+    contact_angle : float
+        of the second load [rad]
+    cells : RingCells | None, optional
+        sizes of the cells; None: the defaults
+    patch : float, default PATCH
+        half width of the loaded patch over the groove radius [-]
+    seat_contact : float | None, optional
+        half the angle of the contacts of a seat that touches at some azimuths [rad]; None: it
+        touches all around
+
+    Returns
+    -------
+    RingResponse
+        displacements for a unit force
     """
     mesh = ring_mesh(profile, cells)
     angles = np.array([0.0, contact_angle])
     half_width = patch * profile.groove_radius
     patches = [_patch(mesh, angle, half_width) for angle in angles]
-    loads = [_forces(mesh, *part) for part in patches]
-    forces = np.stack([*loads, *([] if place is None else [place_forces(mesh, place)])], axis=-1)
+    loads = [_forces(mesh, *one) for one in patches]
+    forces = np.stack(
+        [*loads, *([] if seat_contact is None else [seat_contact_forces(mesh, seat_contact)])],
+        axis=-1,
+    )
     young = np.where(mesh.is_ring, elasticity.young, elasticity.body_young)
     poisson = np.where(mesh.is_ring, elasticity.poisson, elasticity.body_poisson)
     body = elastic_body(mesh.body, young, poisson)
-    held = np.zeros((mesh.body.points.shape[1], 3), dtype=np.bool_)
-    held[mesh.symmetric, 2] = True
+    fixed = np.zeros((mesh.body.points.shape[1], 3), dtype=np.bool_)
+    fixed[mesh.symmetric, 2] = True
     support = _support(mesh, seat)
     if support is None:
-        held[mesh.far_side] = True
-        solution = solve_elasticity(body, forces, held)
+        fixed[mesh.far_side] = True
+        solution = solve_elasticity(body, forces, fixed)
         field = solution.values
     else:
-        solution = solve_elasticity(body, _balanced(mesh, forces, support), held)
+        solution = solve_elasticity(body, _balanced(mesh, forces, support), fixed)
         field = _in_place(mesh, solution.values, support)
     bottom, here = patches
     image = (-here[0], here[1], -here[2])
     pairs = ((bottom, (bottom, here)), (here, (here, image)))
-    flat = [_half_space(mesh, load, places, elasticity) for load, places in pairs]
+    flat = [_half_space(mesh, load, points, elasticity) for load, points in pairs]
     theta = np.unique(mesh.body.parameters[0].round(12))
     measured = ((0, bottom), (0, here), (1, here), (1, image))
-    moved = np.stack([_moved(mesh, field[..., load], *place) for load, place in measured])
+    moved = np.stack([_moved(mesh, field[..., load], *point) for load, point in measured])
     return RingResponse(
         mesh=mesh,
         seat=seat,
@@ -128,7 +163,9 @@ def ring_response(
         displacement=moved,
         half_space=np.concatenate(flat),
         field=field,
-        places=None if place is None else seat_response(mesh, field, contact_angle, place),
+        seat_contacts=None
+        if seat_contact is None
+        else seat_response(mesh, field, contact_angle, seat_contact),
         unknowns=body.unknowns,
         iterations=solution.iterations,
         residual=solution.residual,
@@ -145,12 +182,12 @@ def _patch(mesh: RingMesh, angle: float, half_width: float) -> Patch:
     lines = np.unique(mesh.body.parameters[1][mesh.track].round(12))
     centre = mesh.profile.groove_radius * angle
     weights = np.zeros(lines.size)
-    nodes, parts = np.polynomial.legendre.leggauss(200)
+    nodes, gauss = np.polynomial.legendre.leggauss(200)
     t = np.sin(0.5 * np.pi * nodes)  # takes the root at the ends
-    pressure = parts * np.cos(0.5 * np.pi * nodes) ** 2
-    for position, part in zip(centre + half_width * t, pressure / pressure.sum(), strict=True):
+    pressure = gauss * np.cos(0.5 * np.pi * nodes) ** 2
+    for position, load in zip(centre + half_width * t, pressure / pressure.sum(), strict=True):
         cell = 2 * min(int(np.searchsorted(lines[2::2], position)), (lines.size - 3) // 2)
-        weights[cell : cell + 3] += part * _shape(lines[cell : cell + 3], position)
+        weights[cell : cell + 3] += load * _shape(lines[cell : cell + 3], position)
     loaded = np.flatnonzero(weights != 0.0)
     return lines[loaded], weights[loaded], angle
 
@@ -169,9 +206,9 @@ def _shape(nodes: Array, x: float) -> Array:
 
 def _directions(mesh: RingMesh, lines: Array, angle: float) -> Array:
     """(x, r) of n/(n n_0) at lines across the track, along the force, shape (2, k) [-]."""
-    own = track_angle(mesh.profile, lines)
-    normal = np.stack([np.sin(own), -mesh.profile.side * np.cos(own)])
-    return normal / np.cos(own - angle)
+    normal_angle = track_angle(mesh.profile, lines)
+    normal = np.stack([np.sin(normal_angle), -mesh.profile.side * np.cos(normal_angle)])
+    return normal / np.cos(normal_angle - angle)
 
 
 def _forces(mesh: RingMesh, lines: Array, weights: Array, angle: float) -> Array:
@@ -179,9 +216,9 @@ def _forces(mesh: RingMesh, lines: Array, weights: Array, angle: float) -> Array
     forces = np.zeros((mesh.body.points.shape[1], 3))
     directions = _directions(mesh, lines, angle)
     line = np.flatnonzero(mesh.track & mesh.body.on(0, 0.0))
-    places = mesh.body.parameters[1, line]
+    positions = mesh.body.parameters[1, line]
     for s, weight, direction in zip(lines, weights, directions.T, strict=True):
-        forces[line[np.abs(places - s).argmin()], :2] = 0.5 * weight * direction
+        forces[line[np.abs(positions - s).argmin()], :2] = 0.5 * weight * direction
     return forces
 
 
@@ -191,19 +228,17 @@ def _moved(mesh: RingMesh, field: Array, lines: Array, weights: Array, angle: fl
     directions = _directions(mesh, lines, angle)
     radial = field[:, 1] * np.cos(theta) + field[:, 2] * np.sin(theta)
     moved = 0.0
-    for place, weight, (x, r) in zip(lines, weights, directions.T, strict=True):
-        nodes = np.flatnonzero(mesh.track & (np.abs(s - place) < 1e-9 * mesh.profile.arc))
+    for line, weight, (x, r) in zip(lines, weights, directions.T, strict=True):
+        nodes = np.flatnonzero(mesh.track & (np.abs(s - line) < 1e-9 * mesh.profile.arc))
         nodes = nodes[np.argsort(theta[nodes])]
         moved = moved + weight * (x * field[nodes, 0] + r * radial[nodes])
     return np.asarray(moved)
 
 
 def _half_space(
-    mesh: RingMesh, load: Patch, places: Sequence[Patch], elasticity: Elasticity
+    mesh: RingMesh, load: Patch, points: Sequence[Patch], elasticity: Elasticity
 ) -> Array:
-    """Displacement of a flat block with the grid lines around the load at places, shape (places,)
-    [m/N].
-    """
+    """Displacement of a flat block with the grid lines around the load, shape (points,) [m/N]."""
     profile = mesh.profile
     local = profile.centre_radius - profile.side * profile.groove_radius * np.cos(load[2])
     corners = mesh.body.parameters[:, np.unique(mesh.body.mesh.t[:8])]
@@ -213,12 +248,12 @@ def _half_space(
     along = along[: 1 + max(4, int(np.searchsorted(along, reach)))]
     block = flat_block(along, s, profile.wall * t[t <= 1.0])
     young, poisson = elasticity.young, elasticity.poisson
-    return indentation(block, load[:2], [place[:2] for place in places], young, poisson)
+    return indentation(block, load[:2], [point[:2] for point in points], young, poisson)
 
 
 def _support(mesh: RingMesh, seat: Seat) -> Array | None:
     """Nodal forces that hold the rigid motions of half a ring, shape (3 n, 3); None where the far
-    side is held.
+    side is fixed.
     """
     profile = mesh.profile
     if seat is Seat.RIGID or (seat is Seat.ELASTIC and profile.side < 0.0):
@@ -254,7 +289,7 @@ def _balanced(mesh: RingMesh, forces: Array, support: Array) -> Array:
 
 
 def _in_place(mesh: RingMesh, field: Array, support: Array) -> Array:
-    """Displacement less its rigid part as the support sees it."""
+    """Displacement less its rigid component as measured by the support."""
     modes = _rigid_motions(mesh)
     flat = field.reshape(-1, field.shape[-1])
     rigid = modes @ np.linalg.solve(support.T @ modes, support.T @ flat)

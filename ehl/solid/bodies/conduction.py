@@ -59,15 +59,28 @@ class RingConductances:
 def ring_conductances(
     profile: RingProfile, conductivity: float, track_half_width: float, cells: RingCells = CELLS
 ) -> RingConductances:
-    """Conductances of a whole ring [W/K].
+    """Conductances of a whole ring between its surfaces and its seat.
 
-    `conductivity` [W/(m K)]; `track_half_width`: arc length from the bottom of the groove to which
-    the balls heat it [m].
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring, without shaft or housing
+    conductivity : float
+        of the ring [W/(m K)]
+    track_half_width : float
+        arc length from the bottom of the groove to which the balls heat it [m]
+    cells : RingCells, default CELLS
+        sizes of the cells
+
+    Returns
+    -------
+    RingConductances
+        resistances of the network [K/W]
 
     Raises
     ------
     ValueError
-        If the band is wider than the groove, or the profile has a shaft or housing.
+        if the band is wider than the groove, or the profile has a shaft or housing
     """
     if not 0.0 < track_half_width < profile.edge:
         raise ValueError(f"track_half_width must lie between 0 and {profile.edge:.6g} m")
@@ -76,20 +89,33 @@ def ring_conductances(
     mesh = ring_mesh(profile, cells, SECTOR, uniform=1)
     weights = np.stack(_surfaces(mesh, track_half_width), axis=1)
     weights /= weights.sum(axis=0)
-    held = mesh.seat
+    fixed = mesh.seat
     matrix = conduction_matrix(mesh.body, conductivity * 2.0 * pi / SECTOR)
-    return RingConductances(_resistance(matrix, weights, held))
+    return RingConductances(_resistance(matrix, weights, fixed))
 
 
 def conduction_matrix(body: HexMesh, conductivity: float) -> sparse.bsr_matrix:
-    """Heat that nodal temperatures conduct, shape (n, n) [W/K]; conductivity [W/(m K)]."""
+    """Matrix of the heat that nodal temperatures conduct.
+
+    Parameters
+    ----------
+    body : HexMesh
+        the mesh
+    conductivity : float
+        [W/(m K)]
+
+    Returns
+    -------
+    sparse.bsr_matrix
+        matrix, shape (n, n) [W/K]
+    """
     products = np.einsum("caibi->cab", gradient_products(body))
     return block_matrix(body, conductivity * products[..., None, None])
 
 
-def _resistance(matrix: sparse.bsr_matrix, weights: Array, held: Nodes) -> Array:
-    """Mean temperatures under unit heats, weights of both alike [K/W]."""
-    free = np.flatnonzero(~held)
+def _resistance(matrix: sparse.bsr_matrix, weights: Array, fixed: Nodes) -> Array:
+    """Mean temperatures under unit heats, weights of both equal [K/W]."""
+    free = np.flatnonzero(~fixed)
     inner = sparse.csr_matrix(matrix)[free][:, free]
     ones = np.ones((free.size, 1))
     solution = solve_symmetric(inner, ones, weights[free], TOLERANCE)
@@ -98,7 +124,9 @@ def _resistance(matrix: sparse.bsr_matrix, weights: Array, held: Nodes) -> Array
 
 
 def _surfaces(mesh: RingMesh, half_width: float) -> list[Array]:
-    """Parts of an even flux on the band of the track, the rest of it, the sides, at the nodes."""
+    """Components of an even flux on the band of the track, the rest of it, the sides, at the
+    nodes.
+    """
     profile = mesh.profile
     arc = profile.arc
 
@@ -113,10 +141,12 @@ def _surfaces(mesh: RingMesh, half_width: float) -> list[Array]:
         return np.asarray(r * np.abs(after - before))
 
     bounds = ((-half_width, half_width), (-arc, -half_width), (half_width, arc))
-    band, left, right = (_integrals(mesh, mesh.track, 1, track, between) for between in bounds)
+    band, first_rest, second_rest = (
+        _integrals(mesh, mesh.track, 1, track, between) for between in bounds
+    )
     ends = (mesh.body.on(1, end) for end in (-arc, arc))
     first, last = (_integrals(mesh, end, 2, side, (0.0, 1.0)) for end in ends)
-    return [band, left + right, first + last]
+    return [band, first_rest + second_rest, first + last]
 
 
 def _integrals(
@@ -128,18 +158,18 @@ def _integrals(
 ) -> Array:
     """Integrals of the shape functions along one parameter, evenly around the axis."""
     theta = mesh.body.parameters[0]
-    own = mesh.body.parameters[axis]
-    lines = np.unique(own[nodes].round(12))
+    coordinate = mesh.body.parameters[axis]
+    lines = np.unique(coordinate[nodes].round(12))
     points, weights = np.polynomial.legendre.leggauss(6)
     sums = np.zeros(lines.size)
     for first in range(0, lines.size - 2, 2):
         low, high = np.clip(lines[[first, first + 2]], *bounds)
         at = 0.5 * (low + high) + 0.5 * (high - low) * points
-        parts = 0.5 * (high - low) * weights * density(at)
+        flux = 0.5 * (high - low) * weights * density(at)
         for k in range(3):
             others = [lines[first + j] for j in range(3) if j != k]
             shape = np.prod([(at - x) / (lines[first + k] - x) for x in others], axis=0)
-            sums[first + k] += parts @ shape
+            sums[first + k] += flux @ shape
     around = np.where(np.abs(theta - 0.5 * mesh.angle) < 0.1 * mesh.angle, 4.0, 1.0)  # Simpson
-    place = np.searchsorted(lines, own - 1e-9 * float(np.ptp(lines)))
-    return np.asarray(np.where(nodes, sums[np.minimum(place, lines.size - 1)] * around, 0.0))
+    line = np.searchsorted(lines, coordinate - 1e-9 * float(np.ptp(lines)))
+    return np.asarray(np.where(nodes, sums[np.minimum(line, lines.size - 1)] * around, 0.0))

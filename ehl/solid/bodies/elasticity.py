@@ -35,8 +35,21 @@ class ElasticBody:
 def elastic_body(
     body: HexMesh, youngs_modulus: Array | float, poisson_ratio: Array | float
 ) -> ElasticBody:
-    """Stiffness of a mesh; Young's modulus [Pa] and Poisson's ratio [-] of each cell, shape
-    (cells,), or one number for all.
+    """Stiffness of a mesh.
+
+    Parameters
+    ----------
+    body : HexMesh
+        the mesh
+    youngs_modulus : Array | float
+        of each cell, shape (cells,), or one number for all [Pa]
+    poisson_ratio : Array | float
+        likewise [-]
+
+    Returns
+    -------
+    ElasticBody
+        mesh and stiffness
     """
     count = body.mesh.nelements
     young, nu = (
@@ -54,8 +67,17 @@ def elastic_body(
 
 
 def rigid_body_modes(points: Array) -> Array:
-    """Translations and rotations about the centre, shape (3 n, 6); rotations over the size of the
-    body [-].
+    """Translations and rotations about the centre.
+
+    Parameters
+    ----------
+    points : Array
+        coordinates of the nodes, shape (3, n) [m]
+
+    Returns
+    -------
+    Array
+        modes, rotations over the size of the body, shape (3 n, 6) [-]
     """
     offset = points - points.mean(axis=1, keepdims=True)
     x, y, z = offset / np.abs(offset).max()
@@ -71,34 +93,49 @@ def rigid_body_modes(points: Array) -> Array:
 def solve_elasticity(
     elastic: ElasticBody,
     forces: Array,
-    held: Nodes,
+    fixed: Nodes,
     prescribed: Array | None = None,
     tolerance: float = TOLERANCE,
 ) -> LinearSolution:
-    """Displacements [m] under nodal forces [N], both of the shape (n, 3, cases); the relative
-    residual is at most `tolerance` [-].
+    """Displacements under nodal forces.
 
-    `held`: components that are prescribed, shape (n, 3), zero unless `prescribed`, shape (n, 3,
-    cases) [m], says otherwise. A body that nothing holds takes forces in balance; its rigid
-    motion is then arbitrary.
+    A body without fixed components takes forces in balance; its rigid motion is then arbitrary.
+
+    Parameters
+    ----------
+    elastic : ElasticBody
+        mesh and stiffness
+    forces : Array
+        nodal forces, shape (n, 3, cases) [N]
+    fixed : Nodes
+        components that are prescribed, shape (n, 3)
+    prescribed : Array | None, optional
+        their displacements, shape (n, 3, cases) [m]; None: zero
+    tolerance : float, default TOLERANCE
+        largest relative residual [-]
+
+    Returns
+    -------
+    LinearSolution
+        displacements, shape (n, 3, cases) [m], and the work of the solution
     """
     shape = forces.shape
     right = forces.reshape(-1, shape[-1]).astype(np.float64)
-    is_held = held.reshape(-1)
-    known = np.zeros_like(right)
+    is_fixed = fixed.reshape(-1)
+    values = np.zeros_like(right)
     if prescribed is not None:
-        known = np.where(is_held[:, None], prescribed.reshape(right.shape), 0.0)
-        right = right - elastic.stiffness @ known
-    right = np.where(is_held[:, None], 0.0, right)
+        values = np.where(is_fixed[:, None], prescribed.reshape(right.shape), 0.0)
+        right = right - elastic.stiffness @ values
+    right = np.where(is_fixed[:, None], 0.0, right)
     modes = rigid_body_modes(elastic.body.points)
-    modes[is_held] = 0.0
-    solution = solve_symmetric(_holding(elastic.stiffness, is_held), modes, right, tolerance)
-    return solution._replace(values=(solution.values + known).reshape(shape))
+    modes[is_fixed] = 0.0
+    solution = solve_symmetric(_constrained(elastic.stiffness, is_fixed), modes, right, tolerance)
+    return solution._replace(values=(solution.values + values).reshape(shape))
 
 
-def _holding(matrix: sparse.bsr_matrix, held: Nodes) -> sparse.bsr_matrix:
-    """Rows and columns of held components zeroed, their diagonal kept, so that blocks stay."""
-    free = np.where(held, 0.0, 1.0).reshape(-1, 3)
+def _constrained(matrix: sparse.bsr_matrix, fixed: Nodes) -> sparse.bsr_matrix:
+    """The matrix without rows and columns of fixed components, their diagonal excepted."""
+    free = np.where(fixed, 0.0, 1.0).reshape(-1, 3)
     rows = np.repeat(np.arange(len(free)), np.diff(matrix.indptr))
     columns = matrix.indices
     data = matrix.data * free[rows][:, :, None] * free[columns][:, None, :]

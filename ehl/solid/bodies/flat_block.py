@@ -15,8 +15,22 @@ from .hexahedra import HexMesh, hexahedra
 
 
 def boussinesq(points: Array, young: float, poisson: float) -> Array:
-    """Displacement (x, y, depth) per force [m/N] at points (x, y, depth) [m] of a half-space under
-    a unit load at the origin along the depth, shape (3, n); Young's modulus [Pa].
+    """Displacement of a half-space under a unit load at the origin along the depth, Boussinesq
+    (1885).
+
+    Parameters
+    ----------
+    points : Array
+        x, y, depth, shape (3, n) [m]
+    young : float
+        Young's modulus [Pa]
+    poisson : float
+        Poisson's ratio [-]
+
+    Returns
+    -------
+    Array
+        along x, y, depth, shape (3, n) [m/N]
     """
     x, y, z = points
     distance = np.sqrt(x * x + y * y + z * z)
@@ -27,49 +41,91 @@ def boussinesq(points: Array, young: float, poisson: float) -> Array:
 
 
 def flat_block(along: Array, across: Array, depth: Array) -> HexMesh:
-    """Half a block from its plane of symmetry at along = 0, between lines in [m]."""
+    """Half a block from its plane of symmetry at along = 0.
+
+    Parameters
+    ----------
+    along : Array
+        lines along x, the first zero [m]
+    across : Array
+        lines along y [m]
+    depth : Array
+        lines into the depth, the first zero [m]
+
+    Returns
+    -------
+    HexMesh
+        the mesh
+    """
     return hexahedra((along, across, depth), lambda parameters: parameters)
 
 
 def indentation(
     block: HexMesh,
     load: tuple[Array, Array],
-    places: Sequence[tuple[Array, Array]],
+    positions: Sequence[tuple[Array, Array]],
     young: float,
     poisson: float,
 ) -> Array:
-    """Mean depths of the surface at places under a unit force, per force [m/N], shape (places,).
+    """Mean depths of the surface under a unit force.
 
-    Load and places: nodes on the line along = 0 and their parts of the force or of the mean,
-    shapes (k,) [m], [-].
+    Parameters
+    ----------
+    block : HexMesh
+        mesh of the block
+    load : tuple[Array, Array]
+        nodes on the line along = 0, shape (k,) [m], and the fractions of the force there, shape
+        (k,) [-]
+    positions : Sequence[tuple[Array, Array]]
+        likewise nodes and weights of each mean
+    young : float
+        Young's modulus [Pa]
+    poisson : float
+        Poisson's ratio [-]
+
+    Returns
+    -------
+    Array
+        depths, shape (positions,) [m/N]
     """
     across, weights = load
     points = block.points
     far = far_faces(block)
     prescribed = np.zeros((points.shape[1], 3, 1))
-    for place, weight in zip(across, weights, strict=True):
-        shifted = points[:, far] - np.array([[0.0], [place], [0.0]])
+    for position, weight in zip(across, weights, strict=True):
+        shifted = points[:, far] - np.array([[0.0], [position], [0.0]])
         prescribed[far, :, 0] += weight * boussinesq(shifted, young, poisson).T
-    held = np.zeros((points.shape[1], 3), dtype=np.bool_)
-    held[block.on(0, 0.0), 0] = True
-    held[far] = True
+    fixed = np.zeros((points.shape[1], 3), dtype=np.bool_)
+    fixed[block.on(0, 0.0), 0] = True
+    fixed[far] = True
     forces = np.zeros_like(prescribed)
     # half of the force stands beyond the plane of symmetry
     forces[_line_nodes(block, across), 2, 0] = 0.5 * weights
     elastic = elastic_body(block, young, poisson)
-    depth = solve_elasticity(elastic, forces, held, prescribed).values[:, 2, 0]
-    return np.array([part @ depth[_line_nodes(block, nodes)] for nodes, part in places])
+    depth = solve_elasticity(elastic, forces, fixed, prescribed).values[:, 2, 0]
+    return np.array([mean @ depth[_line_nodes(block, nodes)] for nodes, mean in positions])
 
 
 def far_faces(block: HexMesh) -> Array:
-    """Nodes of all faces but the surface and the plane of symmetry."""
+    """Nodes of all faces but the surface and the plane of symmetry.
+
+    Parameters
+    ----------
+    block : HexMesh
+        mesh of the block
+
+    Returns
+    -------
+    Array
+        shape (n,)
+    """
     along, across, depth = block.parameters
     ends = block.on(1, float(across.min())) | block.on(1, float(across.max()))
     return np.asarray(ends | block.on(0, float(along.max())) | block.on(2, float(depth.max())))
 
 
 def _line_nodes(block: HexMesh, across: Array) -> Array:
-    """Numbers of the nodes of the surface on the plane of symmetry at given places [m]."""
+    """Numbers of the nodes of the surface on the plane of symmetry at positions [m]."""
     line = np.flatnonzero(block.on(0, 0.0) & block.on(2, 0.0))
-    places = block.parameters[1, line]
-    return np.asarray(line[[int(np.abs(places - place).argmin()) for place in across]])
+    positions = block.parameters[1, line]
+    return np.asarray(line[[int(np.abs(positions - position).argmin()) for position in across]])

@@ -47,23 +47,47 @@ class HexMesh:
         return np.asarray(self.mesh.dofs.element_dofs.T, dtype=np.int64)
 
     def on(self, axis: int, value: float) -> Nodes:
-        """Nodes at which a parameter has a value, shape (n,)."""
+        """Nodes at which a parameter has a value.
+
+        Parameters
+        ----------
+        axis : int
+            number of the parameter
+        value : float
+            its value [unit of the parameter]
+
+        Returns
+        -------
+        Nodes
+            shape (n,)
+        """
         line = self.parameters[axis]
         return np.abs(line - value) <= SAME * max(float(np.ptp(line)), abs(value))
 
 
-def hexahedra(lines: Sequence[Array], place: Callable[[Array], Array]) -> HexMesh:
-    """Mesh of the box between `lines` of the three parameters; `place` takes parameters of nodes,
-    shape (3, n), to their coordinates [m].
+def hexahedra(lines: Sequence[Array], mapping: Callable[[Array], Array]) -> HexMesh:
+    """Mesh of the box between lines of the three parameters.
+
+    Parameters
+    ----------
+    lines : Sequence[Array]
+        positions of the lines of each parameter
+    mapping : Callable[[Array], Array]
+        function of the parameters of nodes, shape (3, n); it returns their coordinates [m]
+
+    Returns
+    -------
+    HexMesh
+        the mesh
 
     Raises
     ------
     ValueError
-        If cells are turned inside out.
+        if cells are turned inside out
     """
     box = MeshHex2.from_mesh(MeshHex.init_tensor(*lines))
     parameters = np.array(box.doflocs)
-    mesh = MeshHex2(np.ascontiguousarray(place(parameters)), box.t)
+    mesh = MeshHex2(np.ascontiguousarray(mapping(parameters)), box.t)
     body = HexMesh(mesh, parameters)
     determinant = np.linalg.det(_stretch(body, _shapes(np.full((3, 1), 0.5))[1]))
     if not (np.abs(determinant) > 0.0).all() or np.ptp(np.sign(determinant)) > 0.0:
@@ -71,12 +95,12 @@ def hexahedra(lines: Sequence[Array], place: Callable[[Array], Array]) -> HexMes
     return body
 
 
-def _shapes(places: Array) -> tuple[Array, Array]:
-    """Shape functions and their gradients at places of the cube [0, 1]^3, shape (3, q): (27, q),
+def _shapes(points: Array) -> tuple[Array, Array]:
+    """Shape functions and their gradients at points of the cube [0, 1]^3, shape (3, q): (27, q),
     (27, 3, q) [-].
     """
     element = ElementHex2()
-    values, gradients = zip(*(element.lbasis(places, node) for node in range(27)), strict=True)
+    values, gradients = zip(*(element.lbasis(points, node) for node in range(27)), strict=True)
     return np.stack(values), np.stack(gradients)
 
 
@@ -91,14 +115,38 @@ def _stretch(body: HexMesh, gradients: Array) -> Array:
 
 
 def volume_weights(body: HexMesh, cells: Nodes) -> Array:
-    """Integrals of the shape functions over the chosen cells, shape (n,) [m^3]."""
-    part = Basis(body.mesh, ElementHex2(), intorder=2, elements=np.flatnonzero(cells))
-    return np.asarray(asm(_one, part))
+    """Integrals of the shape functions over chosen cells.
+
+    Parameters
+    ----------
+    body : HexMesh
+        the mesh
+    cells : Nodes
+        the cells, shape (cells,)
+
+    Returns
+    -------
+    Array
+        shape (n,) [m^3]
+    """
+    chosen = Basis(body.mesh, ElementHex2(), intorder=2, elements=np.flatnonzero(cells))
+    return np.asarray(asm(_one, chosen))
 
 
 def surface_weights(body: HexMesh, nodes: Nodes) -> Array:
-    """Integrals of the shape functions over the facets all of whose corners are chosen, shape (n,)
-    [m^2].
+    """Integrals of the shape functions over the boundary facets all of whose corners are chosen.
+
+    Parameters
+    ----------
+    body : HexMesh
+        the mesh
+    nodes : Nodes
+        the corners, shape (n,)
+
+    Returns
+    -------
+    Array
+        shape (n,) [m^2]
     """
     mesh = body.mesh
     chosen = nodes[mesh.facets].all(axis=0) & _is_boundary(mesh)
@@ -109,13 +157,13 @@ def surface_weights(body: HexMesh, nodes: Nodes) -> Array:
         # 1. where the facet lies in the cube, and Gauss points on it
         axis = int(np.ptp(ElementHex2.doflocs[corners], axis=0).argmin())
         end = ElementHex2.doflocs[corners[0], axis]
-        across, parts = get_quadrature(RefQuad, INTEGRATION_ORDER)
+        across, gauss = get_quadrature(RefQuad, INTEGRATION_ORDER)
         values, gradients = _shapes(np.insert(across, axis, end, axis=0))
         # 2. its area, by the cross product of the two directions along it
         points = body.points.T[numbers[cells]].transpose(0, 2, 1)
         first, second = (points @ gradients[:, k] for k in range(3) if k != axis)
         area = np.linalg.norm(np.cross(first, second, axis=1), axis=1)
-        np.add.at(weights, numbers[cells], (area * parts) @ values.T)
+        np.add.at(weights, numbers[cells], (area * gauss) @ values.T)
     return weights
 
 
@@ -131,7 +179,20 @@ def _one(v, w):  # type: ignore[no-untyped-def]
 
 
 def block_matrix(body: HexMesh, blocks: Array) -> sparse.bsr_matrix:
-    """Sum of the cells' blocks, shape (cells, 27, 27, k, k), as a matrix of k x k blocks."""
+    """Sum of the cells' blocks as a matrix of k x k blocks.
+
+    Parameters
+    ----------
+    body : HexMesh
+        the mesh
+    blocks : Array
+        of each cell, shape (cells, 27, 27, k, k) [any unit]
+
+    Returns
+    -------
+    sparse.bsr_matrix
+        matrix, shape (k n, k n) [unit of `blocks`]
+    """
     numbers = body.numbers
     count = body.points.shape[1]
     size = blocks.shape[-1]
@@ -147,21 +208,45 @@ def block_matrix(body: HexMesh, blocks: Array) -> sparse.bsr_matrix:
 
 
 def gradient_products(body: HexMesh) -> Array:
-    """Integrals of d_i phi_a d_j phi_b over each cell, shape (cells, 27, 3, 27, 3) [m]."""
-    places, parts = get_quadrature(ElementHex2.refdom, INTEGRATION_ORDER)
-    reference = _shapes(places)[1]
+    """Integrals of d_i phi_a d_j phi_b over each cell.
+
+    Parameters
+    ----------
+    body : HexMesh
+        the mesh
+
+    Returns
+    -------
+    Array
+        shape (cells, 27, 3, 27, 3) [m]
+    """
+    points, gauss = get_quadrature(ElementHex2.refdom, INTEGRATION_ORDER)
+    reference = _shapes(points)[1]
     stretch = _stretch(body, reference)
     # d_i phi = d_k phi in the cube times dX_k/dx_i
     gradients = np.linalg.inv(stretch).transpose(0, 1, 3, 2) @ reference.transpose(2, 1, 0)
     columns = gradients.transpose(0, 3, 2, 1).reshape(len(stretch), 81, -1)
-    volume = np.abs(np.linalg.det(stretch)) * parts
+    volume = np.abs(np.linalg.det(stretch)) * gauss
     products = (columns * volume[:, None, :]) @ columns.transpose(0, 2, 1)
     return np.asarray(products.reshape(len(stretch), 27, 3, 27, 3))
 
 
 def quadratic_line(nodes: Array, x: Array) -> tuple[NDArray[np.int64], Array]:
-    """Numbers and values of the quadratic shape functions of a line of nodes, ends and middles of
-    cells in turn, at places x, shape (..., 3) each.
+    """Quadratic shape functions of a line of nodes, ends and middles of cells in turn.
+
+    Parameters
+    ----------
+    nodes : Array
+        positions of the nodes, shape (2 cells + 1,) [any unit]
+    x : Array
+        positions to interpolate at, any shape [unit of `nodes`]
+
+    Returns
+    -------
+    numbers
+        nodes of the cell, shape (..., 3)
+    values
+        shape functions, shape (..., 3) [-]
     """
     cell = 2 * np.clip(np.searchsorted(nodes[2::2], x), 0, (nodes.size - 3) // 2)
     a, b, c = (nodes[cell + corner] for corner in range(3))

@@ -42,8 +42,27 @@ def ring_difference(
     poisson_ratio: float,
     patch: ContactPatch,
 ) -> tuple[SurfaceDifference, StressDifference]:
-    """Surface of a ring on a rigid seat less that of a half-space, over the ellipse at a contact
-    angle [rad], and the stress in it less that of the half-space; E [Pa], nu [-].
+    """Surface and stress of a ring on a rigid seat under a contact, less those of a half-space.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    contact_angle : float
+        of the contact [rad]
+    youngs_modulus : float
+        E [Pa]
+    poisson_ratio : float
+        nu [-]
+    patch : ContactPatch
+        ellipse of the contact
+
+    Returns
+    -------
+    surface
+        displacement over the ellipse, less that of the half-space
+    stress
+        stress below it, less that of the half-space
     """
     mesh = _mesh(profile, contact_angle, patch)
     x, y, loads, _ = patch.cells()
@@ -56,10 +75,10 @@ def ring_difference(
     body = elastic_body(mesh.body, youngs_modulus, poisson_ratio)
     forces = np.zeros((mesh.body.points.shape[1], 3, 1))
     forces[nodes, :, 0] = weights[:, None] * directions
-    held = np.zeros(forces.shape[:2], dtype=np.bool_)
-    held[mesh.body.on(0, 0.0), 2] = True
-    held[mesh.far_side | mesh.body.on(0, mesh.angle)] = True
-    solution = solve_elasticity(body, forces, held)
+    fixed = np.zeros(forces.shape[:2], dtype=np.bool_)
+    fixed[mesh.body.on(0, 0.0), 2] = True
+    fixed[mesh.far_side | mesh.body.on(0, mesh.angle)] = True
+    solution = solve_elasticity(body, forces, fixed)
     moved = (solution.values[nodes, :, 0] * directions).sum(axis=1)
     elastic = (youngs_modulus, poisson_ratio)
     block, flat = _flat(mesh, local, nodes, weights, elastic)
@@ -97,8 +116,8 @@ def _stress(
         for body, field in zip((mesh.body, block), fields, strict=True)
     )
     distance = np.unique(block.parameters[0].round(12))
-    places = (distance, s - middle, mesh.profile.wall * t)
-    return stress_difference(places, ring, flat, _frames(mesh.profile, theta, s))
+    positions = (distance, s - middle, mesh.profile.wall * t)
+    return stress_difference(positions, ring, flat, _frames(mesh.profile, theta, s))
 
 
 def _frames(profile: RingProfile, theta: Array, s: Array) -> Array:
@@ -130,11 +149,12 @@ def _track(
     to points, shape (points, nodes).
     """
     nodes = np.flatnonzero(mesh.track)
-    place = mesh.body.parameters[:2, nodes]
-    lines = [np.unique(row.round(12)) for row in place]
+    parameters = mesh.body.parameters[:2, nodes]
+    lines = [np.unique(row.round(12)) for row in parameters]
     numbers = np.empty([line.size for line in lines], dtype=np.int64)
     where = [
-        np.abs(row[:, None] - line).argmin(axis=1) for row, line in zip(place, lines, strict=True)
+        np.abs(row[:, None] - line).argmin(axis=1)
+        for row, line in zip(parameters, lines, strict=True)
     ]
     numbers[where[0], where[1]] = np.arange(nodes.size)
     first, along = quadratic_line(lines[0], theta)
@@ -143,7 +163,7 @@ def _track(
     values = (along[:, :, None] * across[:, None, :]).reshape(theta.size, 9)
     rows = np.repeat(np.arange(theta.size), 9)
     matrix = csr_matrix((values.ravel(), (rows, columns.ravel())), (theta.size, nodes.size))
-    return nodes, place[0], place[1], matrix
+    return nodes, parameters[0], parameters[1], matrix
 
 
 def _directions(profile: RingProfile, theta: Array, s: Array, contact_angle: float) -> Array:
@@ -153,11 +173,11 @@ def _directions(profile: RingProfile, theta: Array, s: Array, contact_angle: flo
         radial = -profile.side * np.cos(angle)
         return np.stack([np.sin(angle), radial * np.cos(theta), radial * np.sin(theta)], axis=1)
 
-    own = normal(theta, track_angle(profile, s))
+    normals = normal(theta, track_angle(profile, s))
     middle = normal(np.zeros(1), np.full(1, contact_angle))
-    towards = own @ middle[0]
+    towards = normals @ middle[0]
     # far from the load normals may stand across; there is no force on them
-    return np.asarray(own / np.where(towards > 0.1, towards, np.inf)[:, None])
+    return np.asarray(normals / np.where(towards > 0.1, towards, np.inf)[:, None])
 
 
 def _flat(
@@ -183,7 +203,7 @@ def _flat(
             image = points[:, node] * np.array([side, 1.0, 0.0])
             push = boussinesq(points[:, far] - image[:, None], *elastic)
             prescribed[far, :, 0] += weight * push.T
-    held = np.zeros(forces.shape[:2], dtype=np.bool_)
-    held[block.on(0, 0.0), 0] = True
-    held[far] = True
-    return block, solve_elasticity(elastic_body(block, *elastic), forces, held, prescribed)
+    fixed = np.zeros(forces.shape[:2], dtype=np.bool_)
+    fixed[block.on(0, 0.0), 0] = True
+    fixed[far] = True
+    return block, solve_elasticity(elastic_body(block, *elastic), forces, fixed, prescribed)

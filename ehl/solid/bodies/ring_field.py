@@ -1,9 +1,10 @@
 """Displacement of a whole ring under the loads of all its balls, by superposition.
 
 The field of one load at the bottom of the groove, that of one at the contact angle alpha, and the
-mirror image of this are turned to the azimuth of each ball and added: a ring is alike all around
-and on both sides, and its seat sees each load on its own. Close to a load, within a cell or two,
-the displacement is that of the line of nodes which carries it, not Hertz' indentation.
+mirror image of this are turned to the azimuth of each ball and added: a ring is the same all
+around and on both sides, and its seat reacts to each load separately. Close to a load, within a
+cell or two, the displacement is that of the line of nodes which carries it, not Hertz'
+indentation.
 """
 
 from dataclasses import dataclass
@@ -29,18 +30,30 @@ class RingField:
 
 
 def ring_field(response: RingResponse, turns: Array, loads: Array) -> RingField:
-    """Displacement under loads at azimuths from y towards z [rad], shape (N,).
+    """Displacement of a whole ring under the loads of its balls.
 
-    `loads`: along the normal at the bottom, at the contact angle of the response, and at its
-    mirror image, shape (3, N); where the seat touches at places, outward on it, too, (4, N) [N].
+    Parameters
+    ----------
+    response : RingResponse
+        displacements for a unit force
+    turns : Array
+        azimuths of the loads from y towards z, shape (N,) [rad]
+    loads : Array
+        along the normal at the bottom, at the contact angle of the response, and at its mirror
+        image, shape (3, N) [N]; with seat contacts outward on the seat, too, shape (4, N)
+
+    Returns
+    -------
+    RingField
+        displacement at nodes around the ring
     """
-    theta, section, parts = _cylindrical(response)
+    theta, section, unit_fields = _cylindrical(response)
     around = _lines(np.asarray(turns))
     total = np.zeros((around.size, *section.shape[1:], 3))
     for turn, load in zip(turns, loads.T, strict=True):
         offset = (around - turn + pi) % (2.0 * pi) - pi
         numbers, values = quadratic_line(theta, np.abs(offset))
-        field = np.einsum("l,l...->...", load, parts)
+        field = np.einsum("l,l...->...", load, unit_fields)
         moved = np.einsum("nl,nlmkv->nmkv", values, field[numbers])
         moved[..., 2] *= np.sign(offset)[:, None, None]  # along the tangent: odd
         total += moved
@@ -66,12 +79,12 @@ def _cylindrical(response: RingResponse) -> tuple[Array, Array, Array]:
     section = np.stack([x[0], np.hypot(y, z)[0]])
     field = response.field[order].reshape(*shape, 3, -1)[:, :, in_ring]
     c, s = np.cos(theta), np.sin(theta)
-    c, s = (part[:, :, in_ring, None] for part in (c, s))
+    c, s = (values[:, :, in_ring, None] for values in (c, s))
     axial, along_y, along_z = np.moveaxis(field, 3, 0)
     turned = np.stack([axial, along_y * c + along_z * s, along_z * c - along_y * s], axis=3)
-    bottom, here, *places = np.moveaxis(turned, -1, 0)
+    bottom, here, *seat_contact = np.moveaxis(turned, -1, 0)
     image = here[:, ::-1] * np.array([-1.0, 1.0, 1.0])
-    return theta[:, 0, 0], section, np.stack([bottom, here, image, *places])
+    return theta[:, 0, 0], section, np.stack([bottom, here, image, *seat_contact])
 
 
 def _lines(turns: Array) -> Array:

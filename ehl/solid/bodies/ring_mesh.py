@@ -58,8 +58,23 @@ class RingMesh:
 def ring_mesh(
     profile: RingProfile, cells: RingCells | None = None, angle: float = pi, uniform: int = 0
 ) -> RingMesh:
-    """Mesh of a ring from theta = 0 to `angle` [rad]; cells grow away from the load at theta = 0,
-    or there are `uniform` equal ones.
+    """Mesh of a ring from theta = 0; cells grow away from the load there.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    cells : RingCells | None, optional
+        sizes of the cells; None: the defaults
+    angle : float, default pi
+        end of the mesh [rad]
+    uniform : int, default 0
+        number of equal cells around; 0: growing cells
+
+    Returns
+    -------
+    RingMesh
+        the mesh
     """
     cells = cells or RingCells()
     across = _across(profile, cells)
@@ -78,12 +93,12 @@ def ring_mesh(
         beyond = _graded(1.0, first, BODY_GROWTH, 1.0)
         depth = np.concatenate((depth, 1.0 + beyond[1:]))
 
-    def place(parameters: Array) -> Array:
+    def mapping(parameters: Array) -> Array:
         theta, s, t = parameters
         x, r = section_points(profile, s, t)
         return np.stack([x, r * np.cos(theta), r * np.sin(theta)])
 
-    return RingMesh(profile=profile, body=hexahedra((along, across, depth), place), angle=angle)
+    return RingMesh(profile=profile, body=hexahedra((along, across, depth), mapping), angle=angle)
 
 
 def _across(profile: RingProfile, cells: RingCells) -> Array:

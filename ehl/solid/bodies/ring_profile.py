@@ -10,16 +10,16 @@ from ...arrays import Array
 
 
 class Seat(Enum):
-    """What a ring sits on."""
+    """Support of a ring."""
 
     RIGID = "rigid"  # bonded to a rigid shaft or housing
     # bonded to an elastic body as wide as the ring: a shaft, whose volume carries the load evenly,
-    # or a housing that is held on its outside
+    # or a housing that is fixed on its outside
     ELASTIC = "elastic"
     # loose: the load enters over the seat as a radial pressure, proportional to the cosine from
     # its direction, and as an even axial traction
     FREE = "free"
-    # on rigid places at some azimuths, which press radially and let go where they would pull;
+    # on rigid contacts at some azimuths, which press radially and open where they would pull;
     # axial forces and moments as in a loose ring
     SPLIT = "split"
 
@@ -36,7 +36,7 @@ class Elasticity:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingProfile:
-    """Section of a ring with a circular groove, alike on both sides [m].
+    """Section of a ring with a circular groove, symmetric [m].
 
     Raises
     ------
@@ -80,7 +80,7 @@ class RingProfile:
 
     @property
     def centre_radius(self) -> float:
-        """Of the groove's centre of curvature from the axis [m]."""
+        """Radius of the groove's centre of curvature from the axis [m]."""
         return self.track_radius + self.side * self.groove_radius
 
     @property
@@ -112,8 +112,24 @@ class RingCells:
 
 
 def section_points(profile: RingProfile, s: Array, depth: Array) -> Array:
-    """Axial and radial position of points of the section, shape (2, n) [m]: a cubic Bezier line
-    from the track along its normal to the seat, then straight; depth [-], 1 at the seat.
+    """Position of points of the section: lines of depth from the track along its normal to the
+    seat.
+
+    Each is a cubic Bezier line, straight beyond the seat.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    s : Array
+        arc lengths across the track, shape (n,) [m]
+    depth : Array
+        0 on the track, 1 on the seat, shape (n,) [-]
+
+    Returns
+    -------
+    Array
+        axial and radial position, shape (2, n) [m]
     """
     surface = track_points(profile, s)
     angle = track_angle(profile, s)
@@ -130,7 +146,20 @@ def section_points(profile: RingProfile, s: Array, depth: Array) -> Array:
 
 
 def track_points(profile: RingProfile, s: Array) -> Array:
-    """Axial and radial position of track and lands at arc lengths [m], shape (2, n) [m]."""
+    """Position of track and lands.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    s : Array
+        arc lengths from the bottom of the groove, shape (n,) [m]
+
+    Returns
+    -------
+    Array
+        axial and radial position, shape (2, n) [m]
+    """
     angle = np.clip(s, -profile.edge, profile.edge) / profile.groove_radius
     x = profile.groove_radius * np.sin(angle) + s - angle * profile.groove_radius
     height = profile.side * profile.groove_radius * np.cos(angle)
@@ -138,8 +167,21 @@ def track_points(profile: RingProfile, s: Array) -> Array:
 
 
 def track_angle(profile: RingProfile, s: Array) -> Array:
-    """Angle of the normal from the radial direction [rad]: the contact angle in the groove; on the
-    lands what turns the lines of depth back to the radial direction at the side faces.
+    """Angle of the normal from the radial direction: the contact angle in the groove.
+
+    On the lands it turns the lines of depth back to the radial direction at the side faces.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    s : Array
+        arc lengths from the bottom of the groove, shape (n,) [m]
+
+    Returns
+    -------
+    Array
+        angle, shape (n,) [rad]
     """
     land = profile.arc - profile.edge
     beyond = np.maximum(np.abs(s) - profile.edge, 0.0) / land

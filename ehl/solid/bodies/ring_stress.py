@@ -1,14 +1,14 @@
 r"""Stress in a grooved ring below a contact: that of a half-space and the difference of the ring.
 
-Hertz' pressure on a half-space has a closed superposition (`ehl.solid.subsurface`). What the ring
-adds is smooth and comes from finite elements that need not see the contact: stress of the ring
-less stress of the flat block with the same lines and nodal forces, each in the directions along
-the track, across it and into the body,
+Hertz' pressure on a half-space has a closed superposition (`ehl.solid.subsurface`). The difference
+of the ring is smooth and comes from finite elements that need not see the contact: stress of the
+ring less stress of the flat block with the same lines and nodal forces, each in the directions
+along the track, across it and into the body,
 
 .. math:: \sigma = \sigma_\text{half-space}(x, y, z) + (\sigma_\text{ring} - \sigma_\text{block})
 
 at equal arc lengths x, y and depths z. Gradients of the displacements are differences over the
-lines of nodes, of second order; their errors under the load are alike in both bodies.
+lines of nodes, of second order; their errors under the load are equal in both bodies.
 """
 
 from dataclasses import dataclass
@@ -37,8 +37,21 @@ class StressDifference:
     stress: Array  # xx, yy, zz, xy, yz, xz, shape (6, nx, ny, nz) [Pa]
 
     def at(self, x: Array, y: Array, depth: Array) -> Array:
-        """Values at the points of a grid, shape (6, nx, ny, nz) [Pa], lengths in [m]; linear
-        between nodes, mirrored at x = 0.
+        """Values at the points of a grid, linear between nodes, mirrored at x = 0.
+
+        Parameters
+        ----------
+        x : Array
+            along the track, shape (nx,) [m]
+        y : Array
+            across it from the contact, shape (ny,) [m]
+        depth : Array
+            shape (nz,) [m]
+
+        Returns
+        -------
+        Array
+            xx, yy, zz, xy, yz, xz, shape (6, nx, ny, nz) [Pa]
         """
         grid = np.stack(np.meshgrid(np.abs(x), y, depth, indexing="ij"), axis=-1)
         values = RegularGridInterpolator(self.lines, np.moveaxis(self.stress, 0, -1))(grid)
@@ -69,7 +82,22 @@ class RingStress:
 def ring_stress(
     difference: StressDifference, patch: ContactPatch, poisson_ratio: float
 ) -> RingStress:
-    """Stress in a box below Hertz' pressure [Pa], lengths in [m], nu of the ring [-]."""
+    """Stress in a box below Hertz' pressure, of the half-space and of the ring.
+
+    Parameters
+    ----------
+    difference : StressDifference
+        stress of the ring less that of the block
+    patch : ContactPatch
+        ellipse of the contact
+    poisson_ratio : float
+        nu of the ring [-]
+
+    Returns
+    -------
+    RingStress
+        both stresses
+    """
     a, b = patch.semi_axis_x, patch.semi_axis_y
     x, y = (
         half * side * np.linspace(-1.0, 1.0, n)
@@ -90,9 +118,23 @@ def grid_stress(
     displacement: Array,
     elastic: tuple[float, float],
 ) -> Array:
-    """Stress at nodes on lines of parameters, shape (3, 3, nx, ny, nz) [Pa].
+    """Stress at nodes on lines of parameters.
 
-    Points and displacements: shape (3, nx, ny, nz) [m]; Young's modulus [Pa] and nu [-].
+    Parameters
+    ----------
+    parameters : tuple[Array, Array, Array]
+        lines of the three parameters, nx, ny and nz of them
+    points : Array
+        coordinates of the nodes, shape (3, nx, ny, nz) [m]
+    displacement : Array
+        of the nodes, shape (3, nx, ny, nz) [m]
+    elastic : tuple[float, float]
+        Young's modulus [Pa] and nu [-]
+
+    Returns
+    -------
+    Array
+        shape (3, 3, nx, ny, nz) [Pa]
     """
     young, nu = elastic
     by_point, by_field = (
@@ -106,7 +148,7 @@ def grid_stress(
         for field in (points, displacement)
     )
     # components and parameters last, for the inverses
-    jacobian, slope = (np.moveaxis(part, (0, 1), (-2, -1)) for part in (by_point, by_field))
+    jacobian, slope = (np.moveaxis(one, (0, 1), (-2, -1)) for one in (by_point, by_field))
     gradient = slope @ np.linalg.inv(jacobian)
     strain = 0.5 * (gradient + np.swapaxes(gradient, -1, -2))
     shear = young / (2.0 * (1.0 + nu))
@@ -118,8 +160,23 @@ def grid_stress(
 def stress_difference(
     lines: tuple[Array, Array, Array], ring: Array, block: Array, frames: Array
 ) -> StressDifference:
-    """Difference of two stresses at nodes, shape (3, 3, nx, ny, nz) [Pa]; that of the ring is
-    turned into frames of unit vectors along, across and into the body, shape (3, 3, nx, ny).
+    """Difference of two stresses at nodes, that of the ring in the frames of the block.
+
+    Parameters
+    ----------
+    lines : tuple[Array, Array, Array]
+        distances along the track, across it from the contact, and depths [m]
+    ring : Array
+        stress of the ring, shape (3, 3, nx, ny, nz) [Pa]
+    block : Array
+        stress of the block, shape (3, 3, nx, ny, nz) [Pa]
+    frames : Array
+        unit vectors along, across and into the body, shape (3, 3, nx, ny) [-]
+
+    Returns
+    -------
+    StressDifference
+        the difference
     """
     turned = np.einsum("aixy,ijxyz,bjxy->abxyz", frames, ring, frames)
     change = turned - block

@@ -1,9 +1,10 @@
-r"""What a ring yields where its seat touches it at places only.
+r"""Response of a ring whose seat touches it at some azimuths only.
 
-A place presses radially on the seat, evenly across the ring and as a parabola over the angle
-:math:`\pm w` around it, :math:`p \propto 1 - (\theta/w)^2`; it measures the radial displacement of
-the seat with the same weights, which make its resultant one. The rigid part of all displacements
-is that of a loose ring under a cosine pressure, which cancels where the places balance the balls.
+A seat contact presses radially on the seat, evenly across the ring and as a parabola over the
+angle :math:`\pm w` around it, :math:`p \propto 1 - (\theta/w)^2`; it measures the radial
+displacement of the seat with the same weights, which make its resultant one. The rigid part of all
+displacements is that of a loose ring under a cosine pressure, which cancels where the seat
+contacts balance the balls.
 """
 
 from dataclasses import dataclass
@@ -19,7 +20,7 @@ GAUSS_POINTS = 32  # of the parabola
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SeatResponse:
-    """Radial displacement of the seat as a place measures it, under unit forces at theta = 0."""
+    """Radial displacement of the seat under unit forces at theta = 0, by its contacts' weights."""
 
     theta: Array  # nodes around half the ring, shape (n,) [rad]
     # under a load at the bottom of the groove, at the contact angle, and a radial force on the
@@ -29,28 +30,51 @@ class SeatResponse:
     half_width: float  # w [rad]
 
     def at(self, theta: Array) -> Array:
-        """Seat's displacement an angle apart [rad], shape (3, ...) [m/N]: per radial force on the
-        groove, per part of it that opens the groove, and per force on the seat.
+        """Displacement of the seat at an angle from the load.
+
+        Parameters
+        ----------
+        theta : Array
+            the angle, any shape [rad]
+
+        Returns
+        -------
+        Array
+            per radial force on the groove, per component of it that opens the groove, and per
+            force on the seat, shape (3, ...) [m/N]
         """
         offsets, weights = _parabola(self.half_width)
         distance = np.asarray(theta)[..., None] + offsets
         distance = np.abs((distance + np.pi) % (2.0 * np.pi) - np.pi)
-        numbers, parts = quadratic_line(self.theta, distance)
+        numbers, shapes = quadratic_line(self.theta, distance)
         bottom, across, seat = (
-            (row[numbers] * parts).sum(axis=-1) @ weights for row in self.moved
+            (row[numbers] * shapes).sum(axis=-1) @ weights for row in self.moved
         )
         return np.stack([bottom, across - np.cos(self.angle) * bottom, seat])
 
 
-def place_forces(mesh: RingMesh, half_width: float) -> Array:
-    """Nodal forces of half a unit place at theta = 0, outwards, whose other half stands beyond the
-    plane of symmetry, shape (nodes, 3) [-].
+def seat_contact_forces(mesh: RingMesh, half_width: float) -> Array:
+    """Nodal forces of half a unit seat contact at theta = 0, outwards.
+
+    The other half stands beyond the plane of symmetry.
+
+    Parameters
+    ----------
+    mesh : RingMesh
+        mesh of the ring
+    half_width : float
+        w, half the angle of the contact [rad]
+
+    Returns
+    -------
+    Array
+        shape (nodes, 3) [-]
     """
     lines = _lines(mesh)
-    places, weights = _parabola(half_width)
-    numbers, parts = quadratic_line(lines, np.abs(places))
+    angles, weights = _parabola(half_width)
+    numbers, shapes = quadratic_line(lines, np.abs(angles))
     around = np.zeros(lines.size)
-    np.add.at(around, numbers, 0.5 * weights[:, None] * parts)
+    np.add.at(around, numbers, 0.5 * weights[:, None] * shapes)
     theta = mesh.body.parameters[0]
     weight = around[np.abs(theta[:, None] - lines).argmin(axis=1)] * _across(mesh)
     return np.asarray(
@@ -59,7 +83,24 @@ def place_forces(mesh: RingMesh, half_width: float) -> Array:
 
 
 def seat_response(mesh: RingMesh, field: Array, angle: float, half_width: float) -> SeatResponse:
-    """From the displacement of all nodes under the three loads, shape (nodes, 3, 3) [m/N]."""
+    """Radial displacement of the seat under the three unit loads.
+
+    Parameters
+    ----------
+    mesh : RingMesh
+        mesh of the ring
+    field : Array
+        displacement of all nodes, shape (nodes, 3, 3) [m/N]
+    angle : float
+        contact angle of the second load [rad]
+    half_width : float
+        w, half the angle of the seat contacts [rad]
+
+    Returns
+    -------
+    SeatResponse
+        displacement as a seat contact measures it
+    """
     theta = mesh.body.parameters[0]
     lines = _lines(mesh)
     line = np.abs(theta[:, None] - lines).argmin(axis=1)
@@ -70,9 +111,9 @@ def seat_response(mesh: RingMesh, field: Array, angle: float, half_width: float)
 
 
 def _parabola(half_width: float) -> tuple[Array, Array]:
-    """Angles [rad] and weights of a place, whose resultant is one [-], shape (points,)."""
-    nodes, parts = np.polynomial.legendre.leggauss(GAUSS_POINTS)
-    weights = parts * (1.0 - nodes**2)
+    """Angles [rad] and weights of a seat contact, whose resultant is one [-], shape (points,)."""
+    nodes, gauss = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    weights = gauss * (1.0 - nodes**2)
     return half_width * nodes, weights / (weights @ np.cos(half_width * nodes))
 
 
@@ -88,7 +129,7 @@ def _across(mesh: RingMesh) -> Array:
     nodes = np.unique(s.round(12))
     weights = np.zeros(nodes.size)
     sizes = nodes[2::2] - nodes[:-2:2]
-    for corner, part in enumerate((1.0, 4.0, 1.0)):  # Simpson's rule, that of quadratic cells
-        weights[corner : nodes.size - 2 + corner : 2] += part / 6.0 * sizes
-    own = weights[np.abs(s[:, None] - nodes).argmin(axis=1)] / (nodes[-1] - nodes[0])
-    return np.where(mesh.seat, own, 0.0)
+    for corner, simpson in enumerate((1.0, 4.0, 1.0)):  # Simpson's rule, that of quadratic cells
+        weights[corner : nodes.size - 2 + corner : 2] += simpson / 6.0 * sizes
+    line_weights = weights[np.abs(s[:, None] - nodes).argmin(axis=1)] / (nodes[-1] - nodes[0])
+    return np.where(mesh.seat, line_weights, 0.0)

@@ -34,7 +34,7 @@ FLOATING = 1e-9  # force of a rigid motion over the largest entry that is round-
 
 
 class LinearSolution(NamedTuple):
-    """Solutions of a system and how they were found."""
+    """Solutions of a system, their residual and the method."""
 
     values: Array  # shape (n, cases), or as the caller arranges it
     residual: float  # largest relative residual of the cases [-]
@@ -49,12 +49,30 @@ class LinearSystemError(Exception):
 def solve_symmetric(
     matrix: Any, near_null: Array, right: Array, tolerance: float, *, multigrid: bool | None = None
 ) -> LinearSolution:
-    """Solve a symmetric positive (semi-)definite system for several right-hand sides, shape (n,
-    cases).
+    """Solve a symmetric positive (semi-)definite system for several right-hand sides.
 
-    `near_null`: modes that the matrix hardly feels, shape (n, modes), zero where rows are held;
-    `tolerance`: relative residual [-]. `multigrid`: left out, by the size of the system.
-    `LinearSystemError` where the residual stays larger.
+    Parameters
+    ----------
+    matrix : Any
+        sparse, shape (n, n)
+    near_null : Array
+        modes of little energy, shape (n, modes), zero in fixed rows
+    right : Array
+        right-hand sides, shape (n, cases)
+    tolerance : float
+        largest relative residual [-]
+    multigrid : bool | None, optional
+        use multigrid; None: by the size of the system
+
+    Returns
+    -------
+    LinearSolution
+        solutions, shape (n, cases), and the work
+
+    Raises
+    ------
+    LinearSystemError
+        if the residual stays larger than the tolerance
     """
     if multigrid is None:
         multigrid = matrix.shape[0] >= DIRECT_BELOW
@@ -70,8 +88,8 @@ def solve_symmetric(
 
 def _residual(matrix: Any, values: Array, right: Array) -> float:
     scale = np.linalg.norm(right, axis=0)
-    left = np.linalg.norm(right - matrix @ values, axis=0)
-    return float((left / np.where(scale > 0.0, scale, 1.0)).max())
+    residual = np.linalg.norm(right - matrix @ values, axis=0)
+    return float((residual / np.where(scale > 0.0, scale, 1.0)).max())
 
 
 def _by_multigrid(matrix: Any, near_null: Array, right: Array, tolerance: float) -> LinearSolution:

@@ -36,12 +36,27 @@ SMALLEST = 1e-6  # half angle between two cells, where the smooth part is even [
 def ball_difference(
     radius: float, youngs_modulus: float, poisson_ratio: float, patch: ContactPatch
 ) -> SurfaceDifference:
-    """Surface of a ball [m] under Hertz pressures on two opposite ellipses, less that of a
-    half-space under one; E [Pa], nu [-].
+    """Surface of a ball under Hertz pressures on two opposite ellipses, less that of a half-space.
 
-    Pressures and places are in arc lengths; forces stand along the ball's own normals, and
+    Pressures and positions are in arc lengths; forces stand along the ball's normals, and
     displacements are those along them over the cosine to the contact's normal, so that a rigid
     motion is a constant.
+
+    Parameters
+    ----------
+    radius : float
+        of the ball [m]
+    youngs_modulus : float
+        E [Pa]
+    poisson_ratio : float
+        nu [-]
+    patch : ContactPatch
+        ellipse of the contact
+
+    Returns
+    -------
+    SurfaceDifference
+        displacement over the ellipse, less that of the half-space
     """
     x, y, loads, cell = patch.cells()
     kernel = ball_kernel(radius, youngs_modulus, poisson_ratio, (x, y), cell)
@@ -55,15 +70,32 @@ def ball_kernel(
     points: tuple[Array, Array],
     cell: tuple[float, float],
 ) -> Array:
-    """Displacement at the middles x, y [m] of cells by the load of each, less that of a
-    half-space, shape (n, n) [m/N]; the sides of a cell in [m].
+    """Displacement at the middles of cells by the load of each, less that of a half-space.
+
+    Parameters
+    ----------
+    radius : float
+        of the ball [m]
+    youngs_modulus : float
+        E [Pa]
+    poisson_ratio : float
+        nu [-]
+    points : tuple[Array, Array]
+        x and y of the middles, shape (n,) each [m]
+    cell : tuple[float, float]
+        sides of a cell [m]
+
+    Returns
+    -------
+    Array
+        shape (n, n) [m/N]
     """
     x, y = points
     factor = (1.0 - poisson_ratio**2) / (np.pi * youngs_modulus)
     towards = np.stack([np.sin(x / radius), np.sin(y / radius)])
     height = np.sqrt(1.0 - (towards**2).sum(axis=0))
-    place = np.concatenate((towards, height[None, :]))
-    chord = np.linalg.norm(place[:, :, None] - place[:, None, :], axis=0)
+    position = np.concatenate((towards, height[None, :]))
+    chord = np.linalg.norm(position[:, :, None] - position[:, None, :], axis=0)
     angle = 2.0 * np.arcsin(np.clip(0.5 * chord, SMALLEST, 1.0))
     smooth = pole_difference(angle, poisson_ratio) + _slope(poisson_ratio) * np.log(angle)
     logarithm = _cell_means(_log_corner, x, y, cell) - np.log(radius)
@@ -73,8 +105,22 @@ def ball_kernel(
 
 
 def pole_difference(angle: Array, poisson_ratio: float) -> Array:
-    """Inward displacement at angles gamma > 0 from the nearer of two loaded poles less that of a
-    half-space at the distance R gamma, over (1 - nu^2)/(pi E R) of a unit load [-].
+    """Inward displacement of a ball loaded at two poles, less that of a half-space at the distance
+    R gamma.
+
+    Over (1 - nu^2)/(pi E R) of a unit load.
+
+    Parameters
+    ----------
+    angle : Array
+        gamma > 0 from the nearer pole, any shape [rad]
+    poisson_ratio : float
+        nu [-]
+
+    Returns
+    -------
+    Array
+        difference, shape of `angle` [-]
     """
     nu = poisson_ratio
     slope = _slope(nu)

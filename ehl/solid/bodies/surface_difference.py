@@ -12,7 +12,9 @@ from ...arrays import Array
 
 CELLS = (16, 40)  # of the ellipse along and across; 32 by 80 change the curvatures by below 2 %
 
-HIGHEST = 6  # power of y beside x^2; 4 and 8 change the curvature along the track by 1e-4 of it
+HIGHEST = (
+    6  # power of y, in addition to x^2; 4 and 8 change the curvature along the track by 1e-4 of it
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,7 +57,18 @@ class SurfaceDifference:
     residual: float = 0.0  # relative, of the linear systems [-]
 
     def with_body(self, other: "SurfaceDifference") -> "SurfaceDifference":
-        """The sum for two bodies in contact."""
+        """The sum for two bodies in contact.
+
+        Parameters
+        ----------
+        other : SurfaceDifference
+            difference of the other body
+
+        Returns
+        -------
+        SurfaceDifference
+            the sum
+        """
         return SurfaceDifference(
             constant=self.constant + other.constant,
             tilt=self.tilt + other.tilt,
@@ -71,33 +84,62 @@ class SurfaceDifference:
 def fitted(
     patch: ContactPatch, points: tuple[Array, Array], loads: Array, difference: Array
 ) -> SurfaceDifference:
-    """Constant, tilt and curvatures of a difference [m] at points x, y [m] of the ellipse that
-    carry loads [N].
+    """Constant, tilt and curvatures of a difference of displacements over the ellipse.
+
+    Parameters
+    ----------
+    patch : ContactPatch
+        ellipse of the contact
+    points : tuple[Array, Array]
+        x and y, shape (n,) each [m]
+    loads : Array
+        at the points, shape (n,) [N]
+    difference : Array
+        at the points, shape (n,) [m]
+
+    Returns
+    -------
+    SurfaceDifference
+        the fit, weighted with the loads
     """
     x, y = points[0] / patch.semi_axis_x, points[1] / patch.semi_axis_y
     root = np.sqrt(loads / loads.sum())
-    # x^2 beside powers of y, else those of y beyond the second would pass for it
+    # x^2 together with powers of y, else those of y beyond the second would be fitted by it
     powers = np.stack([*(y**n for n in range(HIGHEST + 1)), 0.5 * x * x], axis=1)
     along = np.linalg.lstsq(root[:, None] * powers, root * difference, rcond=None)[0][-1]
     modes = np.stack([np.ones_like(x), y, 0.5 * y * y], axis=1)
     across = difference - along * 0.5 * x * x
-    parts = np.linalg.lstsq(root[:, None] * modes, root * across, rcond=None)[0]
-    rest = across - modes @ parts
+    fit = np.linalg.lstsq(root[:, None] * modes, root * across, rcond=None)[0]
+    rest = across - modes @ fit
     return SurfaceDifference(
-        constant=float(parts[0]),
-        tilt=float(parts[1] / patch.semi_axis_y),
+        constant=float(fit[0]),
+        tilt=float(fit[1] / patch.semi_axis_y),
         curvature_x=float(along / patch.semi_axis_x**2),
-        curvature_y=float(parts[2] / patch.semi_axis_y**2),
+        curvature_y=float(fit[2] / patch.semi_axis_y**2),
         rest=float(np.sqrt(((root * rest) ** 2).sum())),
     )
 
 
 def groove_gap(ball_radius: float, groove_radius: float, patch: ContactPatch) -> SurfaceDifference:
-    """Gap between ball and groove [m], arcs in section, less that of parabolas, y^2/(2 R_y), in
-    arc length y.
+    """Gap between ball and groove, arcs in section, less that of parabolas y^2/(2 R_y) in arc
+    length y.
 
     Along the normal of the middle at equal distances R sin(y/R) from it, R the radius between both
     arcs, 2/R = 1/ball + 1/groove: larger by 5 y^2/(12 R^2) of itself.
+
+    Parameters
+    ----------
+    ball_radius : float
+        [m]
+    groove_radius : float
+        [m]
+    patch : ContactPatch
+        ellipse of the contact
+
+    Returns
+    -------
+    SurfaceDifference
+        the difference as displacement
     """
     x, y, loads, _ = patch.cells()
     middle = 2.0 * ball_radius * groove_radius / (ball_radius + groove_radius)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...compiled import allocating, compiled
+from ...compiled import compiled
 
 
 @compiled
@@ -23,7 +23,7 @@ def _cubic(at, count, weights, slopes):
     return first
 
 
-@allocating
+@compiled
 def axis_ratios(log_ratio, low, step, sizes):
     """f of Rx/Ry, shape (n,), by its logarithm, through even nodes of ln f."""
     weights = np.empty(4)
@@ -42,7 +42,7 @@ def axis_ratios(log_ratio, low, step, sizes):
     return found
 
 
-@allocating
+@compiled
 def _add_oil(at, step, oils, features, out):
     """Add what an oil's features are multiplied by, and its derivatives by the first axis, between
     the eight nodes around a place on the lattice.
@@ -69,7 +69,7 @@ def _add_oil(at, step, oils, features, out):
             out[4] += features[m] * steep * node[m, 2]
 
 
-@allocating
+@compiled
 def look_up(x, features, shares, low, step, lattice, oils, out):
     """Add to `out` of shape (n, 5) ln(Hc A), ln(Hmin A), Hc - H0 and the derivatives by ln A of
     first and last, of a patch with `shares` and their derivatives by ln A, shape (2, n), at x of

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...compiled import allocating, compiled
+from ...compiled import compiled
 from ...oil._elementary_kernels import exponential_of
 
 FARTHEST = 600.0  # up to which e^-t is no zero and `exponential_of` holds [-]
@@ -19,7 +19,7 @@ def _radial(x, places, shares, out):
         out[j] = (1.0 + t + t * t / 3.0) * exponential_of(-min(t, FARTHEST))
 
 
-@allocating
+@compiled
 def near_functions(x, places, scales, step, found):
     """The functions of `table.near` with places (n, 3) at x (m, 3), found of shape (m, n)."""
     centre, width, variance = step[:3]

@@ -24,8 +24,8 @@ from .table import (
     LIGHT,
     SEAM,
     Patch,
-    bars_of,
-    heavy_share,
+    error_bars,
+    heavy_weight,
     oil_features,
     patch_base,
     patch_oils,
@@ -39,7 +39,7 @@ from .table import (
 NODES = ((225, 13, 17), (25, 21, 41))
 RATIOS = 129  # of ln D for f, within 2e-9; half as many within 3e-8
 FUNCTIONS = 3  # ln(Hc A), ln(Hmin A), Hc - H0
-KNOWN = FUNCTIONS + 2  # with the derivatives by ln A of first and last
+TABULATED = FUNCTIONS + 2  # with the derivatives by ln A of first and last
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,17 +66,17 @@ class FilmArrays:
     minimum: Array  # [m]
     approach: Array  # h_0, the constant of the film equation [m]
     stiffness: Array  # -dF/dh_0 [N/m]
-    # that hold nineteen of twenty contacts, those of the approach in its unit [m], others over the
-    # value [-]
+    # errors that cover nineteen of twenty contacts, those of the approach in its unit [m], others
+    # over the value [-]
     central_error: Array
-    minimum_error: Array
-    approach_error: Array
-    stiffness_error: Array
-    inside: NDArray[np.bool_]
+    minimum_error: Array  # over the film [-]
+    approach_error: Array  # in its unit [m]
+    stiffness_error: Array  # over the stiffness [-]
+    inside: NDArray[np.bool_]  # True where the atlas covers the contact
 
 
 class _Lattice(NamedTuple):
-    """What contacts of a patch are looked up in [-]."""
+    """Lattice in which contacts of a patch are looked up [-]."""
 
     slant: Array  # of the patch
     low: Array  # (3,) of slanted x
@@ -86,59 +86,71 @@ class _Lattice(NamedTuple):
 
 
 def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
-    """Films of contacts from the atlas, as `atlas_films` has them, in arrays [m], [N/m].
+    """Evaluate films of many contacts from the atlas, as `atlas_films` does for one.
+
+    Parameters
+    ----------
+    contacts : ContactArrays
+        contacts, arrays that NumPy brings to one shape
+
+    Returns
+    -------
+    FilmArrays
+        films, arrays of this shape [m], [N/m]
 
     Raises
     ------
     ValueError
-        If the arrays cannot be brought to one shape.
+        if the arrays cannot be brought to one shape
     """
-    shape, columns = _columns(contacts)
+    shape, columns = _contact_columns(contacts)
     # 1. places in the table, those of contacts outside anywhere
-    place = _places(columns)
+    place = _positions(columns)
     place.x[~place.inside] = np.log(SEAM[1]), 1.0, 0.0
     # 2. functions, films in a^2/Rx
     x = place.x
-    found = _found(place)
+    result = _interpolated(place)
     # 3. scales
     base = (place.alpha == BASE_ALPHA) & (place.z == BASE_Z)
-    bars = bars_of(x, base)
+    bars = error_bars(x, base)
     height = place.height
     heavy = x[:, 0] >= log(LIGHT)
-    central, minimum = (np.exp(found[:, k] - x[:, 0]) * height for k in (0, 1))
-    approach = central - found[:, 2] * height
-    rise = central * (found[:, 3] - 1.0) - found[:, 4] * height  # dh_0/dlnA
+    central, minimum = (np.exp(result[:, k] - x[:, 0]) * height for k in (0, 1))
+    approach = central - result[:, 2] * height
+    rise = central * (result[:, 3] - 1.0) - result[:, 4] * height  # dh_0/dlnA
     stiffness = -1.5 * columns[0] / (approach + rise)
     inside = place.inside & (central <= MAX_FILM_OVER_RADIUS * columns[1])
 
-    def known(values: Array) -> Array:
+    def covered(values: Array) -> Array:
         return np.where(inside, values, np.nan).reshape(shape)
 
     return FilmArrays(
-        central=known(central),
-        minimum=known(np.minimum(central, minimum)),
-        approach=known(approach),
-        stiffness=known(stiffness),
-        central_error=known(bars[:, 0]),
-        minimum_error=known(bars[:, 1]),
-        approach_error=known(bars[:, 2] * height + bars[:, 0] * central),
-        stiffness_error=known(np.where(heavy, STIFFNESS_ERROR[1], STIFFNESS_ERROR[0])),
+        central=covered(central),
+        minimum=covered(np.minimum(central, minimum)),
+        approach=covered(approach),
+        stiffness=covered(stiffness),
+        central_error=covered(bars[:, 0]),
+        minimum_error=covered(bars[:, 1]),
+        approach_error=covered(bars[:, 2] * height + bars[:, 0] * central),
+        stiffness_error=covered(np.where(heavy, STIFFNESS_ERROR[1], STIFFNESS_ERROR[0])),
         inside=inside.reshape(shape),
     )
 
 
-def _found(place: "_Places") -> Array:
+def _interpolated(place: "_Positions") -> Array:
     """The functions and the derivatives by ln A of first and last, shape (n, 5) [-]."""
-    share, rise = heavy_share(place.x[:, 0])
+    fraction, rise = heavy_weight(place.x[:, 0])
     features = oil_features(place.x, place.alpha, place.z)
-    found = np.zeros((len(share), KNOWN))
-    for lattice, shares in zip(_lattices(), ((1.0 - share, -rise), (share, rise)), strict=True):
+    result = np.zeros((len(fraction), TABULATED))
+    for lattice, fractions in zip(
+        _lattices(), ((1.0 - fraction, -rise), (fraction, rise)), strict=True
+    ):
         x = slanted(place.x, lattice.slant)
-        _lookup_kernels.look_up(x, features, np.stack(shares), *lattice[1:], found)
-    return found
+        _lookup_kernels.look_up(x, features, np.stack(fractions), *lattice[1:], result)
+    return result
 
 
-def _columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
+def _contact_columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
     """Shape of the contacts, and their numbers in the order of the fields, shape (n,)."""
     given = (c.load, c.radius_x, c.radius_y, c.reduced_modulus, c.entrainment_speed, c.viscosity)
     arrays = np.broadcast_arrays(*given, c.pressure_viscosity, c.roelands_z)
@@ -146,8 +158,8 @@ def _columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
     return arrays[0].shape, columns
 
 
-class _Places(NamedTuple):
-    """Where contacts lie in the table, shape (n,) but for x of (n, 3) [-]."""
+class _Positions(NamedTuple):
+    """Positions of contacts in the table, shape (n,) but for x of (n, 3) [-]."""
 
     x: Array
     alpha: Array  # [1/Pa]
@@ -156,7 +168,7 @@ class _Places(NamedTuple):
     inside: NDArray[np.bool_]
 
 
-def _places(columns: list[Array]) -> _Places:
+def _positions(columns: list[Array]) -> _Positions:
     """L = alpha E' (2U)^(1/4), D and A = f^2 M^(2/3) = f^2 (F/(E' Rx^2))^(2/3)/sqrt(2U)."""
     force, along, across, modulus, speed, eta, alpha, z = columns
     x = np.empty((len(force), 3))
@@ -170,8 +182,8 @@ def _places(columns: list[Array]) -> _Places:
         unit = size**2 * (force / (modulus * along**2)) ** (2.0 / 3.0)
         heavy = unit / np.sqrt(twice)
         x[:, 0] = np.log(heavy)
-        inside = _inside((heavy, thick, ratio, z, alpha))
-    return _Places(
+        inside = _in_range((heavy, thick, ratio, z, alpha))
+    return _Positions(
         x=x,
         alpha=np.where(inside, alpha, BASE_ALPHA),
         z=np.where(inside, z, BASE_Z),
@@ -182,7 +194,7 @@ def _places(columns: list[Array]) -> _Places:
 
 @cache
 def _lattices() -> tuple[_Lattice, _Lattice]:
-    """That of light and that of heavy contacts, made once."""
+    """Build the lattices of light and of heavy contacts, once."""
     known = table()
     lightest, heaviest = RANGE["A = a^2/(Rx^2 sqrt(2U))"]
     ends = ((known.light, lightest, SEAM[1]), (known.heavy, SEAM[0], heaviest))
@@ -193,7 +205,7 @@ def _lattices() -> tuple[_Lattice, _Lattice]:
 def _lattice(
     patch: Patch, lightest: float, heaviest: float, nodes: tuple[int, int, int]
 ) -> _Lattice:
-    """Of a patch between two A."""
+    """Build the lattice of a patch between two A."""
     thick, ratio = RANGE["L"], RANGE["Rx/Ry"]
     low = np.array([log(lightest), sqrt(thick[0]), log(ratio[0])])
     high = np.array([log(heaviest), sqrt(thick[1]), log(ratio[1])])
@@ -229,9 +241,9 @@ def _axes(log_ratio: Array) -> Array:
     return np.asarray(_lookup_kernels.axis_ratios(log_ratio, low, step, _axis_nodes()))
 
 
-def _inside(values: tuple[Array, ...]) -> NDArray[np.bool_]:
-    """Where A, L, D, z and alpha lie in the range of the atlas, shape (n,)."""
-    found = np.ones(values[0].shape, dtype=np.bool_)
+def _in_range(values: tuple[Array, ...]) -> NDArray[np.bool_]:
+    """Mark where A, L, D, z and alpha lie in the range of the atlas, shape (n,)."""
+    result = np.ones(values[0].shape, dtype=np.bool_)
     for (low, high), value in zip(RANGE.values(), values, strict=True):
-        found &= (value >= low) & (value <= high)
-    return found
+        result &= (value >= low) & (value <= high)
+    return result

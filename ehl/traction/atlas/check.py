@@ -10,23 +10,36 @@ Pair = tuple[str, FilmValue, AtlasValue]
 
 
 def beyond_both_bars(solution: ContactSolution) -> Iterator[Pair]:
-    """Name, solved value [a^2/Rx] and that of the atlas (SI, [a^2/Rx] of Moes' groups) of the
-    flooded films of a contact that differ by more than both their error bars; none where the film
-    is not resolved, was solved with shear or heat or in a box of choice, or the atlas does not
-    cover the contact.
+    """List films of a contact that differ from those of the atlas by more than both error bars.
+
+    None is listed where the film is not resolved, was solved with shear or heat or in a prescribed
+    box, or the atlas does not cover the contact.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact; behind an inlet film its flooded solution counts
+
+    Yields
+    ------
+    Iterator[Pair]
+        name, solved value [a^2/Rx] and that of the atlas ([m], or [a^2/Rx] of Moes' groups)
     """
     film = solution if solution.supply is None else solution.supply.flooded
     trusted = film.converged and film.resolved
     if not trusted or film.state is not None or film.options.domain is not None:
         return
     try:
-        known = atlas_films(replace(film.conditions, inlet_layer=None))
+        films = atlas_films(replace(film.conditions, inlet_layer=None))
     except NotInAtlasError:
         return
     unit = film.film_scale or 1.0
-    for name, own, other in (
-        ("central", film.film_central_dimensionless, known.central),
-        ("minimum", film.film_minimum_dimensionless, known.minimum),
+    for name, solved, tabulated in (
+        ("central", film.film_central_dimensionless, films.central),
+        ("minimum", film.film_minimum_dimensionless, films.minimum),
     ):
-        if abs(unit * own.value - other.value) > unit * own.uncertainty + other.uncertainty:
-            yield name, own, other
+        if (
+            abs(unit * solved.value - tabulated.value)
+            > unit * solved.uncertainty + tabulated.uncertainty
+        ):
+            yield name, solved, tabulated

@@ -29,8 +29,9 @@ from .table import oil_features, radial, trend_terms
 
 FILE = Path(__file__).parent / "fields.npz"
 LIGHT_FILE = Path(__file__).parent / "fields_light.npz"  # of light contacts, for friction alone
-# of A, L, D, Roelands' z [-] and alpha [1/Pa] between which tables were judged; draws aimed at
-# what is left out of the labels' L and D, and at large L below a least A, were off by up to 3 %
+# ranges of A, L, D, Roelands' z [-] and alpha [1/Pa] between which tables were validated; draws
+# aimed at the regions outside the labels' L and D, and at large L below a least A, were off by up
+# to 3 %
 RANGE = {
     "A = a^2/(Rx^2 sqrt(2U))": (15.0, 160.0),
     "L": (3.0, 30.0),
@@ -38,26 +39,27 @@ RANGE = {
     "roelands_z": (0.4, 0.8),
     "pressure_viscosity": (1e-8, 3e-8),
 }
-LARGE_L = 20.0  # beyond which A reaches from `LEAST_A` on
-LEAST_A = 27.0
+LARGE_L = 20.0  # beyond which A reaches from `MIN_A_AT_LARGE_L` on
+MIN_A_AT_LARGE_L = 27.0
 HALF = LINES // 2  # lines on one side of the middle
 # radii of the rings of cells, over the ellipse's, and sectors of half a turn
 RINGS = (0.0, 1.12, 1.25, 1.5, 2.2, np.inf)
 SECTORS = 9
 CELLS = (len(RINGS) - 1) * SECTORS
-# of a cell: area, area over film, and means with the latter as weight: pressure, place, spread
+# rows of a cell: area, area over film, and means with the latter as weight: pressure, place,
+# spread
 CELL_ROWS = 7
 # prior deviations of the amplitudes over theirs: radial functions, trend, terms of the oil
 DEVIATION = 0.3
 TREND = 5.0
 OIL = 0.1
-# of places in the oil's terms
+# centre of positions in the oil's terms
 CENTRE = np.array([2.5, 2.5, -2.5])
 SPREAD = np.array([1.2, 1.5, 1.5])
 
 
 class FieldTable(NamedTuple):
-    """What the file holds [-]."""
+    """Contents of the file [-]."""
 
     places: Array  # (n, 3) ln A, sqrt L, ln D of the contacts
     oils: Array  # (n, 5) their `oil_features`
@@ -79,12 +81,12 @@ class ContactFields(NamedTuple):
 class Layout(NamedTuple):
     """Parts of a vector."""
 
-    half_width: slice
+    half_width: slice  # of the zone across
     first: slice  # edge of each line on the side of the inlet
-    last: slice
-    pressure: slice
+    last: slice  # edge on the side of the outlet
+    pressure: slice  # over Hertz' pressure
     film: slice  # ln(H A)
-    cells: slice
+    cells: slice  # rows of the cells of low pressure
     load: slice  # share of the load that the zone carries
     damping: slice  # ln(c u_m/(p_h a Rx))
     shear: slice  # ln of the area over film of all cells together
@@ -100,42 +102,116 @@ def layout() -> Layout:
 
 @cache
 def field_table(path: Path = FILE) -> FieldTable:
-    """The table, read once [-]."""
+    """Read a table of fields, once.
+
+    Parameters
+    ----------
+    path : Path, default FILE
+        file of the table
+
+    Returns
+    -------
+    FieldTable
+        the table
+    """
     with np.load(path) as file:
         return FieldTable(**{name: file[name].astype(float) for name in FieldTable._fields})
 
 
 def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Array:
-    """Covariance of amplitudes at places (m, 3) and (n, 3) with features of oils, without the
-    trend, shape (m, n) [-].
+    """Evaluate the covariance of amplitudes between contacts, without the trend.
+
+    Parameters
+    ----------
+    x : Array
+        positions of the first contacts, shape (m, 3) [-]
+    oils : Array
+        `oil_features` of the first, shape (m, 5) [-]
+    y : Array
+        positions of the second contacts, shape (n, 3) [-]
+    others : Array
+        `oil_features` of the second, shape (n, 5) [-]
+    scales : Array
+        scales of the radial functions, shape (3,) [-]
+
+    Returns
+    -------
+    Array
+        covariance, shape (m, n) [-]
     """
-    near = radial(x, y, scales)
+    radial_terms = radial(x, y, scales)
     with_line = 1.0 + ((x - CENTRE) / SPREAD) @ ((y - CENTRE) / SPREAD).T
-    return DEVIATION**2 * near + OIL**2 * (oils @ others.T) * (with_line + near)
+    return DEVIATION**2 * radial_terms + OIL**2 * (oils @ others.T) * (with_line + radial_terms)
 
 
-def amplitudes(x: Array, alpha: Array, z: Array, known: FieldTable) -> Array:
-    """Of the modes at places of shape (m, 3), shape (m, k) [-]; alpha [1/Pa]."""
-    near = kernel(x, oil_features(x, alpha, z), known.places, known.oils, known.scales)
-    return np.asarray(trend_terms(x) @ known.trend + near @ known.weights)
+def amplitudes(x: Array, alpha: Array, z: Array, tabulated: FieldTable) -> Array:
+    """Evaluate the amplitudes of the modes.
 
+    Parameters
+    ----------
+    x : Array
+        positions of contacts, shape (m, 3) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+    tabulated : FieldTable
+        table of fields
 
-def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = None) -> Array:
-    """Vectors of `layout` at places of shape (m, 3), their pressure carrying the load, the
-    cells as stiff to shear as in all; alpha [1/Pa]; known: None for the table as it is stored.
+    Returns
+    -------
+    Array
+        amplitudes, shape (m, k) [-]
     """
-    known = known or field_table()
-    found = known.mean + amplitudes(x, alpha, z, known) @ known.modes
+    covariance = kernel(
+        x, oil_features(x, alpha, z), tabulated.places, tabulated.oils, tabulated.scales
+    )
+    return np.asarray(trend_terms(x) @ tabulated.trend + covariance @ tabulated.weights)
+
+
+def field_vectors(x: Array, alpha: Array, z: Array, tabulated: FieldTable | None = None) -> Array:
+    """Evaluate vectors of `layout`, the pressure scaled to carry the load, the cells to the shear
+    of all.
+
+    Parameters
+    ----------
+    x : Array
+        positions of contacts, shape (m, 3) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+    tabulated : FieldTable | None, optional
+        table of fields; None: that of the package
+
+    Returns
+    -------
+    Array
+        vectors, shape (m, length) [-]
+    """
+    tabulated = tabulated or field_table()
+    result = tabulated.mean + amplitudes(x, alpha, z, tabulated) @ tabulated.modes
     parts = layout()
-    for own in found:
-        own[parts.pressure] *= own[parts.load] / carried(own)
-        rows = own[parts.cells].reshape(CELL_ROWS, CELLS)[:2]
-        rows *= np.exp(own[parts.shear]) / sheared(own)
-    return np.asarray(found)
+    for vector in result:
+        vector[parts.pressure] *= vector[parts.load] / carried_load_fraction(vector)
+        rows = vector[parts.cells].reshape(CELL_ROWS, CELLS)[:2]
+        rows *= np.exp(vector[parts.shear]) / sheared_area(vector)
+    return np.asarray(result)
 
 
-def carried(vector: Array) -> float:
-    """Share of the load that the zone's pressure carries [-]."""
+def carried_load_fraction(vector: Array) -> float:
+    """Sum the fraction of the load that the zone's pressure carries.
+
+    Parameters
+    ----------
+    vector : Array
+        vector of `layout`, shape (length,) [-]
+
+    Returns
+    -------
+    float
+        fraction [-]
+    """
     parts = layout()
     _, weights = node_shares()
     span = (vector[parts.last] - vector[parts.first])[:, None]
@@ -144,14 +220,41 @@ def carried(vector: Array) -> float:
     return float(2.0 * width * (span * weights * p).sum() / (2.0 * pi / 3.0))
 
 
-def sheared(vector: Array) -> float:
-    """Area over film of all cells that oil shears in [-]."""
+def sheared_area(vector: Array) -> float:
+    """Sum area over film of all cells in which oil shears.
+
+    Parameters
+    ----------
+    vector : Array
+        vector of `layout`, shape (length,) [-]
+
+    Returns
+    -------
+    float
+        area over film [-]
+    """
     area, by_film = vector[layout().cells].reshape(CELL_ROWS, CELLS)[:2]
     return float(by_film[np.minimum(area, by_film) > 0.0].sum())
 
 
 def contact_fields(conditions: ContactConditions) -> ContactFields:
-    """Fields of a contact; `NotInAtlasError` where tables were not judged by such."""
+    """Evaluate pressure and film of a flooded contact for its shear.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        flooded contact
+
+    Returns
+    -------
+    ContactFields
+        fields of the contact
+
+    Raises
+    ------
+    NotInAtlasError
+        if tables were not validated by such contacts
+    """
     require_fields(conditions)
     contact = scale_contact(conditions)
     load = atlas_load(contact)
@@ -162,31 +265,42 @@ def contact_fields(conditions: ContactConditions) -> ContactFields:
 
 
 def require_fields(conditions: ContactConditions) -> None:
-    """NotInAtlasError unless tables were judged by such contacts."""
+    """Check that tables were validated by such contacts.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        flooded contact
+
+    Raises
+    ------
+    NotInAtlasError
+        if they were not
+    """
     contact = scale_contact(conditions)
     load = atlas_load(contact)
     require_covered(conditions, contact, load)
     oil = conditions.lubricant
-    if not _judged_oil(oil):
+    if not _validated_oil(oil):
         raise NotInAtlasError(
-            "viscosity_law, roelands_pressure_MPa, density_law: an oil after Roelands with p_r "
-            "196 MPa and the density of Dowson and Higginson is what the atlas has fields of"
+            "viscosity_law, roelands_pressure_MPa, density_law: the atlas has fields of oils "
+            "after Roelands with p_r 196 MPa and the density of Dowson and Higginson"
         )
     if skewed(conditions.entrainment_angle) or contact.turning > 0.0:
         raise NotInAtlasError(
-            "mean_spin_rad_s: entrainment along x that does not turn is what the atlas has fields "
-            "of"
+            "mean_spin_rad_s: the atlas has fields of contacts with entrainment along x "
+            "without spin"
         )
     values = (load, contact.moes_lubricant, contact.radius_ratio)
     require_range((*values, oil.exponent, oil.pressure_viscosity), RANGE)
-    if contact.moes_lubricant > LARGE_L and load < LEAST_A:
+    if contact.moes_lubricant > LARGE_L and load < MIN_A_AT_LARGE_L:
         raise NotInAtlasError(
-            f"A = {load:.3g} must lie above {LEAST_A:g} where L lies above {LARGE_L:g}"
+            f"A = {load:.3g} must lie above {MIN_A_AT_LARGE_L:g} where L lies above {LARGE_L:g}"
         )
 
 
-def _judged_oil(oil: Lubricant) -> bool:
-    """Whether the oil is of the kind of the solved ones."""
+def _validated_oil(oil: Lubricant) -> bool:
+    """Tell whether the oil is of the kind of the solved ones."""
     usual = Lubricant(viscosity=oil.viscosity, pressure_viscosity=oil.pressure_viscosity)
     return (
         oil.viscosity_law is ViscosityLaw.ROELANDS
@@ -196,19 +310,32 @@ def _judged_oil(oil: Lubricant) -> bool:
 
 
 def fields_of_vector(vector: Array, conditions: ContactConditions) -> ContactFields:
-    """Fields of a contact by its vector, on both sides of the middle."""
+    """Unfold a vector of `layout` to the fields on both sides of the middle.
+
+    Parameters
+    ----------
+    vector : Array
+        vector of `layout`, shape (length,) [-]
+    conditions : ContactConditions
+        flooded contact
+
+    Returns
+    -------
+    ContactFields
+        fields of the contact
+    """
     contact = scale_contact(conditions)
     assert contact.semi_axis_x is not None and contact.film_scale is not None
     load = atlas_load(contact)
     parts = layout()
-    shares, weights = node_shares()
+    fractions, weights = node_shares()
     a = contact.semi_axis_x
     film_unit = contact.film_scale / load
     b = a * contact.semi_axis_ratio
     # 1. the zone of high pressure
     width = float(vector[parts.half_width][0]) * b / HALF
     span = (vector[parts.last] - vector[parts.first])[:, None] * a
-    x = vector[parts.first][:, None] * a + span * shares
+    x = vector[parts.first][:, None] * a + span * fractions
     y = np.broadcast_to(width * (np.arange(HALF) + 0.5)[:, None], x.shape)
     size = span * weights
     film = np.exp(vector[parts.film]).reshape(x.shape) * film_unit

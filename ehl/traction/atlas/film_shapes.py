@@ -27,29 +27,29 @@ from ..film_quadrature import HIGH_PRESSURE, LINES, PANELS, node_shares
 from .fields import CELL_ROWS, CELLS, FILE, HALF, LIGHT_FILE, amplitudes, field_table, layout
 from .films import oil_numbers
 from .oils import inlet_oil
-from .table import heavy_share
+from .table import heavy_weight
 
 HALF_LINES = 12  # on one side of the middle, all of one width
 PLACES = 14  # of Gauss' rule from edge to edge of each line
-# of A, L, D, alpha [1/Pa] and z that contacts were solved at
+# ranges of A, L, D, alpha [1/Pa] and z of the solved contacts
 BOX = ((2.8, 160.0), (1.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
 PLACE = len(BOX) + 1  # numbers of a place [-]
 SEAM = (11.0, 15.0)  # of A, between which the table of light contacts goes over into the other
 
 
 class FilmShapes(NamedTuple):
-    """Of n contacts: nodes of high pressure (5, n, m), and those around them, (5, n, k).
+    """Fields of n contacts: nodes of high pressure (5, n, m), and those around them, (5, n, k).
 
     The rows are x over the semi-axis along rolling, y over that across, area over both, pressure
     over Hertz', and film over the central one, of those around over a^2/Rx.
     """
 
-    zone: Array
-    around: Array
+    zone: Array  # nodes of high pressure, shape (5, n, m)
+    around: Array  # nodes around them, shape (5, n, k)
 
 
 class _Parts(NamedTuple):
-    """Of vectors (k, ...), on lines of one half."""
+    """Components of vectors (k, ...), on lines of one half."""
 
     half_width: Array  # (k,)
     first: Array  # (k, lines)
@@ -63,7 +63,7 @@ class _Parts(NamedTuple):
     shear: Array
 
 
-# of the parts of one vector
+# shapes of the components of one vector
 SHAPES = (
     *((), (HALF_LINES,), (HALF_LINES,)),
     *((HALF_LINES, PLACES), (HALF_LINES, PLACES), (PLACES,), (2,)),
@@ -73,8 +73,19 @@ SIZES = tuple(prod(shape) for shape in SHAPES)
 
 
 def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Array:
-    """ln A, sqrt L, ln D, alpha [1/Pa] and z at which contacts of one oil have their fields, and
-    whether they are lighter, shape (n, 6); Hertz' semi-axes along rolling (n,) [m].
+    """Locate contacts of one oil in the table of shapes.
+
+    Parameters
+    ----------
+    contacts : Sequence[ContactConditions]
+        contacts of one oil
+    semi_axes : Array
+        Hertz' semi-axes along rolling, shape (n,) [m]
+
+    Returns
+    -------
+    Array
+        ln A, sqrt L, ln D [-], alpha [1/Pa], z [-], and whether they are lighter, shape (n, 6)
     """
     oil = contacts[0].lubricant
     alpha, z = oil_numbers(oil)
@@ -88,27 +99,42 @@ def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Arr
     twice = 2.0 * oil.viscosity * speeds / (moduli * along)
     groups = (semi_axes**2 / (along**2 * np.sqrt(twice)), counted * moduli * twice**0.25)
     values = (*groups, along / across, np.full_like(along, alpha), np.full_like(along, z))
-    own, thick, ratio, *rest = (
+    load, thick, ratio, *rest = (
         np.clip(value, *limits) for value, limits in zip(values, BOX, strict=True)
     )
-    light = (groups[0] < own).astype(np.float64)
-    return np.stack([np.log(own), np.sqrt(thick), np.log(ratio), *rest, light], axis=1)
+    light = (groups[0] < load).astype(np.float64)
+    return np.stack([np.log(load), np.sqrt(thick), np.log(ratio), *rest, light], axis=1)
 
 
 def film_shapes(places: Array, central: Array) -> FilmShapes:
-    """Fields at places (n, 6) of `shape_places`, of contacts of central films (n,) over a^2/Rx."""
-    heavy = heavy_share(places[:, 0], SEAM)[0]
+    """Evaluate pressure and film of contacts at few nodes.
+
+    Parameters
+    ----------
+    places : Array
+        columns of `shape_places`, shape (n, 6)
+    central : Array
+        central films over a^2/Rx, shape (n,) [-]
+
+    Returns
+    -------
+    FilmShapes
+        fields of the contacts
+    """
+    heavy = heavy_weight(places[:, 0], SEAM)[0]
     vectors = np.zeros((len(places), sum(SIZES)))
-    for path, share in ((LIGHT_FILE, 1.0 - heavy), (FILE, heavy)):
-        some = share > 0.0
+    for path, fraction in ((LIGHT_FILE, 1.0 - heavy), (FILE, heavy)):
+        some = fraction > 0.0
         if some.any():
-            vectors[some] += share[some, None] * _vectors(path, places[some])
-    own = _split(vectors)
+            vectors[some] += fraction[some, None] * _vectors(path, places[some])
+    components = _split(vectors)
     load = np.exp(places[:, 0])
     # s^2
-    wider = np.where(places[:, PLACE - 1] > 0.0, central * load * np.exp(-_central(own)), 1.0)
-    zone = _stretched(_zone(own), wider)
-    around = _stretched(_around(own, load), wider)
+    wider = np.where(
+        places[:, PLACE - 1] > 0.0, central * load * np.exp(-_central(components)), 1.0
+    )
+    zone = _stretched(_zone(components), wider)
+    around = _stretched(_around(components, load), wider)
     around[4] *= wider[:, None]
     return FilmShapes(zone=_mirrored(zone), around=_mirrored(around))
 
@@ -127,39 +153,41 @@ def _vectors(path: Path, places: Array) -> Array:
     return np.asarray(known[0] + weights @ known[1:])
 
 
-def _zone(own: _Parts) -> Array:
+def _zone(components: _Parts) -> Array:
     """Nodes of high pressure of one half, shape (5, n, m)."""
-    shares, weights = _gauss()
-    width = own.half_width / HALF_LINES
-    x = own.first[..., None] + own.span[..., None] * shares
+    fractions, weights = _gauss()
+    width = components.half_width / HALF_LINES
+    x = components.first[..., None] + components.span[..., None] * fractions
     lines = np.arange(HALF_LINES) + 0.5
     y = np.broadcast_to((width[:, None] * lines)[..., None], x.shape)
-    area = own.span[..., None] * weights * width[:, None, None]
+    area = components.span[..., None] * weights * width[:, None, None]
     # pressure that carries the load, whose share in the zone is known
-    carried = 2.0 * (area * own.pressure).sum(axis=(1, 2)) / (2.0 * pi / 3.0)
-    pressure = np.maximum(own.pressure, 0.0) * (own.load / carried)[:, None, None]
-    film = np.exp(own.film - _central(own)[:, None, None])
+    carried = 2.0 * (area * components.pressure).sum(axis=(1, 2)) / (2.0 * pi / 3.0)
+    pressure = np.maximum(components.pressure, 0.0) * (components.load / carried)[:, None, None]
+    film = np.exp(components.film - _central(components)[:, None, None])
     return np.stack([x, y, area, pressure, film]).reshape(5, x.shape[0], -1)
 
 
-def _central(own: _Parts) -> Array:
+def _central(components: _Parts) -> Array:
     """ln(H A) at the middle of contacts, shape (n,)."""
-    shares = _gauss()[0]
-    place = np.clip(-own.middle[:, 0] / own.middle[:, 1], shares[0], shares[-1])
-    weights = lagrange_weights(np.broadcast_to(shares, (place.size, shares.size)), place)
-    return np.asarray((weights * own.central).sum(axis=1))
+    fractions = _gauss()[0]
+    centre = np.clip(
+        -components.middle[:, 0] / components.middle[:, 1], fractions[0], fractions[-1]
+    )
+    weights = lagrange_weights(np.broadcast_to(fractions, (centre.size, fractions.size)), centre)
+    return np.asarray((weights * components.central).sum(axis=1))
 
 
-def _around(own: _Parts, load: Array) -> Array:
+def _around(components: _Parts, load: Array) -> Array:
     """Cells around of one half, shape (5, n, k), each as two nodes as far apart as the oil of the
     cell is spread; those without oil have no area.
     """
-    area, by_film, pressure, along, across, spread_x, spread_y = own.cells.swapaxes(0, 1)
+    area, by_film, pressure, along, across, spread_x, spread_y = components.cells.swapaxes(0, 1)
     sheared = np.minimum(area, by_film) > 0.0
     whole = np.where(sheared, by_film, 0.0).sum(axis=1)
     film = np.where(sheared, area / np.where(sheared, by_film, 1.0), 1.0)
     # half of a cell's area, on one side of the middle, and in one of its nodes
-    size = np.where(sheared, 0.25 * area, 0.0) * (np.exp(own.shear) / whole)[:, None]
+    size = np.where(sheared, 0.25 * area, 0.0) * (np.exp(components.shear) / whole)[:, None]
     p = np.clip(pressure, 0.0, HIGH_PRESSURE)
     x, y = np.sqrt(np.maximum(spread_x, 0.0)), np.sqrt(np.maximum(spread_y, 0.0))
     rest = (size, p, film / load[:, None])
@@ -222,26 +250,28 @@ def _split(vectors: Array) -> _Parts:
 
 
 def _line_weights() -> Array:
-    """Of the lines of the table's half on the middle and on the few lines, by cubic splines over
-    both halves, shape (1 + HALF_LINES, HALF) [-].
+    """Interpolate the lines of the table's half to the middle and to the few lines, by cubic
+    splines over both halves, shape (1 + HALF_LINES, HALF) [-].
     """
-    places = (np.arange(LINES) + 0.5) * (2.0 / LINES) - 1.0
+    positions = (np.arange(LINES) + 0.5) * (2.0 / LINES) - 1.0
     wanted = np.concatenate([[0.0], (np.arange(HALF_LINES) + 0.5) / HALF_LINES])
-    whole = scipy.interpolate.CubicSpline(places, np.eye(LINES))(np.minimum(wanted, places[-1]))
+    whole = scipy.interpolate.CubicSpline(positions, np.eye(LINES))(
+        np.minimum(wanted, positions[-1])
+    )
     return np.asarray(whole[:, HALF:] + whole[:, :HALF][:, ::-1])
 
 
 def _along_weights() -> Array:
-    """Of the table's places at the few of a line, by the polynomials of its panels, shape (PLACES,
-    n) [-].
+    """Interpolate the table's nodes to the few of a line, by the polynomials of its panels, shape
+    (PLACES, n) [-].
     """
-    known, wanted = node_shares()[0], _gauss()[0]
-    weights = np.zeros((wanted.size, known.size))
+    table_nodes, wanted = node_shares()[0], _gauss()[0]
+    weights = np.zeros((wanted.size, table_nodes.size))
     start = 0
     for low, high, count in PANELS:
-        own = (low <= wanted) & (wanted < high)
-        panel = known[start : start + count]
-        near = np.broadcast_to(panel, (int(own.sum()), count))
-        weights[own, start : start + count] = lagrange_weights(near, wanted[own])
+        inside = (low <= wanted) & (wanted < high)
+        panel = table_nodes[start : start + count]
+        panels = np.broadcast_to(panel, (int(inside.sum()), count))
+        weights[inside, start : start + count] = lagrange_weights(panels, wanted[inside])
         start += count
     return weights

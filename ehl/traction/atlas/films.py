@@ -22,10 +22,10 @@ from ...scaling import ScaledContact, scale_contact
 from ..kapitza import moment_lost_by_circles
 from .oils import LIGHT_DENSITY, by_density, density_excess, law_error, with_inlet_oil
 from .skewed import MIXED, SKEW_RANGE, Along, along_entrainment, mixed_functions, skew_bars
-from .table import BASE_ALPHA, BASE_Z, LIGHT, bars_of, functions
-from .turning import ROTATION, by_rotation, known_turning
+from .table import BASE_ALPHA, BASE_Z, LIGHT, error_bars, functions
+from .turning import ROTATION, rotation_effect, rotation_law
 
-# of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
+# ranges of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was validated
 RANGE = {
     "A = a^2/(Rx^2 sqrt(2U))": (0.35, 160.0),
     "L": (0.0, 30.0),
@@ -42,8 +42,8 @@ STEP = 0.02  # of ln A, over which H0 is differentiated
 # relative error of the stiffness below and above A = `LIGHT`: 70 contacts solved at 0.985 and
 # 1.015 of the load were within 6.9 % (A 2.2 to 6.5, others below 0.6 %) and 0.6 % [-]
 STIFFNESS_ERROR = (0.07, 0.01)
-# of the moment that the gap of circles takes from that of paraboloids, its error: 95 % of the
-# drawn by `python tools/atlas/circles.py 20261127 30` are within 0.17 [-]
+# error of the moment that the gap of circles takes from that of paraboloids: 95 % of the drawn by
+# `python tools/atlas/circles.py 20261127 30` are within 0.17 [-]
 CIRCLES = 0.2
 
 
@@ -59,18 +59,18 @@ class NotInAtlasError(ValueError):
 class AtlasValue:
     """A value of the atlas and its error bar, both SI or in the units of `AtlasFilms` [-]."""
 
-    value: float
-    uncertainty: float
+    value: float  # in the unit of the quantity
+    uncertainty: float  # error bar in this unit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AtlasFilms:
-    """What the atlas knows of a contact: SI of dimensional conditions; of Moes' groups films and
+    """Films of a contact by the atlas. SI of dimensional conditions; of Moes' groups films and
     approach in a^2/Rx, the moment in p_h a^3 and the stiffness in the load over a^2/Rx [-].
     """
 
-    central: AtlasValue
-    minimum: AtlasValue
+    central: AtlasValue  # film [m] or [a^2/Rx]
+    minimum: AtlasValue  # film [m] or [a^2/Rx]
     approach: AtlasValue  # h_0, the constant of the film equation
     # up to where the gap is as wide as the layer; None: a layer below 3 (1 + H_c) a^2/Rx ends
     # too near the contact for the table, see `ehl.traction.rolling_moment`, or the entrainment is
@@ -81,89 +81,139 @@ class AtlasFilms:
 
 
 def atlas_films(
-    conditions: ContactConditions | MoesConditions, layer: float | None = None
+    conditions: ContactConditions | MoesConditions, inlet_film_thickness: float | None = None
 ) -> AtlasFilms:
-    """Films of a flooded contact from the atlas.
+    """Evaluate the films of a flooded contact from the atlas.
 
-    layer: at the inlet, up to which the rolling moment counts oil, [m] or in a^2/Rx; None: that of
-    the lubricant, of Moes conditions 25 a^2/Rx.
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        flooded contact
+    inlet_film_thickness : float | None, optional
+        inlet film thickness up to which the rolling moment counts oil, [m] or in a^2/Rx; None:
+        that of the lubricant, of Moes' conditions 25 a^2/Rx
+
+    Returns
+    -------
+    AtlasFilms
+        films and rolling moment with their error bars
 
     Raises
     ------
     NotInAtlasError
-        If the contact is none of those that the atlas covers; the message names the solver.
+        if the atlas does not cover the contact; the message names the solver
+
+    Examples
+    --------
+    >>> from ehl import ContactConditions, Lubricant
+    >>> contact = ContactConditions(
+    ...     load=60.0,
+    ...     radius_x=0.01,
+    ...     radius_y=0.02,
+    ...     reduced_modulus=226e9,
+    ...     entrainment_speed=1.5,
+    ...     lubricant=Lubricant(viscosity=0.04, pressure_viscosity=18e-9),
+    ... )
+    >>> films = atlas_films(contact)
+    >>> f"{films.central.value * 1e9:.0f} nm, {films.minimum.value * 1e9:.0f} nm"
+    '318 nm, 215 nm'
     """
-    (found,) = atlas_films_of([conditions], layer)
-    if isinstance(found, NotInAtlasError):
-        raise found
-    return found
+    (result,) = atlas_films_of([conditions], inlet_film_thickness)
+    if isinstance(result, NotInAtlasError):
+        raise result
+    return result
 
 
 def atlas_films_of(
-    contacts: Sequence[ContactConditions | MoesConditions], layer: float | None = None
+    contacts: Sequence[ContactConditions | MoesConditions],
+    inlet_film_thickness: float | None = None,
 ) -> list[AtlasFilms | NotInAtlasError]:
-    """As `atlas_films`, of many contacts in a fraction of the time; for one that is not covered
-    the error that says why; layer: [m] or in a^2/Rx, ValueError where it is none.
+    """Evaluate the films of many flooded contacts, in a fraction of the time that each takes
+    alone.
+
+    Parameters
+    ----------
+    contacts : Sequence[ContactConditions | MoesConditions]
+        flooded contacts
+    inlet_film_thickness : float | None, optional
+        inlet film thickness up to which the rolling moment counts oil, [m] or in a^2/Rx; None:
+        that of the lubricants
+
+    Returns
+    -------
+    list[AtlasFilms | NotInAtlasError]
+        films of each; for one that is not covered the error with its reason
+
+    Raises
+    ------
+    ValueError
+        if `inlet_film_thickness` is not positive
     """
-    if layer is not None and not (isfinite(layer) and layer > 0.0):
-        raise ValueError(f"layer must be positive and finite, got {layer!r}")
-    found: list[AtlasFilms | NotInAtlasError | None] = [None] * len(contacts)
-    places: dict[int, _Place] = {}
+    if inlet_film_thickness is not None and not (
+        isfinite(inlet_film_thickness) and inlet_film_thickness > 0.0
+    ):
+        raise ValueError(f"layer must be positive and finite, got {inlet_film_thickness!r}")
+    result: list[AtlasFilms | NotInAtlasError | None] = [None] * len(contacts)
+    positions: dict[int, _Position] = {}
     for n, conditions in enumerate(contacts):
         try:
-            places[n] = _place(conditions)
+            positions[n] = _position(conditions)
         except NotInAtlasError as refusal:
-            found[n] = refusal
-    known = list(places.values())
-    for n, place, values, bars in zip(places, known, _functions(known), _bars(known), strict=True):
+            result[n] = refusal
+    covered = list(positions.values())
+    for n, place, values, bars in zip(
+        positions, covered, _functions(covered), _bars(covered), strict=True
+    ):
         try:
-            found[n] = _films(place, values, bars, layer)
+            result[n] = _films(place, values, bars, inlet_film_thickness)
         except NotInAtlasError as refusal:
-            found[n] = refusal
-    return [one for one in found if one is not None]
+            result[n] = refusal
+    return [one for one in result if one is not None]
 
 
-class _Place(NamedTuple):
+class _Position(NamedTuple):
     """A contact that the atlas covers, with the oil that stands for its own."""
 
     conditions: ContactConditions | MoesConditions
-    own: Lubricant  # its own oil
-    contact: ScaledContact
+    actual_oil: Lubricant  # of the contact
+    scaled: ScaledContact
     along: Along
     oil: tuple[float, float]  # alpha [1/Pa] and z of the one that stands for it
 
 
-def _place(given: ContactConditions | MoesConditions) -> _Place:
-    """Of a contact; NotInAtlasError where it is not covered, its film aside."""
-    conditions = with_inlet_oil(given)
+def _position(conditions_of_case: ContactConditions | MoesConditions) -> _Position:
+    """Locate a contact in the atlas; NotInAtlasError where it is not covered, its film aside."""
+    conditions = with_inlet_oil(conditions_of_case)
     contact = scale_contact(conditions)
-    own = atlas_load(contact)
-    require_covered(conditions, contact, own)
+    load = atlas_load(contact)
+    require_covered(conditions, contact, load)
     angle = conditions.entrainment_angle if skewed(conditions.entrainment_angle) else 0.0
-    along = along_entrainment(own, contact.moes_lubricant, contact.radius_ratio, angle)
+    along = along_entrainment(load, contact.moes_lubricant, contact.radius_ratio, angle)
     alpha, z = oil_numbers(conditions.lubricant)
     require_range((along.load, along.lubricant, along.ratio, z, alpha))
     if along.mixed:
         require_range(along.slimmer, SKEW_RANGE)
-    _require_density(given.lubricant, contact.hertz_pressure, along.load)
-    return _Place(conditions, given.lubricant, contact, along, (alpha, z))
+    _require_density(conditions_of_case.lubricant, contact.hertz_pressure, along.load)
+    return _Position(conditions, conditions_of_case.lubricant, contact, along, (alpha, z))
 
 
-def _films(place: _Place, found: Array, bars: Array, layer: float | None) -> AtlasFilms:
+def _films(
+    place: _Position, values: Array, bars: Array, inlet_film_thickness: float | None
+) -> AtlasFilms:
     """By the six functions at A, and at A a little smaller and larger, shape (3, 6), and their
     errors, shape (6,) [-].
     """
     conditions, _, contact, along, _ = place
     load = along.load
-    central, minimum = (exp(found[0, k]) / load for k in (0, 1))
-    lowered, lobes, moved = by_rotation(load, along.ratio, contact.turning)
+    central, minimum = (exp(values[0, k]) / load for k in (0, 1))
+    lowered, lobes, moved = rotation_effect(load, along.ratio, contact.turning)
     minimum = min(minimum, central) * lowered
     middle = float(bars[0]) + moved
     # 1. k = -3/2 F/(a^2/Rx)/(H0 + dH0/dlnA), as a^2 goes with F^(2/3) where U is constant
     first = log(load)
     approach, smaller, larger = (
         exp(row[0] - x) - row[2]
-        for row, x in zip(found.tolist(), (first, first - STEP, first + STEP), strict=True)
+        for row, x in zip(values.tolist(), (first, first - STEP, first + STEP), strict=True)
     )
     stiffness = -1.5 / (approach + (larger - smaller) / (2.0 * STEP))
     approach_error = float(bars[2]) + middle * central
@@ -179,7 +229,7 @@ def _films(place: _Place, found: Array, bars: Array, layer: float | None) -> Atl
         minimum=AtlasValue(minimum * unit, (float(bars[1]) + lobes) * minimum * unit),
         approach=AtlasValue(approach * unit, approach_error * unit),
         rolling_moment=_rolling_moment(
-            conditions, contact, found[0], float(bars[3:].max()), layer
+            conditions, contact, values[0], float(bars[3:].max()), inlet_film_thickness
         ),
         stiffness=AtlasValue(stiffness, STIFFNESS_ERROR[int(load >= LIGHT)] * stiffness),
         inside=True,
@@ -189,9 +239,9 @@ def _films(place: _Place, found: Array, bars: Array, layer: float | None) -> Atl
 def _rolling_moment(
     conditions: ContactConditions | MoesConditions,
     contact: ScaledContact,
-    found: Array,
-    share: float,
-    layer: float | None,
+    values: Array,
+    relative_error: float,
+    inlet_film_thickness: float | None,
 ) -> AtlasValue | None:
     """Moment up to a layer as `atlas_films` takes it, by the six functions, shape (6,), and their
     relative error; None also for entrainment at an angle.
@@ -199,82 +249,100 @@ def _rolling_moment(
     if skewed(conditions.entrainment_angle):
         return None
     load = atlas_load(contact)
-    central = exp(found[0]) / load
+    central = exp(values[0]) / load
     unit = contact.film_scale or 1.0
     moment_unit = 1.0
     if isinstance(conditions, ContactConditions) and contact.semi_axis_x is not None:
         moment_unit = contact.hertz_pressure * contact.semi_axis_x**3
-    if layer is None:
+    if inlet_film_thickness is None:
         dimensionless = contact.semi_axis_x is None
-        layer = MOES_LAYER if dimensionless else conditions.lubricant.flooded_layer
+        inlet_film_thickness = MOES_LAYER if dimensionless else conditions.lubricant.flooded_layer
     ratio = contact.radius_ratio
     scale = moment_unit * pi * contact.speed / ((3.0 + 2.0 * ratio) * sqrt(ratio))
-    rolling = _moment(found[3:], layer / unit, central, share, scale)
+    rolling = _moment(values[3:], inlet_film_thickness / unit, central, relative_error, scale)
     if rolling is not None and isinstance(conditions, ContactConditions):
-        rolling = _of_circles(rolling, conditions, contact, (central * unit, layer))
+        rolling = _of_circles(rolling, conditions, contact, (central * unit, inlet_film_thickness))
     return rolling
 
 
-def _functions(places: Sequence[_Place]) -> Array:
+def _functions(contacts: Sequence[_Position]) -> Array:
     """The six functions of contacts at A, and at A a little smaller and larger, shape (n, 3, 6)
     [-].
     """
-    if not places:
+    if not contacts:
         return np.empty((0, 3, 6))
-    x = np.repeat([place.along.place for place in places], 3, axis=0)
+    x = np.repeat([contact.along.place for contact in contacts], 3, axis=0)
     x[1::3, 0] -= STEP
     x[2::3, 0] += STEP
-    alpha, z = np.repeat([place.oil for place in places], 3, axis=0).T
-    found = functions(x[:, :3], alpha, z)
+    alpha, z = np.repeat([contact.oil for contact in contacts], 3, axis=0).T
+    result = functions(x[:, :3], alpha, z)
     mixed = x[:, 3] > 0.0
     if mixed.any():
-        found[mixed, :MIXED] += mixed_functions(x[mixed], alpha[mixed], z[mixed])
-        turned = np.repeat([place.along.approach for place in places], 3)
-        found[mixed, MIXED - 1] += turned[mixed]
-    found = found.reshape(-1, 3, 6)
-    for n, place in enumerate(places):
-        added = by_density(place.own, place.contact.hertz_pressure, place.along.load)
+        result[mixed, :MIXED] += mixed_functions(x[mixed], alpha[mixed], z[mixed])
+        turned = np.repeat([contact.along.approach for contact in contacts], 3)
+        result[mixed, MIXED - 1] += turned[mixed]
+    result = result.reshape(-1, 3, 6)
+    for n, contact in enumerate(contacts):
+        added = by_density(contact.actual_oil, contact.scaled.hertz_pressure, contact.along.load)
         if added.any():
-            found[n] = _with_density(found[n], x[3 * n : 3 * n + 3], added)
-    return found
+            result[n] = _with_density(result[n], x[3 * n : 3 * n + 3], added)
+    return result
 
 
-def _with_density(found: Array, x: Array, added: Array) -> Array:
-    """The six functions at x, shape (m, 6), with what density adds, to moments a share [-]."""
-    layers = 1.0 + np.exp(found[:, :1] - x[:, :1])
-    moments = found[:, 3:] + np.log(np.array(LAYERS) * layers)  # T/C
-    return found + np.concatenate([np.tile(added[:3], (len(x), 1)), added[3:] * moments], axis=1)
+def _with_density(values: Array, x: Array, added: Array) -> Array:
+    """The six functions at x, shape (m, 6), with what density adds, to moments a fraction [-]."""
+    layers = 1.0 + np.exp(values[:, :1] - x[:, :1])
+    moments = values[:, 3:] + np.log(np.array(LAYERS) * layers)  # T/C
+    return values + np.concatenate([np.tile(added[:3], (len(x), 1)), added[3:] * moments], axis=1)
 
 
 def oil_numbers(oil: Lubricant) -> tuple[float, float]:
-    """alpha [1/Pa] and z of a Roelands oil; of an isoviscous one, where they do not count, those
-    of the base oil.
+    """Give alpha and z of a Roelands oil; of an isoviscous one, where they do not count, those of
+    the base oil.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant
+
+    Returns
+    -------
+    alpha
+        pressure-viscosity coefficient [1/Pa]
+    z
+        Roelands' z [-]
     """
     if not oil.piezoviscous:
         return BASE_ALPHA, BASE_Z
     return oil.pressure_viscosity, oil.exponent
 
 
-def _bars(places: Sequence[_Place]) -> Array:
+def _bars(contacts: Sequence[_Position]) -> Array:
     """Errors of the six functions of contacts, shape (n, 6) [-]."""
-    if not places:
+    if not contacts:
         return np.empty((0, 6))
-    base = np.array([oil_numbers(place.own) == (BASE_ALPHA, BASE_Z) for place in places])
-    bars = bars_of(np.array([place.along.place for place in places])[:, :3], base)
-    for n, (_, own, _, along, _) in enumerate(places):
+    base = np.array(
+        [oil_numbers(contact.actual_oil) == (BASE_ALPHA, BASE_Z) for contact in contacts]
+    )
+    bars = error_bars(np.array([contact.along.place for contact in contacts])[:, :3], base)
+    for n, (_, oil, _, along, _) in enumerate(contacts):
         if along.mixed:
             bars[n, :MIXED] = np.maximum(bars[n, :MIXED], skew_bars(along.ratio, bool(base[n])))
-        bars[n] = np.maximum(bars[n], law_error(own, along.load >= LIGHT))
+        bars[n] = np.maximum(bars[n], law_error(oil, along.load >= LIGHT))
     return bars
 
 
 def _moment(
-    rest: np.ndarray, layer: float, central: float, share: float, scale: float
+    rest: np.ndarray,
+    inlet_film_thickness: float,
+    central: float,
+    relative_error: float,
+    scale: float,
 ) -> AtlasValue | None:
     """Moment up to a layer in a^2/Rx, by a parabola in its inverse through those tabulated, and
-    what that leaves open of a thinner one; share: relative error; scale: C.
+    what that leaves open of a thinner one; relative_error: of the moment; scale: C.
     """
-    height = layer / (1.0 + central)
+    height = inlet_film_thickness / (1.0 + central)
     if height < THINNEST_LAYER:
         return None
     a, b, c = (1.0 / known for known in LAYERS)
@@ -284,8 +352,8 @@ def _moment(
     line = first + slope * (x - a)
     bend = ((third - second) / (c - b) - slope) / (c - a)
     parabola = line + bend * (x - a) * (x - b)
-    value = log(layer) + parabola
-    error = share * abs(value)
+    value = log(inlet_film_thickness) + parabola
+    error = relative_error * abs(value)
     if x > a:
         error += abs(parabola - line)
     return AtlasValue(value * scale, error * scale)
@@ -307,36 +375,75 @@ def _of_circles(
 
 
 def atlas_load(contact: ScaledContact) -> float:
-    """A = a^2/(R_x^2 sqrt(2 U)) [-]."""
+    """Evaluate A = a^2/(R_x^2 sqrt(2 U)).
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    float
+        A [-]
+    """
     axis = hertz_coefficients(contact.radius_ratio)[0]
     return float(axis**2 * contact.moes_load ** (2.0 / 3.0))
 
 
 def skewed(angle: float) -> bool:
-    """Whether entrainment at an angle to x [rad] counts as such."""
+    """Tell whether entrainment at an angle to x counts as oblique.
+
+    Parameters
+    ----------
+    angle : float
+        angle of the entrainment from x [rad]
+
+    Returns
+    -------
+    bool
+        True if it does
+    """
     return abs(sin(angle)) > ALIGNED
 
 
 def require_covered(
     conditions: ContactConditions | MoesConditions, contact: ScaledContact, load: float
 ) -> None:
-    """NotInAtlasError unless the equations are those of the atlas; load: A [-]."""
-    slim = known_turning(load, contact.radius_ratio)
+    """Check that the equations of a contact are those of the atlas.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        flooded contact
+    contact : ScaledContact
+        scaled contact
+    load : float
+        A of the contact [-]
+
+    Raises
+    ------
+    NotInAtlasError
+        if they are not
+    """
+    slim = rotation_law(load, contact.radius_ratio)
     turning = ROTATION if slim is None else slim.largest
     turns = skewed(conditions.entrainment_angle) and contact.turning > 0.0
     layered = contact.coating is not None or contact.inlet_layer is not None
     if not (turns or contact.turning > turning or layered):  # as nearly all
         return
+    turns_more = contact.turning > turning
+    coated = contact.coating is not None
     faults = {
-        "mean_spin_rad_s: entrainment at an angle that does not turn": turns,
-        f"mean_spin_rad_s: entrainment that turns at the end of the ellipse by less than "
-        f"{turning:g} of it, not {contact.turning:.2g},": contact.turning > turning,
-        "coating_thickness_um: bodies without a coating": contact.coating is not None,
-        "inlet_film_um: flooded contacts": contact.inlet_layer is not None,
+        "mean_spin_rad_s: the film atlas covers entrainment at an angle without spin": turns,
+        "mean_spin_rad_s: the film atlas covers spin that changes the entrainment at the end of "
+        f"the ellipse by less than {turning:g} of it, not by {contact.turning:.2g}": turns_more,
+        "coating_thickness_um: the film atlas covers bodies without a coating": coated,
+        "inlet_film_um: the film atlas covers flooded contacts": contact.inlet_layer is not None,
     }
-    for fault, found in faults.items():
-        if found:
-            raise NotInAtlasError(f"{fault} is what the film atlas covers")
+    for fault, applies in faults.items():
+        if applies:
+            raise NotInAtlasError(fault)
 
 
 def _require_density(oil: Lubricant, hertz_pressure: float, load: float) -> None:
@@ -346,25 +453,38 @@ def _require_density(oil: Lubricant, hertz_pressure: float, load: float) -> None
     excess = density_excess(oil, hertz_pressure)
     if abs(excess) > LIGHT_DENSITY:
         raise NotInAtlasError(
-            f"density_law: in light contacts, A below {LIGHT:g}, a density within "
-            f"{LIGHT_DENSITY:.0%} of that of Dowson and Higginson at Hertz' pressure, not "
-            f"{abs(excess):.0%} off, is what the film atlas covers"
+            f"density_law: in light contacts, A below {LIGHT:g}, the film atlas covers densities "
+            f"within {LIGHT_DENSITY:.0%} of that of Dowson and Higginson at Hertz' pressure, not "
+            f"{abs(excess):.0%} off"
         )
 
 
-def _require_thin(share: float) -> None:
+def _require_thin(film_over_radius: float) -> None:
     """NotInAtlasError unless the film over R_x leaves the gap a paraboloid [-]."""
-    if share > MAX_FILM_OVER_RADIUS:
+    if film_over_radius > MAX_FILM_OVER_RADIUS:
         raise NotInAtlasError(
-            f"a central film of {share:.2g} of R_x is outside the model: the gap there is no "
-            f"paraboloid, {MAX_FILM_OVER_RADIUS:g} is the most"
+            f"a central film of {film_over_radius:.2g} of R_x is outside the model: the gap "
+            f"there is no paraboloid, {MAX_FILM_OVER_RADIUS:g} is the most"
         )
 
 
 def require_range(
     values: tuple[float, ...], ranges: Mapping[str, tuple[float, float]] = RANGE
 ) -> None:
-    """NotInAtlasError unless values, A, L, D, z and alpha of `RANGE`, lie in the ranges."""
+    """Check that numbers lie in their ranges.
+
+    Parameters
+    ----------
+    values : tuple[float, ...]
+        A, L, D, z [-] and alpha [1/Pa], in the order of `RANGE`
+    ranges : Mapping[str, tuple[float, float]], default RANGE
+        lowest and highest value by name
+
+    Raises
+    ------
+    NotInAtlasError
+        if one does not
+    """
     for (name, (low, high)), value in zip(ranges.items(), values, strict=True):
         if not low <= value <= high:
             key, unit = CASE_KEYS.get(name, (name, 1.0))

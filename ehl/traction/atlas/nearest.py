@@ -16,31 +16,41 @@ from .films import (
 )
 from .oils import with_inlet_oil
 from .table import LIGHT
-from .turning import known_turning
+from .turning import rotation_law
 
 EDGE = 1e-9  # within a range [-]
 
 
 def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | None, float]:
-    """The same contact under the nearest load, and with the nearest pressure-viscosity and z, that
-    the atlas covers, and how far it is off, |ln(A/A')| + |ln(L/L')| + |z - z'| [-]; None where
-    these do not bring it into the range.
+    """Search the nearest contact that the atlas covers: another load, pressure-viscosity and z.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        flooded contact
+
+    Returns
+    -------
+    contact
+        nearest contact; None if these do not bring it into the range
+    distance
+        |ln(A/A')| + |ln(L/L')| + |z - z'| [-]
     """
     standing = with_inlet_oil(conditions)
     assert isinstance(standing, ContactConditions)
     contact = scale_contact(standing)
     if skewed(conditions.entrainment_angle):
         return None, 0.0
-    own = atlas_load(contact)
-    wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
-    slim = known_turning(wanted, contact.radius_ratio)
+    load = atlas_load(contact)
+    wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", load)
+    slim = rotation_law(wanted, contact.radius_ratio)
     if slim is not None and contact.turning > slim.largest:
         wanted = max(wanted, LIGHT)
     # 1. the oil; that of an isoviscous one does not count
     alpha, z = oil_numbers(standing.lubricant)
     thick = _nearest("L", contact.moes_lubricant)
     rise = _nearest("roelands_z", z)
-    way = abs(log(own / wanted)) + abs(z - rise)
+    way = abs(log(load / wanted)) + abs(z - rise)
     oil = standing.lubricant
     if rise != z:
         oil = replace(oil, roelands_z=rise)
@@ -48,18 +58,18 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
         alpha *= thick / contact.moes_lubricant
         oil = replace(oil, pressure_viscosity=alpha, roelands_z=rise)
         way += abs(log(contact.moes_lubricant / thick))
-    # 2. whether that brings it into the range
-    near = replace(standing, load=conditions.load * (wanted / own) ** 1.5, lubricant=oil)
+    # 2. check that the change brings it into the range
+    nearest = replace(standing, load=conditions.load * (wanted / load) ** 1.5, lubricant=oil)
     try:
-        require_covered(near, contact, wanted)
+        require_covered(nearest, contact, wanted)
         require_range((wanted, thick, contact.radius_ratio, rise, alpha))
     except NotInAtlasError:
         return None, 0.0
-    return (near, way) if way else (conditions, 0.0)
+    return (nearest, way) if way else (conditions, 0.0)
 
 
 def _nearest(name: str, value: float) -> float:
-    """Of the range; a little within where the value is not, so that rounding does not leave it."""
+    """Clip a value to the range, a little within it, so that rounding does not leave it."""
     low, high = RANGE[name]
     if low <= value <= high:
         return value

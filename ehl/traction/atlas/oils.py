@@ -20,6 +20,7 @@ from scipy.optimize import brentq
 
 from ...arrays import Array
 from ...conditions import ContactConditions, MoesConditions
+from ...oil._kernels import roelands_rise
 from ...oil.lubricant import (
     ROELANDS_PRESSURE,
     DensityLaw,
@@ -27,9 +28,8 @@ from ...oil.lubricant import (
     ViscosityLaw,
     density,
     log_viscosity_ratio,
-    roelands_rise,
 )
-from .table import heavy_share
+from .table import heavy_weight
 
 NODES = 96  # of the moments; half as many move alpha and z of library oils by less than 1e-5
 MOST_PRESSURE = (
@@ -38,12 +38,13 @@ MOST_PRESSURE = (
 Z_LIMITS = (0.05, 1.9)  # between which z is sought
 
 
-# of the six functions: how far each follows ln rho(p_h), and p_i over the first moment; those of
-# films fitted to other contacts, others to eight incompressible ones (`film_atlas.md`)
+# effect on the six functions: how far each follows ln rho(p_h), and p_i over the first moment;
+# those of films fitted to other contacts, others to eight incompressible ones (`film_atlas.md`)
 DENSITY = ((1.03, 1.46), (0.19, 0.63), (-0.03, 0.0), (0.22, 0.0), (0.2, 0.0), (0.16, 0.0))
 # likewise of isoviscous oils, whose density the table does not have: eight contacts, A 6 to 109
 ISOVISCOUS_DENSITY = (0.33, -0.25, 0.0, 0.25, 0.24, 0.21)
-# of A, over which density begins to count so: in lighter contacts it moves the step of the film
+# interval of A over which density begins to count so: in lighter contacts it moves the step of the
+# film
 DENSITY_SEAM = (5.0, 7.0)
 # and ln of the density over that of Dowson and Higginson at p_h beyond which these are refused [-]
 LIGHT_DENSITY = 0.02
@@ -67,12 +68,22 @@ class InletOil(NamedTuple):
 
 @lru_cache(maxsize=256)
 def inlet_oil(oil: Lubricant) -> InletOil:
-    """Roelands' law with p_r 196 MPa and the two moments of a piezoviscous oil.
+    """Fit Roelands' law with p_r 196 MPa to the two moments of a piezoviscous oil.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant of any law
+
+    Returns
+    -------
+    InletOil
+        Roelands' law with the same moments
 
     Raises
     ------
     ValueError
-        If no z between 0.05 and 1.9 has them.
+        if no z between 0.05 and 1.9 has them
     """
     first, second = _moments(oil)
     if _roelands(oil):
@@ -88,46 +99,83 @@ def inlet_oil(oil: Lubricant) -> InletOil:
 def with_inlet_oil(
     conditions: ContactConditions | MoesConditions,
 ) -> ContactConditions | MoesConditions:
-    """The contact with the oil that stands for its own; its density, and that of an isoviscous
-    oil, which has L = 0, as it is.
+    """Replace the oil of a contact by the Roelands oil with the same inlet.
+
+    Its density stays, and so does an isoviscous oil, which has L = 0.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        flooded contact
+
+    Returns
+    -------
+    ContactConditions | MoesConditions
+        the contact with that oil
     """
     oil = conditions.lubricant
     if not oil.piezoviscous or _roelands(oil):
         return conditions
-    own = inlet_oil(oil)
+    inlet = inlet_oil(oil)
     roelands = replace(
         oil,
         viscosity_law=ViscosityLaw.ROELANDS,
-        pressure_viscosity=own.pressure_viscosity,
-        roelands_z=own.exponent,
+        pressure_viscosity=inlet.pressure_viscosity,
+        roelands_z=inlet.exponent,
         roelands_pressure=ROELANDS_PRESSURE,
     )
     if isinstance(conditions, ContactConditions):
         return replace(conditions, lubricant=roelands)
-    share = own.pressure_viscosity / oil.pressure_viscosity
-    thick = conditions.lubricant_parameter * share
+    fraction = inlet.pressure_viscosity / oil.pressure_viscosity
+    thick = conditions.lubricant_parameter * fraction
     return replace(conditions, lubricant=roelands, lubricant_parameter=thick)
 
 
 def by_density(oil: Lubricant, hertz_pressure: float, load: float) -> Array:
-    """What the density of an oil adds to the six functions of one after Dowson and Higginson, or
-    of an isoviscous one that cannot be compressed, shape (6,), at p_h [Pa] and A; of the moments
-    relative to T/C [-].
+    """Evaluate the change of the six functions by the density of an oil.
+
+    The reference is an oil after Dowson and Higginson, or an isoviscous, incompressible one.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant
+    hertz_pressure : float
+        Hertz pressure [Pa]
+    load : float
+        A of the contact [-]
+
+    Returns
+    -------
+    Array
+        changes, of the moments relative to T/C, shape (6,) [-]
     """
     if oil.piezoviscous and oil.density_law is DensityLaw.DOWSON_HIGGINSON:
         return np.zeros(len(DENSITY))
-    heavy = float(heavy_share(np.log(load), DENSITY_SEAM)[0])
+    heavy = float(heavy_weight(np.log(load), DENSITY_SEAM)[0])
     if not oil.piezoviscous:
         return -heavy * np.array(ISOVISCOUS_DENSITY) * _log_density(oil, hertz_pressure)
     first = inlet_oil(oil).moment
     there = density_excess(oil, hertz_pressure)
-    added = [density_excess(oil, at * first) - share * there for share, at in DENSITY]
+    added = [density_excess(oil, at * first) - fraction * there for fraction, at in DENSITY]
     return heavy * np.array(added)
 
 
 def density_excess(oil: Lubricant, pressure: float) -> float:
-    """ln of an oil's density over that of Dowson and Higginson at a pressure [Pa], both over the
-    ambient one [-].
+    """Evaluate ln of an oil's density over that of Dowson and Higginson, both over the ambient
+    one.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant
+    pressure : float
+        pressure [Pa]
+
+    Returns
+    -------
+    float
+        logarithm of the ratio [-]
     """
     other = replace(oil, density_law=DensityLaw.DOWSON_HIGGINSON)
     return _log_density(oil, pressure) - _log_density(other, pressure)
@@ -139,8 +187,19 @@ def _log_density(oil: Lubricant, pressure: float) -> float:
 
 
 def law_error(oil: Lubricant, heavy: bool) -> Array:
-    """Errors of the six functions where the table has none of contacts with such an oil, shape
-    (6,) [-].
+    """Estimate the errors of the six functions where the table has none for such an oil.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant
+    heavy : bool
+        whether the contact is heavy
+
+    Returns
+    -------
+    Array
+        errors, shape (6,) [-]
     """
     compressible = oil.density_law is not DensityLaw.INCOMPRESSIBLE
     if not oil.piezoviscous:
@@ -153,13 +212,13 @@ def law_error(oil: Lubricant, heavy: bool) -> Array:
 
 
 def _roelands(oil: Lubricant) -> bool:
-    """Whether an oil is one of Roelands' as the table has them."""
-    own = oil.viscosity_law is ViscosityLaw.ROELANDS
-    return own and oil.roelands_pressure == ROELANDS_PRESSURE
+    """Tell whether an oil is one of Roelands' as the table has them."""
+    is_roelands = oil.viscosity_law is ViscosityLaw.ROELANDS
+    return is_roelands and oil.roelands_pressure == ROELANDS_PRESSURE
 
 
 def _alpha(z: float, first: float) -> float:
-    """Of Roelands' law with that first moment [1/Pa]."""
+    """Evaluate alpha of Roelands' law with that first moment [1/Pa]."""
 
     def excess(log_alpha: float) -> float:
         return _roelands_moments(float(np.exp(log_alpha)), z)[0] / first - 1.0
@@ -187,8 +246,8 @@ def _quadrature(scale: float) -> tuple[Array, Array]:
     """Pressures up to `MOST_PRESSURE` scales, and weights of Gauss' rule in p/(p + scale), in the
     unit of the scale.
     """
-    share, weights = _rule()
-    return scale * share / (1.0 - share), scale * weights / (1.0 - share) ** 2
+    fraction, weights = _rule()
+    return scale * fraction / (1.0 - fraction), scale * weights / (1.0 - fraction) ** 2
 
 
 @cache

@@ -24,8 +24,8 @@ from ...closed_form.hertz import hertz_coefficients
 from .table import BASE_ALPHA, BASE_Z, radial
 
 FILE = Path(__file__).parent / "skewed.npz"
-# of the contact along its principal direction of smaller radius, where entrainment at an angle was
-# judged
+# ranges of the contact along its principal direction of smaller radius, validated for entrainment
+# at an angle
 SKEW_RANGE = {
     "entrainment_angle_deg: A along the smaller radius": (10.0, 80.0),
     "entrainment_angle_deg: ratio of the smaller radius to the larger": (0.05, 1.0),
@@ -54,7 +54,7 @@ class Along(NamedTuple):
 
 
 class Skew(NamedTuple):
-    """What the file holds [-]."""
+    """Contents of the file [-]."""
 
     places: Array  # (n, 4)
     scales: Array  # (4,)
@@ -66,13 +66,30 @@ class Skew(NamedTuple):
 
 
 def along_entrainment(load: float, lubricant: float, ratio: float, angle: float) -> Along:
-    """The straight contact of A, L, Rx/Ry and the angle from x towards y [rad]."""
+    """Transform a contact with entrainment at an angle to the straight one.
+
+    Parameters
+    ----------
+    load : float
+        A of the contact along x [-]
+    lubricant : float
+        L [-]
+    ratio : float
+        Rx/Ry [-]
+    angle : float
+        angle of the entrainment from x towards y [rad]
+
+    Returns
+    -------
+    Along
+        straight contact, with its mixed curvature
+    """
     c, s = cos(angle), sin(angle)
     first, across = c * c + ratio * s * s, s * s + ratio * c * c
     f, _, d = hertz_coefficients(ratio)
-    own = across / first
-    own_f, _, own_d = hertz_coefficients(own)
-    unit = (own_f / f) ** 2 * first ** (1.0 / 3.0)
+    straight_ratio = across / first
+    straight_f, _, straight_d = hertz_coefficients(straight_ratio)
+    unit = (straight_f / f) ** 2 * first ** (1.0 / 3.0)
     mixed = (s * c * (ratio - 1.0)) ** 2 / (first * across)
     slimmer = (load, ratio)
     if ratio > 1.0:  # A goes with f^2 S^(5/6)
@@ -81,11 +98,11 @@ def along_entrainment(load: float, lubricant: float, ratio: float, angle: float)
     return Along(
         load=load * unit * sqrt(first),
         lubricant=lubricant * first**0.25,
-        ratio=own,
+        ratio=straight_ratio,
         curvature=first,
         mixed=mixed if mixed > STRAIGHT else 0.0,
         unit=unit,
-        approach=d / f**2 / unit - own_d / own_f**2,
+        approach=d / f**2 / unit - straight_d / straight_f**2,
         slimmer=slimmer,
     )
 
@@ -98,31 +115,86 @@ def skew() -> Skew:
 
 
 def mixed_oil_terms(places: Array, alpha: Array, z: Array) -> Array:
-    """m sqrt(L) {z - z_0, ln(alpha/alpha_0)} {1, ln A, ln D, m} at places (n, 4), shape (n, 8)
-    [-]; alpha [1/Pa].
+    """Evaluate m sqrt(L) {z - z_0, ln(alpha/alpha_0)} {1, ln A, ln D, m}.
+
+    Parameters
+    ----------
+    places : Array
+        (ln A, sqrt L, ln D, m) of contacts, shape (n, 4) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (n,) [1/Pa]
+    z : Array
+        Roelands' z, shape (n,) [-]
+
+    Returns
+    -------
+    Array
+        terms, shape (n, 8) [-]
     """
-    own = np.stack([np.asarray(z) - BASE_Z, np.log(np.asarray(alpha) / BASE_ALPHA)], axis=1)
-    own = own * (places[:, 3] * places[:, 1])[:, None]
-    more = np.column_stack([np.ones(len(places)), places[:, 0], places[:, 2], places[:, 3]])
-    return np.asarray((own[:, :, None] * more[:, None, :]).reshape(len(places), -1))
+    terms = np.stack([np.asarray(z) - BASE_Z, np.log(np.asarray(alpha) / BASE_ALPHA)], axis=1)
+    terms = terms * (places[:, 3] * places[:, 1])[:, None]
+    factors = np.column_stack([np.ones(len(places)), places[:, 0], places[:, 2], places[:, 3]])
+    return np.asarray((terms[:, :, None] * factors[:, None, :]).reshape(len(places), -1))
 
 
-def mixed_radial(x: Array, known: Skew) -> Array:
-    """m m_i k of places (m, 4) and those of the table, shape (m, n) [-]."""
-    shares = x[:, 3:] * known.places[None, :, 3]
-    return np.asarray(shares * radial(x, known.places, known.scales))
+def mixed_radial(x: Array, tabulated: Skew) -> Array:
+    """Evaluate the radial functions times m m_i.
 
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D, m) of contacts, shape (m, 4) [-]
+    tabulated : Skew
+        table of the mixed curvature
 
-def mixed_functions(x: Array, alpha: Array, z: Array, known: Skew | None = None) -> Array:
-    """What the mixed curvature adds to the first three functions at places of shape (m, 4), shape
-    (m, 3) [-]; alpha [1/Pa]; known: None for the table as it is stored.
+    Returns
+    -------
+    Array
+        products, shape (m, n) [-]
     """
-    known = known or skew()
+    fractions = x[:, 3:] * tabulated.places[None, :, 3]
+    return np.asarray(fractions * radial(x, tabulated.places, tabulated.scales))
+
+
+def mixed_functions(x: Array, alpha: Array, z: Array, tabulated: Skew | None = None) -> Array:
+    """Evaluate the change of the first three functions by the mixed curvature.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D, m) of contacts, shape (m, 4) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+    tabulated : Skew | None, optional
+        table of the mixed curvature; None: that of the package
+
+    Returns
+    -------
+    Array
+        changes, shape (m, 3) [-]
+    """
+    tabulated = tabulated or skew()
     return np.asarray(
-        mixed_radial(x, known) @ known.weights + mixed_oil_terms(x, alpha, z) @ known.oils
+        mixed_radial(x, tabulated) @ tabulated.weights
+        + mixed_oil_terms(x, alpha, z) @ tabulated.oils
     )
 
 
 def skew_bars(ratio: float, base: bool) -> Array:
-    """Errors of the first three functions at T/S, of the base oil or of any, shape (3,) [-]."""
+    """Give the errors of the first three functions with entrainment at an angle.
+
+    Parameters
+    ----------
+    ratio : float
+        T/S of the straight contact [-]
+    base : bool
+        whether the oil is that of the solves
+
+    Returns
+    -------
+    Array
+        errors, shape (3,) [-]
+    """
     return np.asarray(skew().bars[0 if base else 1, np.searchsorted(ACROSS_CLASSES, ratio)])

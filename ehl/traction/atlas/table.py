@@ -35,7 +35,7 @@ PAIRS = np.triu_indices(3)
 NO_STEP = np.array([0.0, 1.0, 0.0, 1.0, 1.0, 1.0])  # of a patch without a step [-]
 
 
-# of A, between which the patch of light contacts gives way to that of heavy ones [-]
+# interval of A in which the patch of light contacts gives way to that of heavy ones [-]
 SEAM = (7.0, 9.0)
 LIGHT = 7.0  # A below which contacts are light
 STEP = 0.2  # of the slanted ln A, up to which light contacts count to the step of their film [-]
@@ -61,10 +61,10 @@ class Patch(NamedTuple):
 
 
 class Table(NamedTuple):
-    """What the file holds [-]."""
+    """Contents of the file [-]."""
 
-    light: Patch
-    heavy: Patch
+    light: Patch  # patch of light contacts
+    heavy: Patch  # patch of heavy contacts
     # (2, 3, 6) relative errors, of Hc - H0 absolute ones, within which nineteen of twenty fresh
     # contacts lie, below and above the beginning of the seam: of the base oil with D up to 1, of
     # that with D above 1, of other oils
@@ -85,32 +85,69 @@ def table() -> Table:
         return Table(light=light, heavy=heavy, bars=file["bars"], step_bars=file["step_bars"])
 
 
-def bars_of(x: Array, base: NDArray[np.bool_]) -> Array:
-    """Errors of the six functions at x of shape (m, 3), shape (m, 6) [-]; base: whether the oil is
-    that of the solves, shape (m,).
+def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:
+    """Give the errors of the six functions.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+    base : NDArray[np.bool_]
+        whether the oil is that of the solves, shape (m,)
+
+    Returns
+    -------
+    Array
+        errors, shape (m, 6) [-]
     """
-    light, _, known, at_step = table()
+    light, _, tabulated, at_step = table()
     heavy = x[:, 0] >= log(SEAM[0])
     wide = x[:, 2] > 0.0
     away = np.abs(slanted(x, light.slant)[:, 0] - light.step[0])
     # 1. errors of all kinds: by load, ratio and oil, then of light contacts at the step
-    plain = np.stack([known[:, :2], np.maximum(known[:, :2], known[:, 2:])], axis=2)
-    kinds = np.concatenate([plain, np.maximum(plain[:1], at_step)]).reshape(-1, known.shape[2])
+    plain = np.stack([tabulated[:, :2], np.maximum(tabulated[:, :2], tabulated[:, 2:])], axis=2)
+    kinds = np.concatenate([plain, np.maximum(plain[:1], at_step)]).reshape(-1, tabulated.shape[2])
     # 2. kinds of these contacts
     first = np.where((away < STEP) & ~heavy, 2, heavy)
     return np.asarray(kinds[4 * first + 2 * wide + ~base])
 
 
-def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:
-    """Share of the patch of heavy contacts at ln A, and its derivative, in its shape [-]."""
+def heavy_weight(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:
+    """Weight the patch of heavy contacts by a cubic step over the seam.
+
+    Parameters
+    ----------
+    log_load : Array
+        ln A, any shape [-]
+    seam : tuple[float, float], default SEAM
+        A at both ends of the seam [-]
+
+    Returns
+    -------
+    weight
+        weight, shape of `log_load` [-]
+    slope
+        its derivative by ln A, of this shape [-]
+    """
     low, high = np.log(seam)
     t = np.clip((log_load - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low)
 
 
 def slanted(x: Array, slant: Array) -> Array:
-    """Places (ln A + c_0 ln D + c_1 (ln D)^2 + c_2 sqrt L + c_3 L, sqrt L, ln D) of (ln A, sqrt L,
-    ln D), shape (m, 3) [-].
+    """Evaluate (ln A + c_0 ln D + c_1 (ln D)^2 + c_2 sqrt L + c_3 L, sqrt L, ln D).
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+    slant : Array
+        c_0 to c_3, shape (4,) [-]
+
+    Returns
+    -------
+    Array
+        slanted positions, shape (m, 3) [-]
     """
     _, root, ratio = x.T
     first = x[:, 0] + np.stack([ratio, ratio**2, root, root**2], axis=1) @ slant
@@ -118,87 +155,215 @@ def slanted(x: Array, slant: Array) -> Array:
 
 
 def trend_terms(x: Array) -> Array:
-    """1, x_j and x_j x_k of places of shape (m, 3), shape (m, 10) [-]."""
+    """Evaluate 1, x_j and x_j x_k.
+
+    Parameters
+    ----------
+    x : Array
+        positions, shape (m, 3) [-]
+
+    Returns
+    -------
+    Array
+        terms, shape (m, 10) [-]
+    """
     first, second = PAIRS
     return np.concatenate([np.ones((len(x), 1)), x, x[:, first] * x[:, second]], axis=1)
 
 
 def radial(x: Array, places: Array, scales: Array) -> Array:
-    """Radial functions of places (n, 3) at x of shape (m, 3), shape (m, n) [-]."""
+    """Evaluate Matern's radial functions of 5/2.
+
+    Parameters
+    ----------
+    x : Array
+        positions, shape (m, 3) [-]
+    places : Array
+        centres of the functions, shape (n, 3) [-]
+    scales : Array
+        scales along the axes, shape (3,) [-]
+
+    Returns
+    -------
+    Array
+        functions, shape (m, n) [-]
+    """
     steps = (x[:, None, :] - places[None, :, :]) / scales
     t = np.sqrt(5.0 * np.einsum("ijk,ijk->ij", steps, steps))
     return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
 
 
-def near(x: Array, places: Array, scales: Array, step: Array) -> Array:
-    """Radial functions of slanted places (n, 3) at x of shape (m, 3) with those around a step of
-    `Patch`, shape (m, n) [-].
+def slanted_radial(x: Array, places: Array, scales: Array, step: Array) -> Array:
+    """Evaluate radial functions with those around the step of a patch.
+
+    Parameters
+    ----------
+    x : Array
+        slanted positions, shape (m, 3) [-]
+    places : Array
+        slanted centres, shape (n, 3) [-]
+    scales : Array
+        scales along the axes, shape (3,) [-]
+    step : Array
+        centre, width, variance and scales of the step, as in `Patch`, shape (6,) [-]
+
+    Returns
+    -------
+    Array
+        functions, shape (m, n) [-]
     """
-    found = radial(x, places, scales)
+    result = radial(x, places, scales)
     centre, width, variance = step[:3]
     if variance > 0.0:
         here, there = (np.exp(-0.5 * ((y[:, 0] - centre) / width) ** 2) for y in (x, places))
-        found += variance * np.outer(here, there) * radial(x, places, step[3:])
-    return found
+        result += variance * np.outer(here, there) * radial(x, places, step[3:])
+    return result
 
 
-def near_sums(x: Array, places: Array, scales: Array, step: Array, weights: Array) -> Array:
-    """The functions of `near` times weights (n, k) [-], shape (m, k), compiled."""
-    found = np.empty((len(x), len(places)))
-    near_functions(x, places, scales, step, found)
-    return np.asarray(found @ weights)
+def weighted_radial_sums(
+    x: Array, places: Array, scales: Array, step: Array, weights: Array
+) -> Array:
+    """Sum the functions of `slanted_radial` by weights, compiled.
+
+    Parameters
+    ----------
+    x : Array
+        slanted positions, shape (m, 3) [-]
+    places : Array
+        slanted centres, shape (n, 3) [-]
+    scales : Array
+        scales along the axes, shape (3,) [-]
+    step : Array
+        centre, width, variance and scales of the step, shape (6,) [-]
+    weights : Array
+        weights of the functions, shape (n, k) [-]
+
+    Returns
+    -------
+    Array
+        sums, shape (m, k) [-]
+    """
+    result = np.empty((len(x), len(places)))
+    near_functions(x, places, scales, step, result)
+    return np.asarray(result @ weights)
 
 
 def oil_features(x: Array, alpha: Array, z: Array) -> Array:
-    """sqrt L/4 times {z', a, z' a/2, a^2/2, z'^2/2} at x of shape (m, 3), shape (m, 5) [-]; a =
-    ln(alpha/alpha_0)/0.45, z' = (z - z_0)/0.2: zero for the oil of the solves, and at L = 0; alpha
-    [1/Pa].
+    """Evaluate sqrt L/4 times {z', a, z' a/2, a^2/2, z'^2/2}.
+
+    a = ln(alpha/alpha_0)/0.45, z' = (z - z_0)/0.2: zero for the oil of the solves, and at L = 0.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+
+    Returns
+    -------
+    Array
+        features, shape (m, 5) [-]
     """
     a = np.log(np.asarray(alpha) / BASE_ALPHA) / OIL_UNITS[1]
     d = (np.asarray(z) - BASE_Z) / OIL_UNITS[0]
-    own = np.stack([d, a, 0.5 * d * a, 0.5 * a * a, 0.5 * d * d], axis=1)
-    return np.asarray(0.25 * x[:, 1:2] * own)
+    terms = np.stack([d, a, 0.5 * d * a, 0.5 * a * a, 0.5 * d * d], axis=1)
+    return np.asarray(0.25 * x[:, 1:2] * terms)
 
 
 def with_line(features: Array, x: Array) -> Array:
-    """Features (m, 5) times {1, x_j}, shape (m, 20) [-]."""
+    """Multiply features by {1, x_j}.
+
+    Parameters
+    ----------
+    features : Array
+        features of oils, shape (m, 5) [-]
+    x : Array
+        positions, shape (m, 3) [-]
+
+    Returns
+    -------
+    Array
+        products, shape (m, 20) [-]
+    """
     line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
     return np.asarray((features[:, :, None] * line[:, None, :]).reshape(len(x), -1))
 
 
 def patch_base(patch: Patch, x: Array) -> Array:
-    """The six functions of a patch with the oil of the solves at x of shape (m, 3), shape (m, 6)
-    [-].
+    """Evaluate the six functions of a patch with the oil of the solves.
+
+    Parameters
+    ----------
+    patch : Patch
+        functions over a region of the atlas
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+
+    Returns
+    -------
+    Array
+        functions, shape (m, 6) [-]
     """
-    own = slanted(x, patch.slant)
-    base = patch.mean + trend_terms(own) @ patch.trend
-    base += near_sums(own, patch.places, patch.scales, patch.step, patch.weights)
+    slanted_x = slanted(x, patch.slant)
+    base = patch.mean + trend_terms(slanted_x) @ patch.trend
+    base += weighted_radial_sums(slanted_x, patch.places, patch.scales, patch.step, patch.weights)
     return np.asarray(base)
 
 
 def patch_oils(patch: Patch, x: Array) -> Array:
-    """What each feature of an oil is multiplied by at x of shape (m, 3), shape (m, 5, 6) [-]."""
+    """Evaluate the coefficient of each feature of an oil.
+
+    Parameters
+    ----------
+    patch : Patch
+        functions over a region of the atlas
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+
+    Returns
+    -------
+    Array
+        coefficients, shape (m, 5, 6) [-]
+    """
     line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
     features, weights = patch.oil_features, patch.oil_weights
     products = (features[:, :, None] * weights[:, None, :]).reshape(len(weights), -1)
-    around = near_sums(x, patch.oil_places, patch.oil_scales, NO_STEP, products)
+    around = weighted_radial_sums(x, patch.oil_places, patch.oil_scales, NO_STEP, products)
     trend = np.einsum("mc,fck->mfk", line, patch.oil_trend.reshape(-1, 4, weights.shape[1]))
     return np.asarray(trend + around.reshape(trend.shape))
 
 
-def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> Array:
-    """The six functions at x of shape (m, 3), shape (m, 6) [-]; alpha [1/Pa]; known: None for the
-    table as it is stored.
+def functions(x: Array, alpha: Array, z: Array, tabulated: Table | None = None) -> Array:
+    """Evaluate the six functions of the atlas.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+    tabulated : Table | None, optional
+        table; None: that of the package
+
+    Returns
+    -------
+    Array
+        functions, shape (m, 6) [-]
     """
-    known = known or table()
-    share = heavy_share(x[:, 0])[0]
+    tabulated = tabulated or table()
+    fraction = heavy_weight(x[:, 0])[0]
     features = oil_features(x, alpha, z)
-    found = np.zeros((len(x), known.bars.shape[-1]))
-    for patch, weight in ((known.light, 1.0 - share), (known.heavy, share)):
-        own = weight > 0.0
-        if own.any():
-            values = patch_base(patch, x[own])
-            if features[own].any():
-                values += np.einsum("mf,mfk->mk", features[own], patch_oils(patch, x[own]))
-            found[own] += weight[own, None] * values
-    return found
+    result = np.zeros((len(x), tabulated.bars.shape[-1]))
+    for patch, weight in ((tabulated.light, 1.0 - fraction), (tabulated.heavy, fraction)):
+        inside = weight > 0.0
+        if inside.any():
+            values = patch_base(patch, x[inside])
+            if features[inside].any():
+                values += np.einsum("mf,mfk->mk", features[inside], patch_oils(patch, x[inside]))
+            result[inside] += weight[inside, None] * values
+    return result

@@ -1,4 +1,4 @@
-"""What a rotation of the entrainment does to films."""
+"""Effect of a rotation of the entrainment on films."""
 
 from math import exp, inf
 from typing import NamedTuple
@@ -16,7 +16,7 @@ SLIM = 0.1  # Rx/Ry up to which ellipses are as those of ball bearings
 
 
 class Turning(NamedTuple):
-    """What a rotation does to films in slim ellipses [-]."""
+    """Effect of a rotation on films in slim ellipses [-]."""
 
     load: float  # A up to which it counts
     ratio: float  # Rx/Ry up to which it counts
@@ -33,18 +33,48 @@ TURNING = (
 )
 
 
-def known_turning(load: float, ratio: float) -> Turning | None:
-    """What is known of a rotation at A and Rx/Ry; None in wide ellipses."""
-    return next((own for own in TURNING if load < own.load and ratio <= own.ratio), None)
+def rotation_law(load: float, ratio: float) -> Turning | None:
+    """Give the effect of a rotation at a load and an ellipse.
 
+    Parameters
+    ----------
+    load : float
+        A of the contact [-]
+    ratio : float
+        Rx/Ry [-]
 
-def by_rotation(load: float, ratio: float, turning: float) -> tuple[float, float, float]:
-    """What a rotation t of the entrainment leaves of the minimum film, its error and that of the
-    central film [-].
+    Returns
+    -------
+    Turning | None
+        coefficients; None in wide ellipses
     """
-    own = known_turning(load, ratio)
-    if own is None:
+    return next((law for law in TURNING if load < law.load and ratio <= law.ratio), None)
+
+
+def rotation_effect(load: float, ratio: float, turning: float) -> tuple[float, float, float]:
+    """Evaluate the effect of a rotation of the entrainment on both films.
+
+    Parameters
+    ----------
+    load : float
+        A of the contact [-]
+    ratio : float
+        Rx/Ry [-]
+    turning : float
+        speed at the end of the ellipse by the rotation, over u_m [-]
+
+    Returns
+    -------
+    minimum
+        factor on the minimum film [-]
+    minimum_error
+        its error [-]
+    central_error
+        relative error of the central film [-]
+    """
+    law = rotation_law(load, ratio)
+    if law is None:
         return 1.0, ROTATION_WIDE * turning, TURNING[0].central_error * turning**2
     square = turning**2
-    lowered = exp(-own.minimum * square)
-    return lowered, own.minimum_error * square, own.central_error * square
+    lowered = exp(-law.minimum * square)
+    return lowered, law.minimum_error * square, law.central_error * square

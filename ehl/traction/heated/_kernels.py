@@ -36,7 +36,7 @@ heat of sliding.
 
 import numpy as np
 
-from ...compiled import allocating, compiled
+from ...compiled import compiled
 from ...oil._rheology_kernels import limiting_stress, shear_stress
 from .._block_kernels import BLOCK, F_X, F_Y, M_N, M_Y, ROOM, SQUARES, block_sums, load_block
 from .._kernels import AREA as COLD_AREA
@@ -190,7 +190,7 @@ def cold_line(line, law, slide):
     return max(cold, TINY)
 
 
-@allocating
+@compiled
 def line_factors(film, law, responses, slides, out):
     """`heated_line` over `cold_line` of all lines for pairs of responses, shape (R, 2), and rising
     sliding speeds; out, shape (L, R, S) [-].
@@ -257,7 +257,7 @@ def factor_at(factors, weights, near, place):
     return total
 
 
-@allocating
+@compiled
 def factored_sums(lines, law, axis, motions, weights, surface, out):
     """Forces and moments on body 1 by sliding over the lines of a film for n motions, added to
     out, shape (n, 4): those without heat of sliding, times the factor of each line.

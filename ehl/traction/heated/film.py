@@ -41,7 +41,7 @@ SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
 SLIDE_RATIOS = (0.0, 0.5, 1.1, 1.5, 1.8, 1.95, 2.0, 2.2)
 # sliding speeds of the factors over that of entrainment, and their number, even in the logarithm
 SLIDES = (1e-4, 4.0, 28)
-ALIKE = 1e-9  # relative difference of numbers that count as equal
+EQUALITY_RTOL = 1e-9  # relative difference of numbers that count as equal
 FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken
 
 
@@ -60,10 +60,21 @@ class HeatedLines:
     speed: float  # of entrainment [m/s]
     solids: tuple[SolidThermal, SolidThermal]  # body 1 and body 2
     semi_axis: float  # of the contact along the lines [m]
-    rheology: Rheology
+    rheology: Rheology  # shear law with the stresses of the contact
 
     def wall_response(self, slide_x: Array) -> Array:
-        """1/(sqrt(pi u) e) of both bodies at n sliding speeds [m/s], shape (n, 2) [K m^1.5/W]."""
+        """Evaluate the response 1/(sqrt(pi u) e) of both bodies at sliding speeds.
+
+        Parameters
+        ----------
+        slide_x : Array
+            sliding speeds along the entrainment, shape (n,) [m/s]
+
+        Returns
+        -------
+        Array
+            response of body 1 and body 2, shape (n, 2) [K m^1.5/W]
+        """
         speeds = self.speed + 0.5 * slide_x, self.speed - 0.5 * slide_x
         bodies = zip(speeds, self.solids, strict=True)
         return np.stack([response_factor(u, solid, self.semi_axis) for u, solid in bodies], axis=1)
@@ -79,8 +90,8 @@ class HeatedLines:
         x, y, _, film, eta, pressure, temperature = np.moveaxis(self.lines[..., :7], -1, 0)
         size, width = np.sqrt(12.0 * np.moveaxis(self.lines[..., 9:11], -1, 0))
         y, width = strip_places(y, width)
-        known = (x, np.log(film), np.log(eta), pressure, temperature, size)
-        x, film, eta, pressure, temperature, size = (on_strips(values) for values in known)
+        smooth_fields = (x, np.log(film), np.log(eta), pressure, temperature, size)
+        x, film, eta, pressure, temperature, size = (on_strips(values) for values in smooth_fields)
         limit = limiting_stress(np.maximum(pressure, 0.0), self.rheology, temperature)
         spread = (size**2 / 12.0, width**2 / 12.0)
         rows = (x, y, size * width, np.exp(film), np.exp(eta), limit, *spread)
@@ -100,9 +111,9 @@ class HeatedLines:
         slides = self.slides
         responses = self.wall_response(_ratio_nodes() * self.speed)
         # once where lines are mirror images of each other, and where both bodies are alike
-        mirrored = _alike(self.lines[..., 2:], self.lines[::-1, :, 2:])
+        mirrored = _equal(self.lines[..., 2:], self.lines[::-1, :, 2:])
         lines = (self.span.size + 1) // 2 if mirrored else self.span.size
-        swapped = _alike(responses, responses[::-1, ::-1])
+        swapped = _equal(responses, responses[::-1, ::-1])
         first = len(SLIDE_RATIOS) - 1 if swapped else 0
         film = (self.lines[:lines], self.span[:lines], self.history)
         law, *constants = kernel_rheology(self.rheology)
@@ -114,24 +125,34 @@ class HeatedLines:
         return np.concatenate([out, out[self.span.size - lines - 1 :: -1]]) if mirrored else out
 
     def ratio_weights(self, slide_x: Array) -> Array:
-        """Weights of the factors' slide-roll ratios at n sliding speeds [m/s], shape (n, R) [-].
+        """Evaluate the weights of the factors' slide-roll ratios at sliding speeds.
 
         Cubics in the difference of what the bodies conduct, in which the factor is smooth where
         one of them comes to a stop; from there on linear, and constant beyond the last ratio.
+
+        Parameters
+        ----------
+        slide_x : Array
+            sliding speeds along the entrainment, shape (n,) [m/s]
+
+        Returns
+        -------
+        Array
+            weights, shape (n, R) [-]
         """
         nodes = _ratio_nodes()
-        places = np.clip(slide_x / self.speed, nodes[0], nodes[-1])
-        known = _difference(self.wall_response(nodes * self.speed))
-        at = _difference(self.wall_response(places * self.speed))
+        positions = np.clip(slide_x / self.speed, nodes[0], nodes[-1])
+        node_values = _difference(self.wall_response(nodes * self.speed))
+        at = _difference(self.wall_response(positions * self.speed))
         count = nodes.size
-        inside = np.clip(np.searchsorted(nodes, places) - 2, 1, count - 5)
-        first = np.where(places < -2.0, 0, np.where(places > 2.0, count - 2, inside))
-        beyond = np.abs(places) > 2.0
-        weights = np.zeros((places.size, count))
+        inside = np.clip(np.searchsorted(nodes, positions) - 2, 1, count - 5)
+        first = np.where(positions < -2.0, 0, np.where(positions > 2.0, count - 2, inside))
+        beyond = np.abs(positions) > 2.0
+        weights = np.zeros((positions.size, count))
         for chosen, points in ((np.flatnonzero(~beyond), 4), (np.flatnonzero(beyond), 2)):
             columns = first[chosen, None] + np.arange(points)
-            own = lagrange_weights(known[columns], at[chosen])
-            weights[chosen[:, None], columns] = own
+            chosen_weights = lagrange_weights(node_values[columns], at[chosen])
+            weights[chosen[:, None], columns] = chosen_weights
         return weights
 
 
@@ -139,17 +160,33 @@ class HeatedLines:
 class HeatedFilm:
     """A film with heat: lines of high pressure; other nodes keep the temperature of rolling."""
 
-    lines: HeatedLines
-    low_pressure: FilmQuadrature
+    lines: HeatedLines  # nodes of high pressure
+    low_pressure: FilmQuadrature  # nodes of low pressure
 
 
 def heated_film(
     solution: GeneralizedSolution, solids: tuple[SolidThermal, SolidThermal], rheology: Rheology
 ) -> HeatedFilm:
-    """Quadrature of a film that was solved with heat and without sliding; ValueError where it has
-    no temperatures or no dimensions.
+    """Build the quadrature of a film that was solved with heat and without sliding.
 
-    solids: body 1 and body 2; rheology: of the shear.
+    Parameters
+    ----------
+    solution : GeneralizedSolution
+        solved contact with its temperatures
+    solids : tuple[SolidThermal, SolidThermal]
+        thermal properties of body 1 and body 2
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    HeatedFilm
+        film ready to shear
+
+    Raises
+    ------
+    ValueError
+        if the film has no temperatures or no dimensions
     """
     contact = solution.contact
     conditions = dimensional_conditions(contact)
@@ -162,9 +199,9 @@ def heated_film(
     temperature, fluidity = log_mean_fluidity(solution.temperature, weights, contact.pressure, oil)
     # 1. lines where the pressure is high
     zone = hertz_zone(contact)
-    places = np.moveaxis(zone.fields[:2], 0, -1)
+    positions = np.moveaxis(zone.fields[:2], 0, -1)
     at_nodes = [
-        scipy.interpolate.RegularGridInterpolator((x, y), field)(places)
+        scipy.interpolate.RegularGridInterpolator((x, y), field)(positions)
         for field in (temperature, fluidity)
     ]
     lines = _lines(zone, at_nodes, oil, rheology, conditions.entrainment_speed)
@@ -218,11 +255,19 @@ def _lines(
 
 
 def line_history(places: Array) -> Array:
-    """Weights of the fluxes at places s along a line from 0 on in int q ds'/sqrt(s - s'), shape
-    (n, n) [m^0.5/m^0.5].
+    """Evaluate the weights of the fluxes along a line in int q ds'/sqrt(s - s').
 
-    Product integration, q linear between the places and from zero at 0 on; row j for the place j.
-    The places rise, from above zero.
+    Product integration, q linear between the nodes and from zero at s = 0 on; row j for node j.
+
+    Parameters
+    ----------
+    places : Array
+        positions s along the line, rising, above zero, shape (n,) [m]
+
+    Returns
+    -------
+    Array
+        weights, shape (n, n) [m^0.5]
     """
     nodes = np.concatenate([[0.0], places])
     weights = np.zeros((places.size, nodes.size))
@@ -239,9 +284,23 @@ def line_history(places: Array) -> Array:
 def heated_forces(
     film: HeatedFilm, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
 ) -> Array:
-    """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
+    """Sum the forces and moments of sliding on body 1, with the heat of sliding, for many motions.
 
-    slide, rolling and curvature as in `film_quadrature.sliding_forces` [m/s], [rad/s], [1/m].
+    Parameters
+    ----------
+    film : HeatedFilm
+        film ready to shear
+    slide : tuple[Array, Array, Array]
+        slide_x and slide_y [m/s], and spin [rad/s], each of shape (n,)
+    rolling : Array
+        relative rolling speed, shape (n,) [rad/s]
+    curvature : float
+        1/(2R) of the loaded surface across the entrainment [1/m]
+
+    Returns
+    -------
+    Array
+        F_x, F_y [N], M_n and M_y [N m], shape (n, 4)
     """
     forces = sliding_forces(film.low_pressure, slide, rolling, curvature)
     lines = film.lines
@@ -259,15 +318,26 @@ def heated_forces(
 
 
 def slide_axis(speed: float) -> tuple[float, float]:
-    """Logarithm of the first sliding speed of factors at an entrainment speed [m/s], and their
-    number per unit [-].
+    """Give the axis of the sliding speeds of the factors.
+
+    Parameters
+    ----------
+    speed : float
+        entrainment speed [m/s]
+
+    Returns
+    -------
+    first
+        logarithm of the first sliding speed in [m/s]
+    density
+        nodes per unit of the logarithm [-]
     """
     first, last, count = SLIDES
     return float(np.log(first * speed)), float((count - 1.0) / np.log(last / first))
 
 
-def _alike(first: Array, second: Array) -> bool:
-    return bool(np.allclose(first, second, rtol=ALIKE, atol=0.0))
+def _equal(first: Array, second: Array) -> bool:
+    return bool(np.allclose(first, second, rtol=EQUALITY_RTOL, atol=0.0))
 
 
 def _ratio_nodes() -> Array:
@@ -277,5 +347,7 @@ def _ratio_nodes() -> Array:
 
 
 def _difference(responses: Array) -> Array:
-    """Of what body 1 and body 2 conduct away, the inverse of their responses [W/(K m^1.5)]."""
+    """Subtract the heat that body 2 conducts away from that of body 1, the inverse of their
+    responses [W/(K m^1.5)].
+    """
     return np.asarray(1.0 / responses[:, 0] - 1.0 / responses[:, 1])

@@ -10,7 +10,20 @@ ROOTS = 2048  # linear between them, ln(g) is off by 1.1e-5 at most
 
 
 def nahme(loading: Array) -> tuple[Array, Array]:
-    """ln g and 2 ln(cosh m) at X = m tanh m, with g = sinh m cosh m/m [-]."""
+    """Solve Couette flow heated by itself at X = m tanh m, Nahme (1940), Gruntfest (1963).
+
+    Parameters
+    ----------
+    loading : Array
+        X, any shape [-]
+
+    Returns
+    -------
+    log_g
+        ln g with g = sinh m cosh m/m, shape of `loading` [-]
+    log_cosh
+        2 ln(cosh m), of this shape [-]
+    """
     x = np.maximum(np.asarray(loading, dtype=np.float64), 0.0)
     m = np.sqrt(x * x + x)
     for _ in range(NEWTON_STEPS):

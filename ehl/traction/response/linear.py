@@ -25,11 +25,11 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...multigrid.bordered import Border, LinearSolverError, solve_bordered
-from ...multigrid.cycle import layer_at_centre
+from ...multigrid.cycle import inlet_film_at_centre
 from ...multigrid.far_field import squeeze_load
 from ...multigrid.jacobian import Linearisation, deflected, origin_line, poiseuille_change
 from ...multigrid.levels import Multigrid
-from ...multigrid.newton import Factored, dry_nodes, polished
+from ...multigrid.newton import Factored, dry_nodes, newton_polished
 from ...multigrid.starved_jacobian import FluxChange, flux_change
 
 Numbers = NDArray[Any]  # real or complex
@@ -50,10 +50,10 @@ class SlowResponse:
 class LinearContact:
     """Linearised equations of the finest level of a contact, arrays of shape (ny, nx); all [-]."""
 
-    state: Multigrid
-    index: int
-    lin: Linearisation
-    factored: Factored
+    state: Multigrid  # levels of the contact
+    index: int  # number of the finest level
+    lin: Linearisation  # linearised equations
+    factored: Factored  # near field
     squeeze: Array  # pressure on the edge by -dH0/dT
     squeeze_load: float  # load outside by the same
 
@@ -80,34 +80,76 @@ class LinearContact:
         )
 
     def at(self, frequency: float) -> tuple[float, float]:
-        """Stiffness and damping at an angular frequency times a/u_m above zero.
+        """Evaluate stiffness and damping at a frequency above zero.
+
+        Parameters
+        ----------
+        frequency : float
+            angular frequency times a/u_m [-]
+
+        Returns
+        -------
+        stiffness
+            stiffness k [-]
+        damping
+            damping c of k + i omega c [-]
 
         Raises
         ------
         LinearSolverError
-            If the linear system is not solved.
+            if the linear system is not solved
         """
         h = self._solved(_Right(load=1.0), frequency)[1]
         reaction = -1.0 / h
         return reaction.real, reaction.imag / frequency
 
     def film_wave(self, gap: Numbers, frequency: float) -> Numbers:
-        """Change of the film, shape (ny, nx), where the gap of the bodies oscillates by Re gap
-        exp(i omega T) under constant load, as by a waviness that passes; behind no layer.
+        """Evaluate the change of the film where the gap of the bodies oscillates under constant
+        load.
 
-        frequency: angular, times a/u_m [-].
+        The gap is Re gap exp(i omega T), as by a waviness that passes; not behind an inlet film.
+
+        Parameters
+        ----------
+        gap : Numbers
+            amplitude of the gap, shape (ny, nx), complex [-]
+        frequency : float
+            angular frequency times a/u_m [-]
+
+        Returns
+        -------
+        Numbers
+            amplitude of the film, shape (ny, nx), complex [-]
 
         Raises
         ------
         LinearSolverError
-            If the linear system is not solved.
+            if the linear system is not solved
         """
         p, h = self._waved(gap, frequency)
         return np.asarray(self._film(p, h) + gap)
 
-    def apart(self, gap: Numbers, frequency: float) -> complex:
-        """What the same gap moves the bodies apart by under constant load; of a long wave, its
-        amplitude. Arguments and errors as of `film_wave`.
+    def body_separation(self, gap: Numbers, frequency: float) -> complex:
+        """Evaluate by how much an oscillating gap separates the bodies under constant load.
+
+        Of a long wave it is its amplitude.
+
+        Parameters
+        ----------
+        gap : Numbers
+            amplitude of the gap, shape (ny, nx), complex [-]
+        frequency : float
+            angular frequency times a/u_m [-]
+
+        Returns
+        -------
+        complex
+            amplitude of the separation, complex [-]
+
+        Raises
+        ------
+        LinearSolverError
+            if the linear system is not solved
         """
         return complex(self._waved(gap, frequency)[1])
 
@@ -187,16 +229,26 @@ class _Right:
 def linear_contact(state: Multigrid) -> LinearContact:
     """Linearise a solved contact on its finest level, which Newton steps polish first.
 
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the solved contact
+
+    Returns
+    -------
+    LinearContact
+        linearised contact
+
     Raises
     ------
     LinearSolverError
-        If the steps do not lead to a solution, or oil flows across the lines behind a layer.
+        if the steps do not lead to a solution, or oil flows across the lines behind an inlet film
     """
     index = len(state.levels) - 1
-    fill = state.levels[index].fill
+    fill = state.levels[index].film_content
     if fill is not None and fill.across.size:
         raise LinearSolverError("behind a layer no oil may flow across the lines of the grid")
-    lin, factored = polished(state, index)
+    lin, factored = newton_polished(state, index)
     squeeze = np.zeros_like(lin.P)
     load = 0.0
     if state.far_field is not None:
@@ -204,7 +256,7 @@ def linear_contact(state: Multigrid) -> LinearContact:
         kappa = state.contact.speed / (2.0 * curvature)
         wet = lin.edge & (lin.P > 0.0)
         squeeze[wet] = kappa / lin.H[wet] ** 2
-        load = kappa * squeeze_load(state.far_field, lin.grid, lin.H, layer_at_centre(state))
+        load = kappa * squeeze_load(state.far_field, lin.grid, lin.H, inlet_film_at_centre(state))
     return LinearContact(
         state=state, index=index, lin=lin, factored=factored, squeeze=squeeze, squeeze_load=load
     )

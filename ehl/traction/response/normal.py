@@ -11,7 +11,7 @@ from ...closed_form.hertz import hertz_contact
 from ...conditions import ContactConditions, MoesConditions
 from ...multigrid.bordered import LinearSolverError
 from ...multigrid.levels import Multigrid
-from ...multigrid.newton import MOST_NODES
+from ...multigrid.newton import MAX_NODES
 from ...options import SolverOptions
 from ...scaling import scale_contact
 from ...solution import ContactSolution
@@ -21,11 +21,11 @@ from .linear import LinearContact, SlowResponse, linear_contact
 POINTS = (257, 513)  # the first that resolves the film, and half of them
 COARSEST = 65
 # error of the extrapolated value over the step between the meshes; a third is what order 2 adds
-MESH_SHARE = 0.5
+MESH_FRACTION = 0.5
 # error of a stiffness k over (1 - k/k_H) k/points, k_H of the dry contact: the edge of the cavity
 # stands by a node, and what the film gives in changes with its place from mesh to mesh
 EDGE_ERROR = 2.6
-LAYER_SHARE = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
+INLET_FILM_FRACTION = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
 # angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
 # there, and is too small a part of the reaction to be told from it
 SLOWEST = 0.02
@@ -36,8 +36,8 @@ FASTEST = 10.0  # likewise; beyond it a mesh no longer carries the film's wave
 class ResponseValue:
     """A stiffness [N/m] or damping [N s/m], and its error bar in the same unit."""
 
-    value: float
-    uncertainty: float
+    value: float  # in the unit of the quantity
+    uncertainty: float  # error bar in this unit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,9 +48,9 @@ class NormalResponse:
 
     stiffness: ResponseValue  # -dF/dh_0 [N/m], slow movement
     damping: ResponseValue  # -dF/d(dh_0/dt) [N s/m], slow movement
-    converged: bool
+    converged: bool  # whether the film and all systems were solved
     resolved: bool  # the film, by the finer mesh
-    message: str
+    message: str  # status of the solve
     frequencies: tuple[float, ...] = ()  # [Hz]
     stiffnesses: tuple[ResponseValue, ...] = ()  # at these [N/m]
     dampings: tuple[ResponseValue, ...] = ()  # [N s/m]
@@ -61,23 +61,37 @@ def normal_response(
     options: SolverOptions | None = None,
     frequencies: Sequence[float] = (),
 ) -> NormalResponse:
-    """Stiffness [N/m] and damping [N s/m] of a Newtonian, isothermal contact, slow and at
-    frequencies [Hz]; with a layer at the inlet as solved behind it.
+    """Evaluate stiffness and damping of a Newtonian, isothermal contact, slow and at frequencies.
 
     The contact is solved on 257 points along x (513 if those do not resolve the film), or those of
     the options, and on half as many; both values are extrapolated with order 2. The error bar
-    holds a part of that step, of the stiffness what the edge of the cavity leaves at least, and
-    what is not known of the squeeze beyond an open box: half of what it adds at most. Behind a
-    layer nothing is extrapolated and the bar is twice the step. There
-    the damping of slow movement may be negative: bodies that close in feed the meniscus, at the
-    cost of the film; faster than the meniscus follows it is positive. Where oil flows across the
-    lines of the grid, as with an entrainment that turns, a layer's response is not known.
+    includes a fraction of that step, of the stiffness the error at the edge of the cavity, and the
+    uncertainty of the squeeze beyond an open box: half of its contribution. Behind an inlet film,
+    where the contact is solved with it, nothing is extrapolated and the bar is twice the step.
+    There the damping of slow movement may be negative: bodies that approach feed the meniscus, at
+    the cost of the film; faster than the meniscus follows it is positive. Where oil flows across
+    the lines of the grid, as with an entrainment that turns, the response of an inlet film is
+    unknown.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        contact with dimensions
+    options : SolverOptions | None, optional
+        options of the solver; None: its defaults
+    frequencies : Sequence[float], default ()
+        frequencies of the oscillation [Hz]
+
+    Returns
+    -------
+    NormalResponse
+        stiffness [N/m] and damping [N s/m]
 
     Raises
     ------
     ValueError
-        If the conditions have no lengths, or a frequency is not above zero or beyond 10 u_m/(2 pi
-        a).
+        if the conditions have no lengths, or a frequency is not above zero or beyond 10 u_m/(2 pi
+        a)
     """
     if isinstance(conditions, MoesConditions):
         raise ValueError("conditions: stiffness and damping need lengths")
@@ -109,16 +123,30 @@ def normal_response(
 def wave_transmission(
     conditions: ContactConditions, options: SolverOptions, numbers: Sequence[float]
 ) -> NDArray[np.complex128]:
-    """Part of waves, along the rolling direction and as fast as the surfaces, by which they move
-    the bodies under constant load [-]; one along the contact's middle, a late answer turned back.
+    """Evaluate the fraction of waves by which they move the bodies under constant load.
 
-    numbers: 2 pi a over the wavelength, a the semi-axis along x [-]; the film at rest is solved on
-    the points of the options.
+    Waves run along the rolling direction as fast as the surfaces; the value is one along the
+    contact's middle, and a late answer has a phase. The film at rest is solved on the points of
+    the options.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        contact with dimensions
+    options : SolverOptions
+        options of the solver
+    numbers : Sequence[float]
+        2 pi a over the wavelengths, a the semi-axis along x [-]
+
+    Returns
+    -------
+    NDArray[np.complex128]
+        transmitted fractions, complex, shape (n,) [-]
 
     Raises
     ------
     LinearSolverError
-        If the contact or a linear system is not solved.
+        if the contact or a linear system is not solved
     """
     solution, state = solve_attempts(conditions, options)
     if not solution.converged:
@@ -128,19 +156,41 @@ def wave_transmission(
     parts = []
     for number in numbers:
         gap = np.exp(-1j * number * grid.X)[None, :] * np.ones((grid.ny, 1))
-        parts.append(-contact.apart(gap, number))
+        parts.append(-contact.body_separation(gap, number))
     return np.array(parts, dtype=np.complex128)
 
 
 def highest_frequency(conditions: ContactConditions) -> float:
-    """Up to which the response of a contact can be computed [Hz]: 10 u_m/(2 pi a)."""
+    """Give the highest frequency of a response, 10 u_m/(2 pi a).
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        contact with dimensions
+
+    Returns
+    -------
+    float
+        frequency [Hz]
+    """
     a = scale_contact(conditions).semi_axis_x
     assert a is not None
     return FASTEST * conditions.entrainment_speed / (2.0 * pi * a)
 
 
 def dry_stiffness(conditions: ContactConditions) -> float:
-    """Of Hertz' contact, 3/2 of the load over the approach [N/m]."""
+    """Evaluate the stiffness of Hertz' contact, 3/2 of the load over the approach.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        contact with dimensions
+
+    Returns
+    -------
+    float
+        stiffness [N/m]
+    """
     c = conditions
     dry = hertz_contact(c.load, c.radius_x, c.radius_y, c.reduced_modulus)
     return 1.5 * c.load / dry.approach
@@ -176,14 +226,14 @@ def _mesh(
     solution, state = solved
     if not solution.converged:
         raise LinearSolverError(solution.message)
-    if state.levels[-1].P.size > MOST_NODES:
-        raise LinearSolverError(f"more than the {MOST_NODES} nodes that are factored")
+    if state.levels[-1].P.size > MAX_NODES:
+        raise LinearSolverError(f"more than the {MAX_NODES} nodes that are factored")
     a, scale = solution.semi_axis_x, solution.film_scale
     assert a is not None and scale is not None
     time = a / conditions.entrainment_speed
     contact: LinearContact = linear_contact(state)
     slow: SlowResponse = contact.slow()
-    # of p_h a^2 over a^2/R_x, and the time a/u_m
+    # unit of stiffness p_h a^2 over a^2/R_x, and the time a/u_m
     unit = conditions.load / (state.contact.load * scale)
     samples = []
     for frequency in frequencies:
@@ -220,14 +270,14 @@ def _extrapolated(
         if single:
             return ResponseValue(value=after - shift, uncertainty=abs(after))
         step = after - before
-        bar = hypot((LAYER_SHARE if starved else MESH_SHARE) * step, shift)
+        bar = hypot((INLET_FILM_FRACTION if starved else MESH_FRACTION) * step, shift)
         without_mesh = after if starved else after + step / 3.0
         return ResponseValue(value=without_mesh - shift, uncertainty=bar)
 
     def stiffness(before: float, after: float) -> ResponseValue:
         edge = EDGE_ERROR / fine.points * abs(after) * abs(1.0 - after / dry)
-        found = value(before, after, 0.0)
-        return replace(found, uncertainty=max(found.uncertainty, edge))
+        result = value(before, after, 0.0)
+        return replace(result, uncertainty=max(result.uncertainty, edge))
 
     samples = list(zip(coarse.over_frequency, fine.over_frequency, strict=True))
     return NormalResponse(

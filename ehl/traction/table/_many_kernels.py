@@ -14,7 +14,7 @@ or with all their nodes (`patches`).
 
 import numpy as np
 
-from ...compiled import allocating, compiled, inlined
+from ...compiled import compiled, inlined
 from .._block_kernels import BLOCK as LAW_BLOCK
 from .._block_kernels import PULL as LAW_PULL
 from .._block_kernels import ROOM as LAW_ROOM
@@ -49,7 +49,7 @@ COARSE = 4  # squares between which one of those is evaluated that the others ar
 FINE = 16  # squares in a factor of two
 
 
-@allocating
+@compiled
 def node_pulls(nodes, law, slides, out):
     """Area times stress over sliding of nodes [N s/m] at slides [m/s], into out of shape (nodes,
     slides); nodes and law as `block_sums`.
@@ -271,7 +271,7 @@ def _add_group(room, film, tree, group, heat, surface, ends, first, near, own):
             _finish_row(room, heat, row, ends, first, near, own)
 
 
-@allocating
+@compiled
 def patch_sums(film, tree, heat, squares, motions, weights, surface, out):
     """Forces and moments on body 1 by sliding for n motions, added to out, shape (n, 4), by pulls
     of `node_pulls`; the numbers of all arrays but out in single precision.

@@ -16,12 +16,24 @@ from .build import FilmSampler
 from .film import FilmSample, TableFilm, motion_scales
 from .table import TableContact, TableRange
 
-LAYER = "flooded_layer_um: a thicker layer is what the atlas has moments of"
+LAYER = "flooded_layer_um: the atlas has rolling moments of thicker layers"
 
 
 def atlas_sampler(solve: FilmSampler) -> FilmSampler:
-    """A sampler of films by the atlas; by `solve` those of tables that it does not cover whole, so
-    that no film of a table steps beside its neighbour.
+    """Make a sampler of films by the atlas.
+
+    Tables that the atlas does not cover whole are sampled by `solve`, so that neighbouring films
+    have the same origin.
+
+    Parameters
+    ----------
+    solve : FilmSampler
+        sampler that solves films
+
+    Returns
+    -------
+    FilmSampler
+        sampler of films
     """
     asked: list[tuple[TableContact, TableRange, str]] = []  # the last, and why it is solved
 
@@ -51,7 +63,27 @@ def atlas_sampler(solve: FilmSampler) -> FilmSampler:
 def atlas_sample(
     contact: TableContact, limits: TableRange, place: tuple[float, float]
 ) -> FilmSample:
-    """The film at a place (ln load, ln speed); `NotInAtlasError` where the atlas has none."""
+    """Evaluate the film at a load and a speed from the atlas.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    place : tuple[float, float]
+        ln(load) and ln(speed), in [N] and [m/s]
+
+    Returns
+    -------
+    FilmSample
+        film with its scales, moment and response
+
+    Raises
+    ------
+    NotInAtlasError
+        if the atlas does not cover it
+    """
     load, speed = (exp(value) for value in place)
     _require_law(contact)
     conditions = contact.conditions(load, speed)
@@ -85,16 +117,16 @@ def atlas_sample(
 def _require_law(contact: TableContact) -> None:
     """NotInAtlasError unless films are isothermal and sheared as those judged."""
     if contact.solids is not None:
-        raise NotInAtlasError("film_model: isothermal films are what the atlas has")
+        raise NotInAtlasError("film_model: the atlas has isothermal films")
     law = contact.rheology
     if law.law is not ShearLaw.REE_EYRING or law.limiting_coefficient is None:
         raise NotInAtlasError(
-            "rheology: films sheared after Eyring up to a limiting stress are what the atlas has"
+            "rheology: the atlas has films sheared after Eyring up to a limiting stress"
         )
 
 
 def _not_covered(contact: TableContact, limits: TableRange) -> str:
-    """Why the atlas does not have all films of a table; nothing where it has."""
+    """Explain why the atlas does not have all films of a table; empty where it has."""
     try:
         _require_law(contact)
         for load, speed in product(limits.load, limits.speed):

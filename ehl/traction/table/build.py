@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
-from .check import check_places, doubtful_places, of_responses, table_error
+from .check import adaptive_check_points, check_points, response_message, table_error
 from .film import FilmSample, film_sample
 from .packing import mirrored, stored_values
-from .responses import Place, log_responses, wanted_responses
-from .splines import left_out_error, spline_coefficients
+from .responses import Place, log_responses, response_nodes
+from .splines import leave_one_out_error, spline_coefficients
 from .table import TableContact, TableError, TableRange, TractionTable, load_place
 from .values import grid_values
 
@@ -31,7 +31,8 @@ from .values import grid_values
 START = (12, 4, 55, 15, 35)
 HEATED_START = (19, 4, 59, 17, 37)
 SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
-# of the units of forces and moments: their largest bend where the motion that has it changes
+# degrees of the units of forces and moments: their largest bend where the motion that has it
+# changes
 UNIT_DEGREES = (5, 2)
 GROWTH = 1.4  # of the nodes of a motion
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
@@ -57,8 +58,8 @@ class TableOptions:
     seed: int = 52163  # of the random places of the check
     # solves the film of a place, as `film_sample`; a store of films takes its place
     sample: FilmSampler = film_sample
-    # of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, 4 at least;
-    # None: `START` or, with heat, `HEATED_START`
+    # nodes of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, 4 at
+    # least; None: `START` or, with heat, `HEATED_START`
     nodes: tuple[int, int, int, int, int] | None = None
     narrow: bool = False  # fewer of load to begin with where its range is narrow
 
@@ -83,9 +84,65 @@ def build_table(
     options: TableOptions | None = None,
     progress: Progress | None = None,
 ) -> TractionTable:
-    """Solve films and evaluate their shear until the table reaches its tolerance, its `error` in
-    the check; ValueError where a film cannot be used, naming load and speed. progress: called with
-    films done, films wanted so far, and the kind of step.
+    """Build a traction table: solve films and evaluate their shear until the check is within the
+    tolerance.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of loads, speeds and motions
+    options : TableOptions | None, optional
+        nodes, tolerance and rounds; None: the defaults
+    progress : Progress | None, optional
+        called with films done, films wanted so far, and the kind of step
+
+    Returns
+    -------
+    TractionTable
+        table with its error in the check
+
+    Raises
+    ------
+    ValueError
+        if a film cannot be used; the message names load and speed
+
+    Notes
+    -----
+    Building takes minutes: it solves some hundred contacts.
+
+    Examples
+    --------
+    A coarse table of films from the atlas, for a look at its use; leave out the options.
+
+    >>> from ehl import Lubricant
+    >>> from ehl.oil.rheology import Rheology, ShearLaw
+    >>> from ehl.traction.table.atlas_film import atlas_sampler
+    >>> from ehl.traction.table.film import film_sample
+    >>> contact = TableContact(
+    ...     radius_x=0.01,
+    ...     radius_y=0.02,
+    ...     reduced_modulus=226e9,
+    ...     lubricant=Lubricant(viscosity=0.04, pressure_viscosity=18e-9),
+    ...     rheology=Rheology(
+    ...         law=ShearLaw.REE_EYRING, eyring_stress=5e6, limiting_coefficient=0.05
+    ...     ),
+    ...     temperature=313.15,
+    ... )
+    >>> limits = TableRange(load=(40.0, 80.0), speed=(1.0, 2.0), slide_x=0.5)
+    >>> options = TableOptions(
+    ...     sample=atlas_sampler(film_sample),
+    ...     nodes=(4, 4, 9, 5, 5),
+    ...     rounds=1,
+    ...     check_films=1,
+    ...     check_doubtful=False,
+    ...     check_motions=10,
+    ...     check_responses=1,
+    ... )
+    >>> table = build_table(contact, limits, options)
+    >>> f"{table.forces(60.0, 1.5, 0.05, 0.0, 0.0).force_x:.1f} N"
+    '-0.9 N'
     """
     study = _study(contact, limits, options or TableOptions(), progress)
     for _ in range(study.options.rounds):
@@ -94,23 +151,40 @@ def build_table(
             break
         # more nodes on the axis whose values are worst predicted by their neighbours
         forces = mirrored(raw)[..., :2]
-        axis = int(np.argmax([left_out_error(forces, axis) for axis in range(5)]))
+        axis = int(np.argmax([leave_one_out_error(forces, axis) for axis in range(5)]))
         n = study.counts[axis]
         study.counts[axis] = 2 * n - 1 if axis < 2 else int(np.ceil(GROWTH * n))
     return table
 
 
 def check_table(table: TractionTable, contact: TableContact, options: TableOptions) -> TableError:
-    """Error of a table at films and motions not in it, by contact; forces [N], moments [N m]."""
+    """Measure the error of a table at films and motions between its nodes.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to check
+    contact : TableContact
+        contact whose films are solved for the check
+    options : TableOptions
+        films, motions and tolerance of the check
+
+    Returns
+    -------
+    TableError
+        errors of forces [-] and moments [-]
+    """
     return _error(_study(contact, table.range, options, None), table)
 
 
 def _error(study: _Study, table: TractionTable) -> TableError:
-    """Of a table at the films of the check, and at those where it is in doubt."""
+    """Evaluate the error of a table at the films of the check, and at those of the adaptive
+    points.
+    """
     options = study.options
     drawn = options.check_motions, options.seed
     if options.check_doubtful:
-        study.doubtful = _solve(study, [(place, False) for place in doubtful_places(table)])
+        study.doubtful = _solve(study, [(place, False) for place in adaptive_check_points(table)])
     error = table_error(table, study.contact, study.checks + study.doubtful, *drawn)
     return replace(error, tolerance=options.tolerance)
 
@@ -127,7 +201,7 @@ def _study(
         progress=progress or (lambda done, total, state: None),
         counts=[_first_loads(nodes[0], options.narrow, limits), *nodes[1:]],
     )
-    wanted = check_places(limits, options.check_films, options.check_responses, options.seed)
+    wanted = check_points(limits, options.check_films, options.check_responses, options.seed)
     study.checks = _solve(study, wanted)
     return study
 
@@ -183,7 +257,7 @@ def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
     rows = [[(float(q), float(u)) for u in _axis_nodes(axes[1])] for q in loads]
     keys = {place: (round(place[0], 9), round(place[1], 9)) for row in rows for place in row}
     known = [study.films.get(key) for key in keys.values()]
-    response = wanted_responses(
+    response = response_nodes(
         study.contact,
         list(keys),
         [film is not None and film.response is not None for film in known],
@@ -208,7 +282,10 @@ def _with_smooth_scales(films: list[list[FilmSample]], axes: Array) -> list[list
     known = np.log([[film.scales for film in row] for row in films])
     scales = np.exp(_smooth(known, axes, SCALE_DEGREES))
     return [
-        [replace(film, scales=tuple(own)) for film, own in zip(row, rows, strict=True)]
+        [
+            replace(film, scales=tuple(film_scales))
+            for film, film_scales in zip(row, rows, strict=True)
+        ]
         for row, rows in zip(films, scales.tolist(), strict=True)
     ]
 
@@ -273,7 +350,9 @@ def _unchecked(tolerance: float) -> TableError:
 
 
 def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionTable:
-    """Whether it converged, and what did not; at how many nodes the response is filled in."""
+    """Set whether the table converged, and the message on it; at how many nodes the response is
+    filled in.
+    """
     films = [*study.films.values(), *study.checks, *study.doubtful]
     bad = sum(not film.film.converged for film in films)
     error = table.error
@@ -289,7 +368,7 @@ def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionT
     message += _of_atlas(films)
     if error.largest_spin > error.tolerance:
         message += f"; moments of spin are off by up to {error.largest_spin:.2%} of their largest"
-    message += of_responses(study.checks, error)
+    message += response_message(study.checks, error)
     if filled:
         few = f"{filled} of {int(table.axes[0, 2] * table.axes[1, 2])} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"

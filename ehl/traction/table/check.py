@@ -1,5 +1,5 @@
-"""Check of a table: films at loads and speeds between its nodes, random ones and those where its
-splines bend most, their shear at random motions, and stiffness and damping at some of them.
+"""Check of a table by films at loads and speeds between its nodes. Random ones and those where its
+splines bend most are sheared at random motions; some have stiffness and damping.
 """
 
 from collections.abc import Sequence
@@ -17,34 +17,60 @@ from .values import table_motions
 
 # error of stiffness or damping that a table's message tells: their own error bars are 2 to 5 % [-]
 RESPONSE_TOLERANCE = 0.05
-# smallest motions of `straight_motions`: slide over the entrainment, spin over that over R_x; at
+# smallest motions of `spin_free_motions`: slide over the entrainment, spin over that over R_x; at
 # smaller ones traction goes with the motion
 SMALLEST_SLIDE = 1e-7
 SMALLEST_SPIN = 1e-5
-# of `standing_motions`: the slow body's speed over half the entrainment, across the slide over it
+# `standstill_motions`: slow body's speed over half the entrainment, across the slide over it
 SLOW = (1e-3, 0.25)
 SMALLEST_ACROSS = 1e-4
 
 
-def check_places(
+def check_points(
     limits: TableRange, films: int, responses: int, seed: int
 ) -> list[tuple[Place, bool]]:
-    """Random places of so many films, and whether stiffness and damping are solved there, too: at
-    the first ones.
+    """Draw films at random for the check of a table.
+
+    Parameters
+    ----------
+    limits : TableRange
+        range of the table
+    films : int
+        number of films [-]
+    responses : int
+        number of films, the first ones, with stiffness and damping [-]
+    seed : int
+        seed of the draw
+
+    Returns
+    -------
+    list[tuple[Place, bool]]
+        ln(load) and ln(speed) of each film, and whether its response is solved
     """
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
-    places = latin_hypercube(ends, films, np.random.default_rng(seed)).T
-    return [((float(q), float(u)), k < responses) for k, (q, u) in enumerate(places)]
+    positions = latin_hypercube(ends, films, np.random.default_rng(seed)).T
+    return [((float(q), float(u)), k < responses) for k, (q, u) in enumerate(positions)]
 
 
-def doubtful_places(table: TractionTable) -> list[Place]:
-    """Places between nodes of load and speed where fourth differences over the load, to which the
-    error of a cubic spline goes, are largest: of the force and of the spin moment, at the slow and
-    at the fast half of the speeds, between the last two nodes there; one where several are the
-    same.
+def adaptive_check_points(table: TractionTable) -> list[Place]:
+    """Choose positions between the nodes where the error of the splines is likely largest.
+
+    Fourth differences over the load, to which the error of a cubic spline goes, are largest there:
+    of the force and of the spin moment, at the slow and at the fast half of the speeds, between
+    the last two nodes there; equal positions count once.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to check
+
+    Returns
+    -------
+    list[Place]
+        ln(load) and ln(speed) of each position
     """
     loads, speeds = table.axes[:2]
-    # 1. of the splines' coefficients, by the largest over the motions
+    # 1. rows of the splines' coefficients, by the largest over the motions
     some = (slice(None), slice(1, -1), *(slice(None, None, 2),) * 3)
     bend = np.abs(np.diff(table.values[*some, :3].astype(np.float32), 4, axis=0)).max(
         axis=(2, 3, 4)
@@ -57,13 +83,15 @@ def doubtful_places(table: TractionTable) -> list[Place]:
     # 2. half-way between the nodes
     count = int(speeds[2])
     half = count // 2
-    found = []
+    result = []
     for kind in kinds:
-        for own, at in ((kind[:, :half], 0.5), (kind[:, half:], count - 1.5)):
-            row = int(np.argmax(own.max(axis=1)))
-            place = loads[0] + (row + 0.5) / loads[1]
-            found.append((float(log(-place) / LOAD_POWER), float(speeds[0] + at / speeds[1])))
-    return list(dict.fromkeys(found))
+        for half_differences, at in ((kind[:, :half], 0.5), (kind[:, half:], count - 1.5)):
+            row = int(np.argmax(half_differences.max(axis=1)))
+            coordinate = loads[0] + (row + 0.5) / loads[1]
+            result.append(
+                (float(log(-coordinate) / LOAD_POWER), float(speeds[0] + at / speeds[1]))
+            )
+    return list(dict.fromkeys(result))
 
 
 def table_error(
@@ -73,17 +101,37 @@ def table_error(
     motions: int,
     seed: int,
 ) -> TableError:
-    """Error at films of a contact, each at so many motions drawn evenly in the table's
-    coordinates, as many `straight_motions`, and as many `standing_motions`.
+    """Measure the error of a table at films of a contact.
+
+    Each film is sheared at motions drawn evenly in the table's coordinates, as many
+    `spin_free_motions`, and as many `standstill_motions`.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to check
+    contact : TableContact
+        contact of the films
+    films : Sequence[FilmSample]
+        films of the check
+    motions : int
+        motions of each kind at each film [-]
+    seed : int
+        seed of the draw
+
+    Returns
+    -------
+    TableError
+        errors of the table
     """
     rng, others, slow = (np.random.default_rng(seed + k) for k in (1, 2, 3))
     errors = []
     for film in films:
-        places = rng.uniform(-1.0, 1.0, (3, motions))
+        positions = rng.uniform(-1.0, 1.0, (3, motions))
         drawn = (
-            table_motions(contact, table.range, film, places),
-            straight_motions(contact, table.range, film.load, others, motions),
-            standing_motions(table.range, slow, motions),
+            table_motions(contact, table.range, film, positions),
+            spin_free_motions(contact, table.range, film.load, others, motions),
+            standstill_motions(table.range, slow, motions),
         )
         errors.append(_errors(contact, table, film, drawn))
     even, straight, standing = np.moveaxis(np.array(errors), 1, 0)
@@ -105,13 +153,31 @@ def table_error(
     )
 
 
-def straight_motions(
+def spin_free_motions(
     contact: TableContact, limits: TableRange, load: float, rng: np.random.Generator, count: int
 ) -> list[Array]:
-    """Motions over u, u and u/R_x of rolling without spin and with little, where traction turns
-    most sharply: slides even in their logarithm, along from the vertex on, across, or both, each
-    sign; every third with a spin, every twelfth a spin alone, the first of these the largest, flat
-    [-].
+    """Draw motions of rolling without spin and with little, where traction changes most sharply.
+
+    Slides are even in their logarithm, along from the vertex on, across, or both, of each sign;
+    every third has a spin, every twelfth a spin alone, the first of these the largest.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    load : float
+        load of the film [N]
+    rng : np.random.Generator
+        generator of random numbers
+    count : int
+        number of motions [-]
+
+    Returns
+    -------
+    list[Array]
+        slide_x/u, slide_y/u and spin R_x/u, each of shape (count,) [-]
     """
     ends = np.log([[SMALLEST_SLIDE] * 2 + [SMALLEST_SPIN], limits.motions])
     drawn = np.exp(ends[0] + (ends[1] - ends[0]) * rng.random((count, 3)))
@@ -127,10 +193,25 @@ def straight_motions(
     return [slide_x, slide_y, spin]
 
 
-def standing_motions(limits: TableRange, rng: np.random.Generator, count: int) -> list[Array]:
-    """Motions over u, u and u/R_x at which one body nearly stands still, where the traction turns
-    with the heat that it takes up, narrower the faster the contact: slow speeds even in their
-    logarithm, every eighth none; two of three with a slide across, every second with spin [-].
+def standstill_motions(limits: TableRange, rng: np.random.Generator, count: int) -> list[Array]:
+    """Draw motions at which one body nearly stands still, where heat bends the traction.
+
+    The bend is the narrower the faster the contact: slow speeds are even in their logarithm, every
+    eighth is zero; two of three have a slide across, every second has spin.
+
+    Parameters
+    ----------
+    limits : TableRange
+        range of the table
+    rng : np.random.Generator
+        generator of random numbers
+    count : int
+        number of motions [-]
+
+    Returns
+    -------
+    list[Array]
+        slide_x/u, slide_y/u and spin R_x/u, each of shape (count,) [-]
     """
     order = np.arange(count)
     gap = np.exp(rng.uniform(log(SLOW[0]), log(SLOW[1]), count))
@@ -147,8 +228,8 @@ def standing_motions(limits: TableRange, rng: np.random.Generator, count: int) -
 def _errors(
     contact: TableContact, table: TractionTable, film: FilmSample, kinds: Sequence[Sequence[Array]]
 ) -> Array:
-    """Errors of force and moments about n, y at a film's motions of each kind over the film's own
-    largest at all of these, shape (kinds, n, 3), as `TableError` measures them [-].
+    """Measure the errors of force and moments about n, y at a film's motions of each kind. They
+    are over the film's largest at all of these, shape (kinds, n, 3), as in `TableError` [-].
     """
     moved = [np.concatenate(parts) for parts in zip(*kinds, strict=True)]
     expected = relative_forces(contact, film.film, film.speed, moved)
@@ -156,15 +237,15 @@ def _errors(
     expected[:, 0] -= 0.5 * contact.curvature_difference * film.moment
     expected[:, 3] -= film.moment
     slide_x, slide_y, spin = (part * film.speed for part in moved)
-    places = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
-    lookups = [table.forces(film.load, film.speed, *place)[:4] for place in places]
+    positions = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
+    lookups = [table.forces(film.load, film.speed, *place)[:4] for place in positions]
     unit = sizes.max(axis=0) + np.array([0.0, 0.0, film.moment])
     errors = _sizes(np.array(lookups) - expected) / unit
     return np.asarray(errors.reshape(len(kinds), -1, 3))
 
 
 def _sizes(forces: Array) -> Array:
-    """Of forces (n, 4): force and moments about n, y, shape (n, 3) [N], [N m]."""
+    """Give the size of forces (n, 4): force and moments about n, y, shape (n, 3) [N], [N m]."""
     force = np.hypot(forces[:, 0], forces[:, 1])
     return np.stack([force, np.abs(forces[:, 2]), np.abs(forces[:, 3])], axis=1)
 
@@ -175,15 +256,26 @@ def _response_errors(table: TractionTable, films: Sequence[FilmSample]) -> Array
     for film in films:
         if film.response is None or not film.response.converged:
             continue
-        found = table.forces(film.load, film.speed, 0.0, 0.0, 0.0)
+        result = table.forces(film.load, film.speed, 0.0, 0.0, 0.0)
         solved = film.response.stiffness.value, film.response.damping.value
-        errors.append(np.abs(np.array([found.stiffness, found.damping]) / solved - 1.0))
+        errors.append(np.abs(np.array([result.stiffness, result.damping]) / solved - 1.0))
     return np.array(errors).reshape(-1, 2)
 
 
-def of_responses(checks: Sequence[FilmSample], error: TableError) -> str:
-    """By how much stiffness and damping are off between the films, beside their own error bars;
-    nothing where that is little.
+def response_message(checks: Sequence[FilmSample], error: TableError) -> str:
+    """Report the error of stiffness and damping between the films, with their own error bars.
+
+    Parameters
+    ----------
+    checks : Sequence[FilmSample]
+        films of the check
+    error : TableError
+        errors of the table
+
+    Returns
+    -------
+    str
+        message; empty where the error is small
     """
     stiffness, damping = error.largest_stiffness, error.largest_damping
     if not max(stiffness, damping) > RESPONSE_TOLERANCE:

@@ -20,41 +20,86 @@ from ...arrays import Array
 from .._kernels import LIMIT_SHARE, REST_SHARE, SHIFT_MARGIN, SPIN_SHARE, SPIN_SHARE_Y, STANDING
 from .table import TableContact
 
-Part = Callable[[Array | float], Array]
+FurtherTerm = Callable[[Array | float], Array]
 STEPS = 60  # of an inversion at most; some ten are needed
 INVERTED = 1e-14  # of a place that is inverted, or of the last step to it
 
 
 def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
-    """Sliding at the vertex of the parabola of spin and curvature slip over u [-]; added to
-    slide_x it is a coordinate, see `at_vertex`.
+    """Evaluate the sliding at the vertex of the parabola of spin and curvature slip.
 
-    -Omega y - omega y^2/(2R) is largest at y = -Omega R/omega. Where slide_x cancels it the
-    traction turns most sharply. Off the ellipse there is no vertex: y = -b r/(1 + r^4)^(1/4) with
-    r = Omega R/(omega b), which is the vertex for small r and the end of the ellipse for large
-    ones. spin: Omega R_x/u [-]; load [N].
+    Added to slide_x it is a coordinate, see `at_vertex`. -Omega y - omega y^2/(2R) is largest at y
+    = -Omega R/omega. Where slide_x cancels it the traction changes most sharply. Off the ellipse
+    there is no vertex: y = -b r/(1 + r^4)^(1/4) with r = Omega R/(omega b), which is the vertex
+    for small r and the end of the ellipse for large ones.
+
+    Parameters
+    ----------
+    spin : Array
+        Omega R_x/u, any shape [-]
+    contact : TableContact
+        contact of the table
+    load : float
+        load of the film [N]
+
+    Returns
+    -------
+    Array
+        sliding over u, shape of `spin` [-]
     """
     curvature = 0.5 / contact.curvature_radius
     b = contact.unit_semi_axes[1] * np.cbrt(load)
     if curvature <= 0.0:
         return 0.0 * spin
     far = 0.5 * spin / (curvature * b)
-    share = far / np.sqrt(np.sqrt(1.0 + far**4))
-    return np.asarray(b / contact.radius_x * (spin * share - curvature * b * share * share))
+    fraction = far / np.sqrt(np.sqrt(1.0 + far**4))
+    return np.asarray(
+        b / contact.radius_x * (spin * fraction - curvature * b * fraction * fraction)
+    )
 
 
 def at_vertex(slide_x: Array, shift: Array, limit: float) -> Array:
-    """Coordinate of slide_x over u: moved by the slide of the vertex near zero, and less and less
-    towards the limit or, before it, the slide at which a body stands still, so that these have
-    their place there with any spin [-].
+    """Shift slide_x by the slide of the vertex.
+
+    The shift fades towards the limit or, before it, the slide at which a body stands still, so
+    that these have the same coordinate with any spin.
+
+    Parameters
+    ----------
+    slide_x : Array
+        slide over u, any shape [-]
+    shift : Array
+        `vertex_slide`, of this shape [-]
+    limit : float
+        largest slide over u [-]
+
+    Returns
+    -------
+    Array
+        coordinate, of this shape [-]
     """
     reach = min(limit, STANDING)
-    share = np.minimum(np.abs(slide_x) / reach, 1.0)
-    return np.asarray(slide_x + _bounded(shift, reach) * (1.0 - share * share))
+    fraction = np.minimum(np.abs(slide_x) / reach, 1.0)
+    return np.asarray(slide_x + _bounded(shift, reach) * (1.0 - fraction * fraction))
 
 
 def from_vertex(top: Array, shift: Array, limit: float) -> Array:
-    """The slide_x over u of a coordinate, inverse of `at_vertex` [-]."""
+    """Invert `at_vertex`.
+
+    Parameters
+    ----------
+    top : Array
+        coordinate of slide_x, any shape [-]
+    shift : Array
+        `vertex_slide`, of this shape [-]
+    limit : float
+        largest slide over u [-]
+
+    Returns
+    -------
+    Array
+        slide over u, of this shape [-]
+    """
     reach = min(limit, STANDING)
     shift = _bounded(shift, reach)
     inside = np.clip(top, -reach, reach)
@@ -72,9 +117,28 @@ def _bounded(shift: Array, reach: float) -> Array:
 def spinning_scales(
     scales: tuple[float, float], spin: Array, contact: TableContact, load: float
 ) -> tuple[Array, Array]:
-    """Scales of slide_x and slide_y at a spin Omega R_x/u [-]: along, without a vertex on the
-    ellipse (r > 1 in `vertex_slide`) spin spreads the traction's rise over slides of Omega b;
-    across always over those of Omega a.
+    """Widen the scales of slide_x and slide_y by a spin.
+
+    Along, without a vertex on the ellipse (r > 1 in `vertex_slide`) spin spreads the traction's
+    rise over slides of Omega b; across always over those of Omega a.
+
+    Parameters
+    ----------
+    scales : tuple[float, float]
+        scales of slide_x/u and slide_y/u without spin [-]
+    spin : Array
+        Omega R_x/u, any shape [-]
+    contact : TableContact
+        contact of the table
+    load : float
+        load of the film [N]
+
+    Returns
+    -------
+    along
+        scale of slide_x/u, shape of `spin` [-]
+    across
+        scale of slide_y/u, of this shape [-]
     """
     curvature = 0.5 / contact.curvature_radius
     a, b = (axis * np.cbrt(load) for axis in contact.unit_semi_axes)
@@ -84,43 +148,112 @@ def spinning_scales(
     return along, np.hypot(scales[1], SPIN_SHARE_Y * spin * a / contact.radius_x)
 
 
-def no_part(size: Array | float) -> Array:
-    """Of the place of a spin: asinh alone [-]."""
+def no_further_term(size: Array | float) -> Array:
+    """Give no further term to the coordinate of a spin: asinh alone.
+
+    Parameters
+    ----------
+    size : Array | float
+        absolute spin over u/R_x, any shape [-]
+
+    Returns
+    -------
+    Array
+        not a number, shape of `size` [-]
+    """
     return np.full_like(size, np.nan)
 
 
-def standing_part(size: Array | float) -> Array:
-    """Of the place of a slide_x over u [-]: where one body is slow it takes up heat as the root of
-    its speed, and the traction turns as that.
+def standstill_term(size: Array | float) -> Array:
+    """Evaluate the further term of slide_x: a slow body takes up heat as the root of its speed.
+
+    Parameters
+    ----------
+    size : Array | float
+        absolute slide over u, any shape [-]
+
+    Returns
+    -------
+    Array
+        term, shape of `size` [-]
     """
     whole = 1.0 + REST_SHARE
     return np.asarray(np.sqrt(whole) - np.sqrt(whole - np.minimum(size / STANDING, 1.0)))
 
 
-def even_part(size: Array | float) -> Array:
-    """Of the place of a slide_y: even steps of the slide, where its heat counts [-]."""
+def linear_term(size: Array | float) -> Array:
+    """Evaluate the further term of slide_y: even steps of the slide, where its heat counts.
+
+    Parameters
+    ----------
+    size : Array | float
+        absolute slide over u, any shape [-]
+
+    Returns
+    -------
+    Array
+        term, shape of `size` [-]
+    """
     return np.asarray(size)
 
 
-PLACE_PARTS = (standing_part, even_part, no_part)  # of slide_x, slide_y and spin
+PLACE_PARTS = (standstill_term, linear_term, no_further_term)  # of slide_x, slide_y and spin
 
 
-def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> Array:
-    """Place X of a motion S/u on its axis [-], L the limit: mostly asinh(S/(u s))/asinh(L/s), s
-    the scale, and a further part over that of the limit.
+def place_of(
+    motion: Array, scale: Array | float, limit: float, further_term: FurtherTerm
+) -> Array:
+    """Evaluate the coordinate X of a motion on its axis.
+
+    Mostly asinh(S/(u s))/asinh(L/s), s the scale and L the limit, and a further term over that of
+    the limit.
+
+    Parameters
+    ----------
+    motion : Array
+        S/u, any shape [-]
+    scale : Array | float
+        scale s, of a shape that fits [-]
+    limit : float
+        largest motion L [-]
+    further_term : FurtherTerm
+        further term by the absolute motion
+
+    Returns
+    -------
+    Array
+        coordinate within [-1, 1], of the common shape [-]
     """
     size = np.abs(motion)
     place = np.arcsinh(size / scale) / np.arcsinh(limit / scale)
-    further = part(np.minimum(size, limit)) / part(limit)
+    further = further_term(np.minimum(size, limit)) / further_term(limit)
     mixed = (1.0 - LIMIT_SHARE) * place + LIMIT_SHARE * further
     return np.copysign(np.where(np.isnan(further), place, mixed), motion)
 
 
-def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> Array:
-    """S/u of a place in [-1, 1], inverse of `place_of` [-].
+def motion_at(
+    place: Array, scale: Array | float, limit: float, further_term: FurtherTerm
+) -> Array:
+    """Invert `place_of`.
 
-    In asinh(S/(u s)), over which the place is nearly a line, by the secant through two values on
-    either side, of which one that stays twice counts half.
+    In asinh(S/(u s)), over which the coordinate is nearly a line, by the secant through two values
+    on either side, of which one that stays twice counts half.
+
+    Parameters
+    ----------
+    place : Array
+        coordinate within [-1, 1], any shape [-]
+    scale : Array | float
+        scale s, of a shape that fits [-]
+    limit : float
+        largest motion L [-]
+    further_term : FurtherTerm
+        further term by the absolute motion
+
+    Returns
+    -------
+    Array
+        S/u, of the common shape [-]
     """
     place, scale = np.broadcast_arrays(np.asarray(place, dtype=np.float64), scale)
     wanted = np.minimum(np.abs(place), 1.0)
@@ -130,16 +263,18 @@ def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> A
     at = ends[0]
     for _ in range(STEPS):
         apart = off[1] - off[0]
-        share = np.divide(-off[0], apart, out=np.zeros(place.shape), where=apart > 0.0)
+        fraction = np.divide(-off[0], apart, out=np.zeros(place.shape), where=apart > 0.0)
         last = at
-        at = ends[0] + share * (ends[1] - ends[0])
-        found = place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, part) - wanted
-        if np.all((np.abs(found) <= INVERTED) | (np.abs(at - last) <= INVERTED * at)):
+        at = ends[0] + fraction * (ends[1] - ends[0])
+        result = (
+            place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, further_term) - wanted
+        )
+        if np.all((np.abs(result) <= INVERTED) | (np.abs(at - last) <= INVERTED * at)):
             break
-        below = found < 0.0
+        below = result < 0.0
         off = [
-            np.where(below, found, np.where(side > 0.0, 0.5, 1.0) * off[0]),
-            np.where(below, np.where(side < 0.0, 0.5, 1.0) * off[1], found),
+            np.where(below, result, np.where(side > 0.0, 0.5, 1.0) * off[0]),
+            np.where(below, np.where(side < 0.0, 0.5, 1.0) * off[1], result),
         ]
         ends = [np.where(below, at, ends[0]), np.where(below, ends[1], at)]
         side = np.where(below, -1.0, 1.0)

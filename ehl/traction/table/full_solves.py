@@ -1,5 +1,5 @@
-"""What the films of a traction table leave out: their traction compared with full solves of
-contacts that slide.
+"""Effects that the films of a traction table leave out: their traction compared with full solves
+of contacts that slide.
 
 A table shears films that were solved Newtonian and without sliding. In a full solve the oil's
 rheology, and heat where the table has it, act in film and flow, at the sliding of the contact
@@ -33,18 +33,39 @@ def full_solves(
     options: SolverOptions | None = None,
     progress: Progress | None = None,
 ) -> tuple[FullSolve, ...]:
-    """Traction of a table's films and of full solves at random places of its range.
+    """Compare the traction of a table's films with full solves at random points of its range.
 
-    The places are a Latin hypercube in the logarithms of load, speed and slide-roll ratio.
-    options: of both solves; progress: called with the solve begun, solves in all, and the kind of
-    step. ValueError names missing properties that heat needs.
+    The points are a Latin hypercube in the logarithms of load, speed and slide-roll ratio.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    count : int
+        number of points [-]
+    options : SolverOptions | None, optional
+        options of both solves; None: 129 points
+    progress : Progress | None, optional
+        called with the solve begun, solves in all, and the kind of step
+
+    Returns
+    -------
+    tuple[FullSolve, ...]
+        traction and film of both, a point each
+
+    Raises
+    ------
+    ValueError
+        if properties are missing that heat needs
     """
     options = options or SolverOptions(points=POINTS)
     ratios = (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))
     ends = np.log([limits.load, limits.speed, ratios])
-    places = np.exp(latin_hypercube(ends, count, np.random.default_rng(SEED))).T
+    positions = np.exp(latin_hypercube(ends, count, np.random.default_rng(SEED))).T
     solves = []
-    for number, (load, speed, ratio) in enumerate(places.tolist()):
+    for number, (load, speed, ratio) in enumerate(positions.tolist()):
         if progress is not None:
             progress(number + 1, count, "full solves")
         solves.append(_both(contact, load, speed, ratio, options))
@@ -58,7 +79,9 @@ def _both(
     film = table_film(contact, load, speed, options)
     rolling = np.array([speed / contact.radius_x])
     none = np.zeros(1)
-    by_film = abs(float(film.forces((np.array([ratio * speed]), none, none), rolling, 0.0)[0, 0]))
+    by_film = abs(
+        float(film.sliding_forces((np.array([ratio * speed]), none, none), rolling, 0.0)[0, 0])
+    )
 
     full = solve_generalized(
         replace(contact.conditions(load, speed), slide_roll_ratio=ratio),

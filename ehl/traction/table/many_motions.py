@@ -14,25 +14,61 @@ from ..film_quadrature import FilmQuadrature
 from ..heated.film import HeatedFilm, HeatedLines, slide_axis
 from . import _many_kernels
 from ._many_kernels import COARSE, FINE, NO_FACTOR, SHIFT
-from .patches import FAR, Patches, Singles, patches
+from .patches import MIN_SLIDING_RATIO, Float32Array, NodeClusters, node_clusters
 
 # smallest over largest sliding in the table of pulls, below which the drag goes with the sliding
 SMALLEST = 1e-9
 Slide = tuple[Array, Array, Array]
 
 
-def many_sliding_forces(
+def vectorised_sliding_forces(
     film: FilmQuadrature, slide: Slide, rolling: Array, curvature: float
 ) -> Array:
-    """As `film_quadrature.sliding_forces`, faster for thousands of motions, within 0.06 % of the
-    largest force; most so where neighbours in a row of motions slide alike.
+    """Sum `film_quadrature.sliding_forces` by node clusters, faster for thousands of motions.
+
+    Within 0.06 % of the largest force; fastest where neighbours in a row of motions slide alike.
+
+    Parameters
+    ----------
+    film : FilmQuadrature
+        nodes of the film
+    slide : Slide
+        slide_x and slide_y [m/s], and spin [rad/s], each of shape (n,)
+    rolling : Array
+        relative rolling speed, shape (n,) [rad/s]
+    curvature : float
+        1/(2R) of the loaded surface across the entrainment [1/m]
+
+    Returns
+    -------
+    Array
+        F_x, F_y [N], M_n and M_y [N m], shape (n, 4)
     """
     return _forces(*film.parts(), film, None, (slide, rolling, curvature))
 
 
-def many_heated_forces(film: HeatedFilm, slide: Slide, rolling: Array, curvature: float) -> Array:
-    """As `heated.film.heated_forces` for thousands of motions, within 0.06 % of the largest
-    force.
+def vectorised_heated_forces(
+    film: HeatedFilm, slide: Slide, rolling: Array, curvature: float
+) -> Array:
+    """Sum `heated.film.heated_forces` by node clusters, faster for thousands of motions.
+
+    Within 0.06 % of the largest force.
+
+    Parameters
+    ----------
+    film : HeatedFilm
+        film ready to shear
+    slide : Slide
+        slide_x and slide_y [m/s], and spin [rad/s], each of shape (n,)
+    rolling : Array
+        relative rolling speed, shape (n,) [rad/s]
+    curvature : float
+        1/(2R) of the loaded surface across the entrainment [1/m]
+
+    Returns
+    -------
+    Array
+        F_x, F_y [N], M_n and M_y [N m], shape (n, 4)
     """
     strips = np.ascontiguousarray(np.moveaxis(film.lines.nodes, 1, 0))
     low = film.low_pressure
@@ -56,20 +92,26 @@ def _forces(
     if largest == 0.0:
         return out
     squares = _squares(SMALLEST * largest, largest)
-    pulls = _pulls(flat, film.rheology, squares)
-    of_strips, of_low = np.split(pulls, [flat.shape[1] - low.shape[1]])
+    shear_per_sliding = _shear_per_sliding(flat, film.rheology, squares)
+    of_strips, of_low = np.split(shear_per_sliding, [flat.shape[1] - low.shape[1]])
     of_strips = of_strips.reshape(*strips.shape[1:], squares.coarse.size)
     changed = int(np.searchsorted(squares.coarse, change**2)) - 1
-    own = patches(
+    clusters = node_clusters(
         (strips, of_strips),
         (low, of_low),
         film.half_width,
         min(max(changed, 0), squares.coarse.size - 1),
     )
     _many_kernels.patch_sums(
-        (_single(own.nodes), _refined(own.pulls, squares), own.rows),
-        (own.groups, _single(own.boxes), _single(own.strips), _least(), own.starts),
-        _heat(own, lines, squares, of_strips.sum(axis=1)),
+        (_single(clusters.nodes), _refined(clusters.shear_per_sliding, squares), clusters.rows),
+        (
+            clusters.groups,
+            _single(clusters.boxes),
+            _single(clusters.strips),
+            _least(),
+            clusters.starts,
+        ),
+        _heat(clusters, lines, squares, of_strips.sum(axis=1)),
         squares.fine,
         _single(np.stack([*slide, rolling])),
         _ratio_weights(lines, slide[0]),
@@ -82,8 +124,8 @@ def _forces(
 class _Squares(NamedTuple):
     """Squares of the sliding at which pulls are tabulated [m^2/s^2]."""
 
-    fine: Singles
-    coarse: Singles  # each fourth, from before the first to beyond the last
+    fine: Float32Array
+    coarse: Float32Array  # each fourth, from before the first to beyond the last
 
 
 def _squares(smallest: float, largest: float) -> _Squares:
@@ -97,78 +139,85 @@ def _squares(smallest: float, largest: float) -> _Squares:
     return _Squares(fine=fine, coarse=coarse)
 
 
-def _pulls(nodes: Array, rheology: Rheology, squares: _Squares) -> Singles:
+def _shear_per_sliding(nodes: Array, rheology: Rheology, squares: _Squares) -> Float32Array:
     """Pulls of nodes at the coarse squares, shape (nodes, squares) [N s/m]."""
-    pulls = np.empty((nodes.shape[1], squares.coarse.size), np.float32)
+    shear_per_sliding = np.empty((nodes.shape[1], squares.coarse.size), np.float32)
     law = kernel_rheology(rheology)[:4]
-    _many_kernels.node_pulls(nodes, law, np.sqrt(squares.coarse.astype(np.float64)), pulls)
-    return pulls
+    _many_kernels.node_pulls(
+        nodes, law, np.sqrt(squares.coarse.astype(np.float64)), shear_per_sliding
+    )
+    return shear_per_sliding
 
 
-def _refined(pulls: Singles, squares: _Squares) -> Singles:
+def _refined(shear_per_sliding: Float32Array, squares: _Squares) -> Float32Array:
     """Pulls at the fine squares by cubics in their logarithm, shape (nodes, squares) [N s/m]."""
-    # of mantissas 1 + k/16, which stand between each fourth from half the first to twice the last
+    # logarithms of mantissas 1 + k/16, which stand between each fourth from half the first to
+    # twice the last
     fine = 1.0 + np.arange(FINE) / FINE
     every = 1.0 + np.arange(0, FINE, COARSE) / FINE
-    known = np.log(np.concatenate([0.5 * every[-1:], every, 2.0 * every[:2]]))
-    near = known[np.arange(FINE)[:, None] // COARSE + np.arange(4)]
-    weights = _single(lagrange_weights(near, np.log(fine)).T)
-    out = np.empty((pulls.shape[0], squares.fine.size), np.float32)
-    _many_kernels.refined_pulls(pulls, weights, out)
+    log_squares = np.log(np.concatenate([0.5 * every[-1:], every, 2.0 * every[:2]]))
+    nearest = log_squares[np.arange(FINE)[:, None] // COARSE + np.arange(4)]
+    weights = _single(lagrange_weights(nearest, np.log(fine)).T)
+    out = np.empty((shear_per_sliding.shape[0], squares.fine.size), np.float32)
+    _many_kernels.refined_pulls(shear_per_sliding, weights, out)
     return out
 
 
 def _heat(
-    own: Patches, lines: HeatedLines | None, squares: _Squares, strip_pulls: Array
-) -> tuple[Singles, Array, Singles]:
+    clusters: NodeClusters, lines: HeatedLines | None, squares: _Squares, strip_pulls: Array
+) -> tuple[Float32Array, Array, Float32Array]:
     """Factors, shape (K, R, squares), the one of each row, and one over its area."""
-    count = own.rows.shape[0]
+    count = clusters.rows.shape[0]
     of_row = np.full(count, NO_FACTOR)
     if lines is None:
         return np.empty((0, 0, 0), np.float32), of_row, np.empty(0, np.float32)
     of_strips = lines.strip_factors
-    in_groups, strips = own.shares.shape
-    known = np.concatenate([_patch_factors(own, lines, squares, strip_pulls), of_strips])
+    in_groups, strips = clusters.shares.shape
+    known_factors = np.concatenate(
+        [_patch_factors(clusters, lines, squares, strip_pulls), of_strips]
+    )
     of_row[:in_groups] = np.arange(in_groups)
-    for start in own.starts:
+    for start in clusters.starts:
         of_row[start : start + strips] = in_groups + np.arange(strips)
-    factors = np.empty((*known.shape[:2], squares.fine.size), np.float32)
+    factors = np.empty((*known_factors.shape[:2], squares.fine.size), np.float32)
     slides = np.sqrt(squares.fine.astype(np.float64))
-    _many_kernels.factor_table(known, slide_axis(lines.speed), slides, factors)
-    areas = np.add.reduceat(np.append(own.nodes[_many_kernels.NODE_AREA], 0.0), own.rows[:, 0])
-    areas[own.rows[:, 0] == own.rows[:, 1]] = 0.0
+    _many_kernels.factor_table(known_factors, slide_axis(lines.speed), slides, factors)
+    areas = np.add.reduceat(
+        np.append(clusters.nodes[_many_kernels.NODE_AREA], 0.0), clusters.rows[:, 0]
+    )
+    areas[clusters.rows[:, 0] == clusters.rows[:, 1]] = 0.0
     by_area = np.divide(1.0, areas, out=np.zeros(count), where=areas > 0.0)
     return factors, of_row, _single(by_area)
 
 
 def _patch_factors(
-    own: Patches, lines: HeatedLines, squares: _Squares, strip_pulls: Array
+    clusters: NodeClusters, lines: HeatedLines, squares: _Squares, strip_pulls: Array
 ) -> Array:
     """Factors of the rows of groups, shape (rows, R, S): means of the strips' by what each pulls,
     shape (K, squares), in the patch.
     """
-    places = np.searchsorted(squares.coarse, lines.slides**2)
-    pulls = strip_pulls[:, np.minimum(places, squares.coarse.size - 1)]
+    positions = np.searchsorted(squares.coarse, lines.slides**2)
+    shear_per_sliding = strip_pulls[:, np.minimum(positions, squares.coarse.size - 1)]
     of_strips = lines.strip_factors
-    parts = own.shares[:, :, None] * pulls
+    parts = clusters.shares[:, :, None] * shear_per_sliding
     means = np.einsum("jkm,krm->jrm", parts, of_strips) / parts.sum(axis=1)[:, None]
     return np.clip(means, 0.5 * of_strips.min(), 2.0 * of_strips.max())
 
 
-def _ratio_weights(lines: HeatedLines | None, slide_x: Array) -> Singles:
+def _ratio_weights(lines: HeatedLines | None, slide_x: Array) -> Float32Array:
     """Weights of the factors' slide-roll ratios, shape (n, R) [-]; without heat none."""
     if lines is None:
         return np.empty((0, 0), np.float32)
-    slides, place = np.unique(slide_x, return_inverse=True)  # tables have each many times
-    return _single(lines.ratio_weights(slides))[place]
+    slides, index = np.unique(slide_x, return_inverse=True)  # tables have each many times
+    return _single(lines.ratio_weights(slides))[index]
 
 
-def _least() -> Singles:
+def _least() -> Float32Array:
     """Squares of what sliding over its change must be at least, of groups and strips [-]."""
-    return _single(np.array(FAR) ** 2)
+    return _single(np.array(MIN_SLIDING_RATIO) ** 2)
 
 
-def _single(numbers: Array) -> Singles:
+def _single(numbers: Array) -> Float32Array:
     """In single precision."""
     return np.ascontiguousarray(numbers, dtype=np.float32)
 

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 
 from .splines import along_axis, node_values, spline_coefficients, spline_matrix
 
-# of the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of tables
+# step over the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of
+# tables
 VALUE_STEP = 1.5e-4
-# of a step, from its whole numbers: what is rounded to single precision stays within
+# distance from whole numbers of steps: a value that is rounded to single precision stays within
 ON_STEP = 0.1
 FILE_ORDER = (5, 2, 3, 4, 0, 1)  # of the axes: forces and moments apart, load and speed last
 DIFFERENCED = (4, 3, 2)  # axes, spin first; of further ones differences are no smaller
@@ -30,8 +31,8 @@ Numbers = NDArray[np.int16]
 Integers = NDArray[np.int32]
 LARGEST_NUMBER = np.iinfo(np.int16).max
 BITS = 32  # of a whole number in a file
-# of what packs them, chosen by trial on both races of 6208_with_heat: the presets of the library
-# make it 4 % smaller at most and take three times as long
+# filters of the compression, chosen by trial on both races of 6208_with_heat: the presets of the
+# library make it 4 % smaller at most and take three times as long
 FILTERS = [
     {
         "id": lzma.FILTER_LZMA2,
@@ -46,19 +47,39 @@ DAMAGED = (lzma.LZMAError,)  # what bytes that were not packed so raise
 
 
 def mirrored(values: NDArray[Any]) -> NDArray[Any]:
-    """Values at slide_y from zero on with their mirror image below: F_y and M_n change sign with
-    slide_y and spin [-].
+    """Extend values at slide_y from zero on by their mirror image: F_y and M_n change sign with
+    slide_y and spin.
+
+    Parameters
+    ----------
+    values : NDArray[Any]
+        values, shape (nQ, nU, nX, nY, nS, 4) [-]
+
+    Returns
+    -------
+    NDArray[Any]
+        values, shape (nQ, nU, nX, 2 nY - 1, nS, 4) [-]
     """
     return np.concatenate([values[:, :, :, :0:-1, ::-1] * np.array(MIRROR), values], axis=3)
 
 
 def stored_values(values: NDArray[Any]) -> Values:
-    """Spline coefficients of values at the nodes, shape (nQ, nU, nX, nY, nS, 4), each rounded to a
-    whole number of `VALUE_STEP` [-].
+    """Fit spline coefficients to values at the nodes, each rounded to a whole number of
+    `VALUE_STEP`.
 
     A film is symmetric in y but for the error of its solution: at slide_y = 0 the mean with the
-    mirror image counts, else what vanishes by symmetry, F_y and M_n, would jump there from a value
+    mirror image counts, else F_y and M_n, which vanish by symmetry, would jump there from a value
     to its opposite.
+
+    Parameters
+    ----------
+    values : NDArray[Any]
+        values at the nodes, shape (nQ, nU, nX, nY, nS, 4) [-]
+
+    Returns
+    -------
+    Values
+        coefficients, of two more along each of the first five axes [-]
     """
     seam = values[:, :, :, 0]
     mean = 0.5 * (seam + seam[:, :, :, ::-1] * np.array(MIRROR))
@@ -68,7 +89,7 @@ def stored_values(values: NDArray[Any]) -> Values:
 
 
 def _coefficients(numbers: Integers) -> Values:
-    """Of the splines through whole numbers of `VALUE_STEP` and their mirror image [-]."""
+    """Fit the splines through whole numbers of `VALUE_STEP` and their mirror image [-]."""
     count = numbers.shape[ACROSS]
     # 1. across, of the half above: what the half above and that below, turned, give to it
     both = spline_matrix(2 * count - 1)[count - 1 :] * VALUE_STEP
@@ -87,11 +108,23 @@ def _coefficients(numbers: Integers) -> Values:
 
 
 def whole_numbers(values: Values) -> tuple[Numbers, float]:
-    """Values as the kernel of lookups takes them, load and speed last, where a lookup finds them
-    close together, and the unit of these whole numbers [-], the smallest that lets them fit.
+    """Round coefficients to the whole numbers that the kernel of lookups takes.
 
-    Of load and speed the coefficients of the nodes alone, from which those beyond follow: 60 % of
-    all, of 4 speeds all in the order in which a lookup adds them.
+    Load and speed come last, where a lookup finds them close together; of both the coefficients of
+    the nodes alone, from which those beyond follow: 60 % of all, of 4 speeds all in the order in
+    which a lookup adds them.
+
+    Parameters
+    ----------
+    values : Values
+        coefficients of `stored_values` [-]
+
+    Returns
+    -------
+    numbers
+        whole numbers, shape (nX + 2, nY + 2, nS + 2, nQ, nU, 4) in units of `unit`
+    unit
+        the smallest unit that fits 16 bits [-]
     """
     inner = values[1:-1, 1:-1]
     unit = float(np.abs(inner).max()) / LARGEST_NUMBER or VALUE_STEP
@@ -99,9 +132,20 @@ def whole_numbers(values: Values) -> tuple[Numbers, float]:
     return np.rint(turned / unit).astype(np.int16, order="C"), unit
 
 
-def packed(values: Values) -> NDArray[np.uint8] | Values:
-    """Bytes of values of `stored_values`; others, as of tables between temperatures, as they are
-    [-].
+def compressed(values: Values) -> NDArray[np.uint8] | Values:
+    """Compress coefficients of `stored_values` for a file.
+
+    Others, as of tables between temperatures, stay as they are.
+
+    Parameters
+    ----------
+    values : Values
+        coefficients [-]
+
+    Returns
+    -------
+    NDArray[np.uint8] | Values
+        bytes, shape (n,), or the coefficients
     """
     steps = node_values(values.astype(np.float64), ALL_AXES) / VALUE_STEP
     numbers = np.rint(steps).astype(np.int32)
@@ -116,9 +160,25 @@ def packed(values: Values) -> NDArray[np.uint8] | Values:
     return np.frombuffer(data, dtype=np.uint8)
 
 
-def unpacked(data: NDArray[np.uint8] | Values, shape: tuple[int, ...]) -> Values:
-    """The inverse of `packed`, by the shape of the values; ValueError or one of `DAMAGED` where
-    they are not of that shape.
+def decompressed(data: NDArray[np.uint8] | Values, shape: tuple[int, ...]) -> Values:
+    """Invert `compressed`.
+
+    Parameters
+    ----------
+    data : NDArray[np.uint8] | Values
+        bytes, or coefficients [-]
+    shape : tuple[int, ...]
+        shape of the coefficients
+
+    Returns
+    -------
+    Values
+        coefficients of this shape [-]
+
+    Raises
+    ------
+    ValueError
+        if the data do not fit the shape; or one of `DAMAGED`
     """
     if data.dtype == np.float32:
         plain: Values = np.ascontiguousarray(data, dtype=np.float32)

@@ -28,34 +28,49 @@ from .table import TableContact
 # chosen on the inner race of `6208_with_heat` (76 nodes), tried on its outer one
 LOAD_BY_SPEED = 2.0 / 3.0  # power of the speed with which the load of the turn grows
 SHARPEST = 0.2  # power of W in x: loads where a film turns are the lightest of most tables
-# of ln(speed) beside x: where nodes are chosen, and where values are interpolated
+# scales of ln(speed) against x, for the choice of nodes and for the interpolation
 CHOICE_SCALE = 0.31
 SPEED_SCALE = 0.16
-APART = 0.2  # distance to the nearest node that is solved, at most
-FEWEST = 6  # responses to interpolate from
+MAX_DISTANCE = 0.2  # distance to the nearest node that is solved, at most
+MIN_RESPONSES = 6  # responses to interpolate from
 # A = a^2/(Rx^2 sqrt(2 U)) between which films turn: there nodes are not far enough from each other
-TURN = (1.4, 6.0)
-ALL_OF = 24  # nodes of a table so small that all have their own
+TRANSITION_LOADS = (1.4, 6.0)
+SMALL_TABLE = 24  # nodes of a table so small that all have their own
 
 Place = tuple[float, float]  # ln(load), ln(speed)
 Mask = NDArray[np.bool_]
 
 
-def wanted_responses(
+def response_nodes(
     contact: TableContact, places: Sequence[Place], known: Sequence[bool]
 ) -> list[bool]:
-    """At which nodes of a table to have the response: known ones, those of films that turn and of
-    extreme loads and speeds, then always the node that is farthest from these, until none is far
-    from all; at all of few.
+    """Choose the nodes of a table whose response is solved.
+
+    Those that have one, those of films that turn and of extreme loads and speeds, then always the
+    node that is farthest from these, until none is far from all; all of few.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    places : Sequence[Place]
+        ln(load) and ln(speed) of the nodes
+    known : Sequence[bool]
+        whether a node has its response
+
+    Returns
+    -------
+    list[bool]
+        whether a node's response is wanted
     """
-    if len(places) <= ALL_OF:
+    if len(places) <= SMALL_TABLE:
         return [True] * len(places)
     points = _coordinates(places, CHOICE_SCALE)
-    chosen = np.array(known) | _corners(places) | _turning(contact, places)
+    chosen = np.array(known) | _corners(places) | _in_transition(contact, places)
     while True:
         distances = np.linalg.norm(points[:, None] - points[chosen], axis=-1).min(axis=1)
         farthest = int(np.argmax(distances))
-        if distances[farthest] <= APART and np.count_nonzero(chosen) > FEWEST:
+        if distances[farthest] <= MAX_DISTANCE and np.count_nonzero(chosen) > MIN_RESPONSES:
             return [bool(one) for one in chosen]
         chosen[farthest] = True
 
@@ -63,12 +78,32 @@ def wanted_responses(
 def log_responses(
     contact: TableContact, films: Sequence[Sequence[FilmSample]]
 ) -> tuple[Array, int]:
-    """Logarithms of stiffness [N/m] and damping [N s/m] of films over load and speed, shape (nQ,
-    nU, 2); those of neighbouring loads where the response did not converge, or nodes between have
-    none near them that did, and at how many. ValueError where it did at none.
+    """Interpolate the logarithms of stiffness and damping to all nodes of load and speed.
+
+    Where a response did not converge, or nodes between have no converged one near them, those of
+    neighbouring loads count.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    films : Sequence[Sequence[FilmSample]]
+        films over load and speed
+
+    Returns
+    -------
+    logarithms
+        of stiffness [N/m] and damping [N s/m], shape (nQ, nU, 2)
+    gaps
+        number of nodes with the response of neighbouring loads [-]
+
+    Raises
+    ------
+    ValueError
+        if no response converged at one of the speeds
     """
     rows = [film for row in films for film in row]
-    places = [film.place for film in rows]
+    positions = [film.place for film in rows]
     asked = np.array([film.response is not None for film in rows])
     values = np.full((len(rows), 2), np.nan)
     for value, film in zip(values, rows, strict=True):
@@ -76,7 +111,7 @@ def log_responses(
             value[:] = np.log([film.response.stiffness.value, film.response.damping.value])
     unit = [dry_stiffness(contact.conditions(film.load, film.speed)) for film in rows]
     values[:, 0] -= np.log(unit)
-    _interpolate(values, asked, _coordinates(places, SPEED_SCALE))
+    _interpolate(values, asked, _coordinates(positions, SPEED_SCALE))
     values[:, 0] += np.log(unit)
     gaps = int(np.count_nonzero(np.isnan(values[:, 0])))
     return _filled(values.reshape(len(films), -1, 2)), gaps
@@ -87,7 +122,7 @@ def _interpolate(values: Array, asked: Mask, points: Array) -> None:
     was has none.
     """
     solved = np.isfinite(values[:, 0])
-    if np.count_nonzero(solved) < FEWEST or asked.all():
+    if np.count_nonzero(solved) < MIN_RESPONSES or asked.all():
         return
     distances = np.linalg.norm(points[:, None] - points[asked], axis=-1)
     nearest = np.flatnonzero(asked)[np.argmin(distances, axis=1)]
@@ -105,9 +140,9 @@ def _coordinates(places: Sequence[Place], scale: float) -> Array:
     return np.stack([x, scale * log_speed], axis=1)
 
 
-def _turning(contact: TableContact, places: Sequence[Place]) -> Mask:
+def _in_transition(contact: TableContact, places: Sequence[Place]) -> Mask:
     """At which places a film turns."""
-    low, high = TURN
+    low, high = TRANSITION_LOADS
     loads = [atlas_load(scale_contact(contact.conditions(exp(q), exp(u)))) for q, u in places]
     return np.array([low < load < high for load in loads])
 

@@ -15,12 +15,23 @@ from numpy.typing import NDArray
 from ...arrays import Array
 
 SMALLEST = 4  # nodes that the end conditions need
-FEW_INNER = 16  # numbers side by side behind an axis
+MIN_INNER = 16  # numbers side by side behind an axis
 Numbers = NDArray[Any]  # of single or double precision
 
 
 def spline_matrix(nodes: int) -> Array:
-    """Linear map from values at the nodes to coefficients [-], shape (nodes + 2, nodes)."""
+    """Build the linear map from values at the nodes to coefficients.
+
+    Parameters
+    ----------
+    nodes : int
+        number of nodes [-]
+
+    Returns
+    -------
+    Array
+        matrix, shape (nodes + 2, nodes) [-]
+    """
     if nodes < SMALLEST:
         raise ValueError(f"nodes must be at least {SMALLEST}, got {nodes}")
     system = np.zeros((nodes + 2, nodes + 2))
@@ -34,30 +45,69 @@ def spline_matrix(nodes: int) -> Array:
 
 
 def spline_coefficients(values: Numbers, axes: tuple[int, ...]) -> Numbers:
-    """Coefficients of values [same unit] along the given axes, each of which grows by two."""
+    """Fit coefficients to values along axes, each of which grows by two.
+
+    Parameters
+    ----------
+    values : Numbers
+        values at the nodes [any unit]
+    axes : tuple[int, ...]
+        axes of the splines
+
+    Returns
+    -------
+    Numbers
+        coefficients [same unit]
+    """
     for axis in axes:
         values = along_axis(spline_matrix(values.shape[axis]), values, axis)
     return np.ascontiguousarray(values)
 
 
 def along_axis(matrix: Array, values: Numbers, axis: int) -> Numbers:
-    """Values multiplied by a matrix along an axis, which stays where it is, in their precision
-    [same unit].
+    """Multiply values by a matrix along an axis, which keeps its position, in their precision.
+
+    Parameters
+    ----------
+    matrix : Array
+        matrix, shape (m, n) [-]
+    values : Numbers
+        values with n numbers along the axis [any unit]
+    axis : int
+        number of the axis
+
+    Returns
+    -------
+    Numbers
+        values with m numbers along it [same unit]
     """
-    own: Numbers = matrix.astype(values.dtype, copy=False)
+    map_matrix: Numbers = matrix.astype(values.dtype, copy=False)
     before = values.shape[:axis]
     after = values.shape[axis + 1 :]
     inner = prod(after)
-    if inner < FEW_INNER:  # one product in place of many small ones
-        turned = np.kron(own.T, np.eye(inner, dtype=own.dtype))
+    if inner < MIN_INNER:  # one product in place of many small ones
+        turned = np.kron(map_matrix.T, np.eye(inner, dtype=map_matrix.dtype))
         product = values.reshape(prod(before), -1) @ turned
     else:
-        product = own @ values.reshape(prod(before), values.shape[axis], inner)
+        product = map_matrix @ values.reshape(prod(before), values.shape[axis], inner)
     return np.asarray(product.reshape(*before, matrix.shape[0], *after))
 
 
 def node_values(coefficients: Array, axes: tuple[int, ...]) -> Array:
-    """Values at the nodes [same unit], inverse of `spline_coefficients`."""
+    """Invert `spline_coefficients`.
+
+    Parameters
+    ----------
+    coefficients : Array
+        coefficients [any unit]
+    axes : tuple[int, ...]
+        axes of the splines
+
+    Returns
+    -------
+    Array
+        values at the nodes [same unit]
+    """
     for axis in axes:
         c = np.moveaxis(coefficients, axis, 0)
         coefficients = np.moveaxis((c[:-2] + 4.0 * c[1:-1] + c[2:]) / 6.0, 0, axis)
@@ -65,7 +115,22 @@ def node_values(coefficients: Array, axes: tuple[int, ...]) -> Array:
 
 
 def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
-    """First coefficient and weights [-], shape (4,), at a place counted in nodes [-]."""
+    """Evaluate the weights of the four coefficients around a position.
+
+    Parameters
+    ----------
+    place : float
+        position in units of the node distance [-]
+    nodes : int
+        number of nodes [-]
+
+    Returns
+    -------
+    first
+        number of the first coefficient [-]
+    weights
+        weights, shape (4,) [-]
+    """
     i = min(max(int(np.floor(place)), 0), nodes - 2)
     t = place - i
     r = 1.0 - t
@@ -73,9 +138,22 @@ def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
     return i, np.array([r**3, inner, outer, t**3]) / 6.0
 
 
-def left_out_error(values: Numbers, axis: int) -> float:
-    """How well cubics through the four nearest other nodes predict each inner node [same unit]:
-    the largest over all, 64/9 times the error of a cubic half-way between its inner nodes.
+def leave_one_out_error(values: Numbers, axis: int) -> float:
+    """Predict each inner node by cubics through the four nearest other nodes.
+
+    The error is 64/9 times that of a cubic half-way between its inner nodes.
+
+    Parameters
+    ----------
+    values : Numbers
+        values at the nodes [any unit]
+    axis : int
+        axis of the nodes
+
+    Returns
+    -------
+    float
+        largest error over all [same unit]
     """
     v = np.moveaxis(values, axis, 0)
     n = v.shape[0]

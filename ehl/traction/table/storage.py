@@ -22,7 +22,7 @@ from ...oil.lubricant import DensityLaw, Lubricant, ThermalProperties, Viscosity
 from ...oil.pressure_laws import PressureModulus, ScaledVolume
 from ...oil.rheology import Rheology, ShearLaw
 from ...solid.heat import SolidThermal
-from .packing import DAMAGED, packed, unpacked
+from .packing import DAMAGED, compressed, decompressed
 from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
@@ -61,13 +61,36 @@ NAMES = {kind: name for name, kind in TYPES.items()}
 
 
 def inputs_digest(contact: TableContact, limits: TableRange, points: int) -> str:
-    """SHA-256 of what a table is built from, as 64 hexadecimal digits."""
+    """Hash the inputs that a table is built from by SHA-256.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    points : int
+        nodes of the films along x [-]
+
+    Returns
+    -------
+    str
+        64 hexadecimal digits
+    """
     text = json.dumps([_plain(contact), _plain(limits), points], sort_keys=True)
     return sha256(text.encode()).hexdigest()
 
 
 def save_table(table: TractionTable, path: Path) -> None:
-    """Write a table; the file appears under its name only when it is complete."""
+    """Write a table; the file appears under its name only when it is complete.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to write
+    path : Path
+        file to write
+    """
     partial = path.with_name(path.name + ".partial")
     with partial.open("wb") as file:
         write_table(table, file)
@@ -75,9 +98,17 @@ def save_table(table: TractionTable, path: Path) -> None:
 
 
 def write_table(table: TractionTable, file: IO[bytes]) -> None:
-    """Write a table to an open file."""
+    """Write a table to an open file.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to write
+    file : IO[bytes]
+        file, open for bytes
+    """
     arrays: dict[str, Any] = {name: getattr(table, name) for name in ARRAYS}
-    arrays["values"] = packed(table.values)
+    arrays["values"] = compressed(table.values)
     document = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
@@ -91,15 +122,51 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
 
 
 def load_table(path: Path, expected: str | None = None) -> TractionTable:
-    """Read a table, built for the inputs of a digest where one is given; ValueError where the file
-    is no table, of another format, damaged, or built for other inputs.
+    """Read a table.
+
+    Parameters
+    ----------
+    path : Path
+        file to read
+    expected : str | None, optional
+        digest of the inputs that it must be built from; None: any
+
+    Returns
+    -------
+    TractionTable
+        the table
+
+    Raises
+    ------
+    ValueError
+        if the file is no table, of another format, damaged, or built for other inputs
     """
     with path.open("rb") as stream:
         return read_table(stream, str(path), expected)
 
 
 def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> TractionTable:
-    """Read a table from an open file that messages call `path`; otherwise as `load_table`."""
+    """Read a table from an open file.
+
+    Parameters
+    ----------
+    stream : IO[bytes]
+        file, open for bytes
+    path : str
+        name of the file in messages
+    expected : str | None, optional
+        digest of the inputs that it must be built from; None: any
+
+    Returns
+    -------
+    TractionTable
+        the table
+
+    Raises
+    ------
+    ValueError
+        if the file is no table, of another format, damaged, or built for other inputs
+    """
     try:
         with np.load(stream, allow_pickle=False) as file:
             document = json.loads(str(file["document"]))
@@ -115,7 +182,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         raise ValueError(f"{path}: format version {version}, this program {needed}")
     try:
         parts = {name: _restored(document[name]) for name in PARTS}
-        values = unpacked(arrays["values"], tuple(document["shape"]))
+        values = decompressed(arrays["values"], tuple(document["shape"]))
         plain = {name: document[name] for name in PLAIN}
         spacing = map(float, [*plain["spacing"], 0.0][:3])  # older files have no REST_SHARE
         plain["spacing"] = tuple(spacing)
@@ -133,7 +200,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
 
 
 def _content(arrays: dict[str, Any]) -> str:
-    """Of the arrays of a file."""
+    """Hash the arrays of a file."""
     digest = sha256()
     for name in ARRAYS:
         digest.update(np.ascontiguousarray(arrays[name], dtype="<f8").tobytes())

@@ -27,7 +27,7 @@ from ...ranges import require_positive
 from ...solid.heat import SolidThermal
 from .. import _kernels
 from .._kernels import LIMIT_SHARE, LOAD_POWER, REST_SHARE, SPIN_SHARE_Y
-from ..laws import TractionForces
+from ..law import TractionForces
 from .packing import Numbers, Values, whole_numbers
 from .splines import spline_weights
 
@@ -37,15 +37,15 @@ FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "s
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableContact:
-    """What a table is built for: the pair of bodies, the oil, its rheology and temperature."""
+    """Inputs of a table: the pair of bodies, the oil, its rheology and temperature."""
 
     radius_x: float  # reduced radius of curvature along the entrainment [m]
     radius_y: float  # and across [m]
     reduced_modulus: float  # E' [Pa]
-    lubricant: Lubricant
-    rheology: Rheology
+    lubricant: Lubricant  # oil of the contact
+    rheology: Rheology  # its shear law
     temperature: float  # of the oil at the inlet [K]
-    # of the loaded surface across the entrainment; infinite: no curvature slip [m]
+    # radius of the loaded surface across the entrainment; infinite: no curvature slip [m]
     curvature_radius: float = inf
     curvature_difference: float = 0.0  # 1/R_2x - 1/R_1x of the bodies [1/m]
     # body 1, the ball, and body 2; None: the oil stays at its temperature
@@ -53,7 +53,20 @@ class TableContact:
     ball_radius: float | None = None  # of body 1 [m]; None: body 2 counts as a plane
 
     def conditions(self, load: float, speed: float) -> ContactConditions:
-        """Of the film at a load [N] and entrainment speed [m/s], without sliding."""
+        """Give the conditions of a film without sliding.
+
+        Parameters
+        ----------
+        load : float
+            load [N]
+        speed : float
+            entrainment speed [m/s]
+
+        Returns
+        -------
+        ContactConditions
+            conditions of the contact
+        """
         shared = ("radius_x", "radius_y", "reduced_modulus", "lubricant", "ball_radius")
         bodies = {name: getattr(self, name) for name in shared}
         return ContactConditions(load=load, entrainment_speed=speed, **bodies)
@@ -91,12 +104,25 @@ class TableRange:
 
 
 def latin_hypercube(ends: Array, count: int, rng: np.random.Generator) -> Array:
-    """Random places between ends of shape (d, 2), one in each of `count` layers along every axis,
-    shape (d, count) [same unit].
+    """Draw points between ends, one in each of `count` layers along every axis.
+
+    Parameters
+    ----------
+    ends : Array
+        lowest and highest value of each axis, shape (d, 2) [any unit]
+    count : int
+        number of points [-]
+    rng : np.random.Generator
+        generator of random numbers
+
+    Returns
+    -------
+    Array
+        points, shape (d, count) [same unit]
     """
     layers = np.stack([rng.permutation(count) for _ in ends])
-    shares = (layers + rng.random(layers.shape)) / count
-    return np.asarray(ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * shares)
+    fractions = (layers + rng.random(layers.shape)) / count
+    return np.asarray(ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * fractions)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -115,8 +141,8 @@ class TableError:
     films: int  # films solved for the check
     motions: int  # motions at each
     tolerance: float  # asked for, on the largest [-]
-    # of the force vector over kappa_max Q at as many motions without spin or with little, from
-    # slides of 1e-7 of the entrainment on; NaN in files written before it was known [-]
+    # error of the force vector over kappa_max Q at as many motions without spin or with little,
+    # from slides of 1e-7 of the entrainment on; NaN in files written before it was known [-]
     largest_straight: float = nan
     # over those solved at `responses` films of the check; NaN where none converged and in files
     # written before they were measured
@@ -126,8 +152,8 @@ class TableError:
 
     @property
     def reached(self) -> bool:
-        """Whether every point of the check is within the tolerance, those drawn evenly in the
-        table's coordinates; near rolling without spin `largest_straight` tells.
+        """True if every point of the check is within the tolerance, those drawn evenly in the
+        table's coordinates; `largest_straight` counts near rolling without spin.
         """
         return self.largest <= self.tolerance
 
@@ -156,8 +182,8 @@ class TractionTable:
     sliding forces and moments over these units [-].
     """
 
-    contact: TableContact
-    range: TableRange
+    contact: TableContact  # bodies, oil and temperature
+    range: TableRange  # of load, speed and motion
     points: int  # of the films along x
     # start, nodes per unit, nodes of load_place(load), ln(speed), and the scaled motions, of
     # slide_y the half above zero; shape (5, 3)
@@ -165,17 +191,17 @@ class TractionTable:
     scalars: Array  # shape (nQ + 2, nU + 2, 10)
     values: Values  # of `stored_values`, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
     kappa_max: float  # largest coefficient of sliding of all films, at the smallest loads [-]
-    error: TableError
+    error: TableError  # of the check
     films: int  # solved in all, with those of the check
     converged: bool  # every film, stiffness and damping, and the tolerance is reached
-    message: str
+    message: str  # status of the build
     # LIMIT_SHARE, SPIN_SHARE_Y and REST_SHARE of the coordinates [-]
     spacing: tuple[float, float, float] = (LIMIT_SHARE, SPIN_SHARE_Y, REST_SHARE)
     full_solves: tuple[FullSolve, ...] = ()  # beside films of the table, where requested
 
     @cached_property
     def constants(self) -> Array:
-        """As the kernel takes them, shape (13,): see `_kernels.table_lookup`."""
+        """Constants as the kernel takes them, shape (13,): see `_kernels.table_lookup`."""
         contact = self.contact
         bodies = (contact.radius_x, contact.curvature_difference)
         along, across = contact.unit_semi_axes
@@ -195,10 +221,26 @@ class TractionTable:
     def forces(
         self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
     ) -> TractionForces:
-        """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s].
+        """Look up the traction, see `TractionLaw.forces`.
 
-        Outside the table's range the nearest place counts, forces in proportion to the load, and
-        `outside` names what lies there.
+        Outside the table's range the nearest point counts, forces in proportion to the load, and
+        `outside` names the quantities that lie there.
+
+        Parameters
+        ----------
+        load : float
+            normal load [N]
+        speed : float
+            entrainment speed [m/s]
+        slide_x, slide_y : float
+            sliding of body 1 along x and y [m/s]
+        spin : float
+            spin of body 1 [rad/s]
+
+        Returns
+        -------
+        TractionForces
+            forces and moments on body 1, film, stiffness and damping
         """
         out = np.empty(8)
         motion = (load, speed, slide_x, slide_y, spin)
@@ -207,7 +249,18 @@ class TractionTable:
         return TractionForces._make((*map(float, out), outside))
 
     def with_rolling(self, factor: float) -> "TractionTable":
-        """The table with a share of its hydrodynamic moment [-]: a shift of its logarithm."""
+        """Scale the hydrodynamic moment of the table: a shift of its logarithm.
+
+        Parameters
+        ----------
+        factor : float
+            factor on the moment [-]
+
+        Returns
+        -------
+        TractionTable
+            table with that moment
+        """
         if factor == 1.0:
             return self
         scalars = self.scalars.copy()
@@ -217,8 +270,22 @@ class TractionTable:
         return shifted
 
     def units(self, load: float, speed: float) -> Array:
-        """Units of force [N] and moments about n, y [N m] by sliding at load [N], speed [m/s]: the
-        largest, smoothed over both, off by up to 17, 30 and 17 % where a film turns.
+        """Evaluate the units of the forces and moments of sliding.
+
+        They are the largest ones, smoothed over load and speed, off by up to 17, 30 and 17 % where
+        a film turns.
+
+        Parameters
+        ----------
+        load : float
+            load [N]
+        speed : float
+            entrainment speed [m/s]
+
+        Returns
+        -------
+        Array
+            units of force [N] and of the moments about n and y [N m], shape (3,)
         """
         scalars = self.scalars
         for axis, place in zip(self.axes, (load_place(load), log(speed)), strict=False):
@@ -228,5 +295,16 @@ class TractionTable:
 
 
 def load_place(load: float) -> float:
-    """Coordinate of a load [N] on its axis [N^(-1/5)]."""
+    """Evaluate the coordinate of a load on its axis.
+
+    Parameters
+    ----------
+    load : float
+        load [N]
+
+    Returns
+    -------
+    float
+        coordinate [N^(-1/5)]
+    """
     return float(-(load**LOAD_POWER))

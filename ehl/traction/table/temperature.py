@@ -32,7 +32,7 @@ class TemperatureTable:
     """Traction of one contact at several temperatures of its oil."""
 
     tables: tuple[TractionTable, ...]  # of the same range and nodes, at rising temperatures
-    # of the tables half-way between neighbours, against films and shear at that temperature
+    # errors of the tables half-way between neighbours, against films and shear at that temperature
     errors: tuple[TableError, ...] = ()
 
     def __post_init__(self) -> None:
@@ -48,26 +48,53 @@ class TemperatureTable:
 
     @property
     def temperatures(self) -> tuple[float, ...]:
-        """Of the tables [K]."""
+        """Temperatures of the tables [K]."""
         return tuple(table.contact.temperature for table in self.tables)
 
     @property
     def converged(self) -> bool:
-        """Whether every table is, and those between keep the tolerance."""
+        """True if every table converged, and those between are within the tolerance."""
         between = all(error.reached for error in self.errors)
         return between and all(table.converged for table in self.tables)
 
     def replaced(self, table: TractionTable) -> "TemperatureTable":
-        """These with another table at its temperature [K]; left out where there is none."""
+        """Replace the table of one temperature; a temperature without a table is ignored.
+
+        Parameters
+        ----------
+        table : TractionTable
+            table at its temperature
+
+        Returns
+        -------
+        TemperatureTable
+            tables with that one
+        """
         at = table.contact.temperature
         tables = (table if one.contact.temperature == at else one for one in self.tables)
         return replace(self, tables=tuple(tables))
 
     def at(self, temperature: float, lubricant: Lubricant | None = None) -> TractionTable:
-        """The table at a temperature [K] in range, with an oil whose viscosities are those between
-        the tables (else ValueError).
+        """Interpolate the table of a temperature.
 
         Without an oil it is that of the nearest table, with viscosities and density interpolated.
+
+        Parameters
+        ----------
+        temperature : float
+            temperature of the oil in the range of the tables [K]
+        lubricant : Lubricant | None, optional
+            oil whose viscosities are those between the tables; None: that of the tables
+
+        Returns
+        -------
+        TractionTable
+            table at the temperature
+
+        Raises
+        ------
+        ValueError
+            if the temperature lies outside the range, or the tables were built for another oil
         """
         known = np.array(self.temperatures)
         if not known[0] <= temperature <= known[-1]:
@@ -112,9 +139,30 @@ def build_temperature_table(
     options: TableOptions | None = None,
     progress: Progress | None = None,
 ) -> TemperatureTable:
-    """Tables at two or more rising temperatures [K], checked half-way between them.
+    """Build tables at two or more temperatures, checked half-way between them.
 
-    contact_at gives the contact with its oil at a temperature [K]; progress as in `build_table`.
+    Parameters
+    ----------
+    contact_at : Callable[[float], TableContact]
+        gives the contact with its oil at a temperature [K]
+    temperatures : Sequence[float]
+        rising temperatures [K]
+    limits : TableRange
+        range of loads, speeds and motions
+    options : TableOptions | None, optional
+        nodes, tolerance and rounds; None: the defaults
+    progress : Progress | None, optional
+        as in `build_table`
+
+    Returns
+    -------
+    TemperatureTable
+        tables with their errors
+
+    Raises
+    ------
+    ValueError
+        if a film cannot be used
     """
     options = options or TableOptions()
     tables = [build_table(contact_at(one), limits, options, progress) for one in temperatures]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Array, lagrange_weights
 from ...multigrid.threads import film_threads
-from .coordinates import PLACE_PARTS, from_vertex, motion_of, spinning_scales, vertex_slide
+from .coordinates import PLACE_PARTS, from_vertex, motion_at, spinning_scales, vertex_slide
 from .film import FilmSample, relative_forces
 from .splines import SMALLEST, along_axis, spline_matrix, spline_weights
 from .table import TableContact, TableRange
@@ -24,7 +24,7 @@ from .table import TableContact, TableRange
 FULL_STEP = 0.4
 MOTIONS = (2, 3, 4)  # axes of values over load, speed, slide_x, slide_y, spin
 NEAREST = 4  # full rows that a row between is interpolated from
-Singles = NDArray[np.float32]
+Float32Array = NDArray[np.float32]
 
 
 def grid_values(
@@ -33,9 +33,28 @@ def grid_values(
     films: Sequence[Sequence[FilmSample]],
     nodes: Sequence[Array],
     workers: int,
-) -> tuple[Singles, Array]:
-    """Values of films over load and speed at the nodes of slide_x, slide_y and spin, shape (nQ,
-    nU, nX, nY, nS, 4), over the largest force and moments of each, shape (nQ, nU, 3) [N], [N m].
+) -> tuple[Float32Array, Array]:
+    """Shear films over load and speed at the nodes of slide_x, slide_y and spin.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    films : Sequence[Sequence[FilmSample]]
+        films over load and speed
+    nodes : Sequence[Array]
+        coordinates of slide_x, slide_y and spin, each of shape (n,) [-]
+    workers : int
+        number of threads [-]
+
+    Returns
+    -------
+    values
+        forces and moments over the largest of each film, shape (nQ, nU, nX, nY, nS, 4) [-]
+    largest
+        largest force [N] and moments about n and y [N m], shape (nQ, nU, 3)
     """
     count = len(films)
     full = _full_rows([row[0].place[0] for row in films])
@@ -78,7 +97,7 @@ def _full_rows(log_loads: list[float]) -> list[int]:
     return rows if apart.max() <= FULL_STEP else list(range(len(log_loads)))
 
 
-def _rows(blocks: list[Singles], speeds: int) -> Singles:
+def _rows(blocks: list[Float32Array], speeds: int) -> Float32Array:
     """Blocks of films, one for each load and speed, as one array."""
     return np.array(blocks, np.float32).reshape(-1, speeds, *blocks[0].shape) if blocks else _NONE
 
@@ -97,20 +116,20 @@ def _row_weights(full: list[int], between: list[int]) -> Array:
     return weights
 
 
-def _refined(values: Singles, nodes: Sequence[Array], steps: Sequence[int]) -> Singles:
+def _refined(values: Float32Array, nodes: Sequence[Array], steps: Sequence[int]) -> Float32Array:
     """Values at all nodes of the motions by splines through those at few."""
     for axis, (one, step) in enumerate(zip(nodes, steps, strict=True)):
         if step > 1:
             few = len(one[::step])
-            places = np.zeros((one.size, few + 2))
+            positions = np.zeros((one.size, few + 2))
             for k in range(one.size):
                 first, weights = spline_weights(k / step, few)
-                places[k, first : first + 4] = weights
-            values = along_axis(places @ spline_matrix(few), values, MOTIONS[axis])
+                positions[k, first : first + 4] = weights
+            values = along_axis(positions @ spline_matrix(few), values, MOTIONS[axis])
     return values
 
 
-def _largest(raw: Singles) -> Array:
+def _largest(raw: Float32Array) -> Array:
     """Largest force and moments about n, y of each film, shape (nQ, nU, 3) [N], [N m]."""
     squares = raw[..., 0] * raw[..., 0] + raw[..., 1] * raw[..., 1]
     force = np.sqrt(squares.max(axis=MOTIONS))
@@ -123,26 +142,41 @@ def _largest(raw: Singles) -> Array:
 
 def _values(
     contact: TableContact, limits: TableRange, film: FilmSample, nodes: Sequence[Array]
-) -> Singles:
+) -> Float32Array:
     """Forces and moments of a film at the motions, shape (nX, nY, nS, 4) [N], [N m]."""
     x, y, n = nodes
     # spin first: neighbours in the row of motions slide alike
     motions = table_motions(contact, limits, film, (x[:, None], y, n[:, None, None]))
-    forces = relative_forces(contact, film.film, film.speed, motions, many=True)
+    forces = relative_forces(contact, film.film, film.speed, motions, vectorised=True)
     return np.moveaxis(forces.astype(np.float32).reshape(n.size, x.size, y.size, 4), 0, 2)
 
 
 def table_motions(
     contact: TableContact, limits: TableRange, film: FilmSample, places: Sequence[Array] | Array
 ) -> list[Array]:
-    """Motions over u, u and u/R_x at places on a table's axes, arrays of shapes that fit each
-    other, flat [-].
+    """Convert coordinates on a table's axes to motions.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    film : FilmSample
+        film with its scales
+    places : Sequence[Array] | Array
+        coordinates of slide_x, slide_y and spin, arrays of shapes that fit [-]
+
+    Returns
+    -------
+    list[Array]
+        slide_x/u, slide_y/u and spin R_x/u, flat, each of shape (n,) [-]
     """
     x, y, n = places
     bounds = limits.motions
-    spin = motion_of(n, film.scales[2], bounds[2], PLACE_PARTS[2])
+    spin = motion_at(n, film.scales[2], bounds[2], PLACE_PARTS[2])
     scale_x, scale_y = spinning_scales(film.scales[:2], spin, contact, film.load)
-    top = motion_of(x, scale_x, bounds[0], PLACE_PARTS[0])
+    top = motion_at(x, scale_x, bounds[0], PLACE_PARTS[0])
     slide_x = from_vertex(top, vertex_slide(spin, contact, film.load), bounds[0])
-    slide_y = motion_of(y, scale_y, bounds[1], PLACE_PARTS[1])
+    slide_y = motion_at(y, scale_y, bounds[1], PLACE_PARTS[1])
     return [part.ravel() for part in np.broadcast_arrays(slide_x, slide_y, spin)]

@@ -86,7 +86,7 @@ def dry(setup):
     data = RaceFriction(inner=made_up_table(bearing, Race.INNER), outer=made_up_table(bearing, Race.OUTER))
     radii = reduced_radii(bearing, Race.INNER, radians(15.0))
     law = np.array([contact_stiffness(*radii, contact_modulus(bearing, Race.INNER)), 1.5, 0.0])
-    return data.data(Race.INNER), law
+    return data.data(Race.INNER).table, law
 
 
 def kernel(dry, distance, speed):
@@ -269,7 +269,7 @@ def test_what_cannot_be_lubricated_is_refused(setup, dry):
     with pytest.raises(ValueError, match="needs traction tables"):
         simulation(bearing, setup.operation(5000.0, 60.0), setup.model(bearing, normal=LUBRICATED))
     steep = made_up_table(bearing, Race.INNER, thickness=lambda load, speed: 1e-7 * load * speed**0.67)
-    data = RaceFriction(inner=steep, outer=steep).data(Race.INNER)
+    data = RaceFriction(inner=steep, outer=steep).data(Race.INNER).table
     with pytest.raises(ValueError, match="inner race's table rises"):
         check_film(data, dry[1], "inner")
     check_film(*dry, "inner")

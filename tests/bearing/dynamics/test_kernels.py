@@ -132,9 +132,11 @@ def test_the_row_before_a_time_is_found_among_many():
 def test_the_light_quadrature_holds_the_full_one(setup):
     """48 points over the ellipse against 512: force within 1 % of mu Q, spin moment within 2 % of mu Q b."""
     bearing = setup.bearing_7008()
-    data = race_friction(
-        CoefficientTraction(FourConstants(-0.03, 3.6, 46.0, 0.03)), bearing, (radians(15.0),) * 2
-    ).data(Race.INNER)
+    data = (
+        race_friction(CoefficientTraction(FourConstants(-0.03, 3.6, 46.0, 0.03)), bearing, (radians(15.0),) * 2)
+        .data(Race.INNER)
+        .coefficient
+    )
     for slide_x, slide_y, spin in ((0.1, 0.0, 0.0), (0.02, 0.05, 400.0), (0.0, 0.0, 800.0), (2.0, 0.1, 200.0)):
         found = np.zeros((2, 8))
         for row, disc in enumerate((ellipse_rings(4, 12, staggered=True), ellipse_rings(16, 32))):
@@ -214,12 +216,12 @@ def test_jacobian_ball_by_ball_is_that_of_all_contacts(setup, cage, kind):
     scale = motion.scale(sim.scale)
     size, before = scale.size, y.copy()
     found = np.zeros((size + 1, size + 1))[:size, :size]  # a part of an array, as LSODA has it
-    jacobian(0.0, y, motion.data, scale, found)
+    jacobian(0.0, y, motion.data.kernel, scale, found)
     assert_allclose(y, before, rtol=0.0)
 
     def rates(y):
         dy = np.zeros_like(y)
-        _kernels.solved_derivative(0.0, y, motion.data, dy)
+        _kernels.solved_derivative(0.0, y, motion.data.kernel, dy)
         return dy[:size]
 
     base = rates(y)

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, solve_quasistatic
-from bearing.dynamics.arrays import Constants
+from bearing.dynamics.arrays import Constants, changed_data
 from bearing.dynamics.bodies import load_type
 from bearing.dynamics.choices import LoadType
 from bearing.dynamics.friction import race_friction
@@ -188,7 +188,7 @@ def test_a_load_that_goes_round_is_an_unbalance_at_a_steady_speed(setup):
     uneven, going_round = (run.data.constants for run in made_runs)
     numbers = {name: getattr(going_round, name) for name in Constants._fields if name.startswith("rotating")}
     data = made_runs[0].data
-    both = [data, data._replace(constants=uneven._replace(unbalance=0.0, **numbers))]
+    both = [data, changed_data(data, constants=uneven._replace(unbalance=0.0, **numbers))]
     layout = made_runs[0].layout
     y = made_runs[0].state.y
     y[layout.mechanical] = speed * 0.003  # angle of the ring

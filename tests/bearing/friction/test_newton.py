@@ -6,7 +6,7 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from bearing.friction._newton_kernels import damped_steps
-from bearing.friction.law import ContactLaw, Dissipation
+from bearing.friction.law import ContactFriction, Dissipation
 from bearing.friction.newton import MotionProblem, _evaluate, _of_balls, pocket_power
 
 from ...reference.newton import damped_step_twin, left_on_balls_twin, pocket_friction_twin
@@ -23,7 +23,7 @@ def problem():
         return Dissipation(part.sum(axis=1), part, part[:, :, None] * np.cos(motion)[:, None, :])
 
     return MotionProblem(
-        law=ContactLaw(evaluate=evaluate, reference_force=np.ones(2 * BALLS)),
+        law=ContactFriction(evaluate=evaluate, reference_force=np.ones(2 * BALLS)),
         start=rng.normal(size=(BALLS, 2, 4)),
         slopes=rng.normal(size=(BALLS, 2, 4, 4)),
         gyroscopic_couple=rng.normal(size=(BALLS, 4)),

@@ -30,7 +30,7 @@ STEEL = load_material("bearing steel")
 
 
 def chain(first, second, value):
-    return HeatPath(first=first, second=second, conductance=Conductance.exactly(value), what="")
+    return HeatPath(first=first, second=second, conductance=Conductance.exactly(value), description="")
 
 
 def test_a_rod_is_conductances_in_a_line():

@@ -14,7 +14,7 @@ from bearing.heating.capacities import heat_capacities
 from bearing.heating.conductances import Conductance
 from bearing.heating.friction_heat import heat_of_torque
 from bearing.heating.heat_state import SelfHeatingProblem, heat_state
-from bearing.heating.limiting_speed import FAST_ENOUGH, NO_STATE, TOO_WARM, TURNED, at_speed, balances_over_speed
+from bearing.heating.limiting_speed import SpeedLimit, at_speed, balances_over_speed
 from bearing.heating.network import NODES
 from bearing.heating.self_heating import solve_self_heating
 from bearing.heating.stability import Slopes, stability
@@ -82,7 +82,7 @@ def test_the_branch_turns_where_the_closed_form_does(problem, rise):
     """theta = R Q n exp(k theta): the fastest balance is at theta = 1/k, n = 1/(R Q k e), and its margin is zero."""
     study = problem(rise)
     found = balances_over_speed(study, solve_self_heating(study, "made up").state)
-    assert found.limited_by == TURNED
+    assert found.limited_by is SpeedLimit.RUNAWAY
     top = found.fastest
     # R of that speed: centrifugal force spreads the loads over the halves of the outer ring
     own = (top.state.found_temperature - AMBIENT) / top.state.friction.power
@@ -114,11 +114,11 @@ def test_oil_that_thins_has_no_turn(problem):
     """The branch ends at the highest temperature, or where the search does."""
     study = problem(-0.002)
     found = balances_over_speed(study, solve_self_heating(study, "made up").state)
-    assert found.limited_by == TOO_WARM
+    assert found.limited_by is SpeedLimit.TEMPERATURE
     assert found.limit == found.balances[-1].speed
     thin = problem(-0.05)
     found = balances_over_speed(thin, solve_self_heating(thin, "made up").state)
-    assert found.limited_by == FAST_ENOUGH
+    assert found.limited_by is SpeedLimit.NOT_REACHED
     assert found.limit is None
 
 
@@ -134,7 +134,7 @@ def test_a_state_that_cannot_be_is_told(problem):
 
     study = replace(study, friction=failing)
     found = balances_over_speed(study, solve_self_heating(study, "made up").state)
-    assert (found.limited_by, found.message, found.limit) == (NO_STATE, "too warm to compute", None)
+    assert (found.limited_by, found.message, found.limit) == (SpeedLimit.NO_STATE, "too warm to compute", None)
     assert found.balances[-1].state.film_temperature > AMBIENT + 45.0
 
 

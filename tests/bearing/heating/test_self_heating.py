@@ -103,7 +103,7 @@ def test_the_margin_counts_how_friction_falls(bearing):
     """Oil that thins: above 1; the slowest mode is slower with friction that stays; ends lie about the value."""
     found = solve_self_heating(warm(bearing), "rolling")
     assert found.stability.margin > 1.0
-    assert found.stability.rate < found.stability.still_rate < 0.0
+    assert found.stability.rate < found.stability.constant_friction_rate < 0.0
     assert (found.stability.coldest < found.stability.hottest).all()
     assert (found.stability.coldest <= found.state.temperatures).all()
     assert (found.state.temperatures <= found.stability.hottest).all()

@@ -12,6 +12,7 @@ from bearing import (
     estimate_bearing,
     estimate_geometry,
     list_bearings,
+    load_bearing,
     load_catalogue_entry,
     typical_geometry,
 )
@@ -32,6 +33,19 @@ THIN = "618"  # series in which NSK's f_0 exceeds what ISO 76 has, and ratings f
 def estimates():
     """The estimated geometry of each row of the table of ratings."""
     return {name: catalogue_geometry.estimate(row) for name, row in ROWS.items()}
+
+
+@pytest.mark.parametrize("name", [*list_bearings(), "6205-2RS C3", "7014 CD/P4A"])
+def test_each_bearing_loads_as_its_entry_says(name):
+    entry = load_catalogue_entry(name)
+    bearing = load_bearing(name)
+    assert (bearing.name, bearing.balls, bearing.type.value) == (entry["name"], entry["balls"], entry["type"])
+    assert bearing.ball_diameter == pytest.approx(1e-3 * entry["ball_diameter_mm"], rel=1e-15)
+    assert bearing.ball_material.name == entry["ball_material"]
+    if "diametral_clearance_um" in entry:
+        assert bearing.diametral_clearance == pytest.approx(1e-6 * entry["diametral_clearance_um"], rel=1e-15)
+    else:
+        assert bearing.free_contact_angle == pytest.approx(entry["free_contact_angle_deg"] * pi / 180.0, rel=1e-12)
 
 
 def test_there_are_the_common_bearings():

@@ -6,14 +6,16 @@ from math import log, log10
 
 import numpy as np
 import pytest
+from numba import njit
 from numpy.testing import assert_allclose
 
 from bearing import library_lubricant, list_lubricants
 from bearing.library.lubricants import LAWS, PROPERTIES, lubricant_data
 from ehl import DensityLaw, ViscosityLaw
 from ehl.oil import _kernels
-from ehl.oil.lubricant import density, heat_properties, log_viscosity_ratio, viscosity
-from ehl.oil.numbers import oil_numbers
+from ehl.oil.lubricant import density, heat_properties, log_viscosity_ratio, oil_numbers, viscosity
+
+from ...reference.ehl import oil_laws as reference
 
 VOGEL = {10: (0.1, 623.0), 22: (0.087, 748.0), 32: (0.0813, 808.0), 46: (0.0762, 866.0), 68: (0.071, 929.0)}
 VOGEL[100] = (0.0662, 990.0)
@@ -252,13 +254,26 @@ def test_kernels_have_the_same_oil(name):
     """Viscosity and heat of every oil, over pressure and temperature, as the compiled laws have them."""
     oil = library_lubricant(name, 333.15)
     numbers = oil_numbers(oil)
-    for p in (0.0, 3e8, 1.3e9):
-        for t in (310.0, 333.15, 400.0):
-            assert _kernels.log_viscosity_ratio(p, t, numbers) == pytest.approx(
-                float(log_viscosity_ratio(p, oil, t)), rel=1e-9, abs=1e-9
-            )
-            k, capacity = heat_properties(p, oil, t)
-            rho = _kernels.density_ratio(p, t, numbers)
-            assert _kernels.conductivity_ratio(p, t, numbers) == pytest.approx(k / oil.thermal.conductivity, rel=1e-11)
-            ratio = capacity / (oil.density * oil.thermal.specific_heat)
-            assert _kernels.capacity_ratio(p, t, rho, numbers) == pytest.approx(ratio, rel=1e-11)
+    p, t = (a.ravel() for a in np.meshgrid([0.0, 3e8, 1.3e9], [310.0, 333.15, 400.0]))
+    wanted = reference.log_viscosity_ratio(p, oil, t)
+    assert_allclose(log_viscosity_ratio(p, oil, t), wanted, rtol=1e-12, atol=1e-13)
+    assert_allclose(
+        [compiled_log_viscosity(*at, numbers) for at in zip(p, t, strict=True)], wanted, rtol=1e-9, atol=1e-9
+    )
+    ratios = reference.heat_ratios(p, oil, t)
+    ambient = oil.thermal.conductivity, oil.density * oil.thermal.specific_heat
+    for found, ratio, unit in zip(heat_properties(p, oil, t), ratios, ambient, strict=True):
+        assert_allclose(found, ratio * unit, rtol=1e-12)
+    found = [compiled_heat(*at, numbers) for at in zip(p, t, strict=True)]
+    assert_allclose(np.transpose(found), ratios, rtol=1e-11)
+
+
+@njit(error_model="numpy")
+def compiled_log_viscosity(p, t, numbers):
+    return _kernels.log_viscosity_ratio(p, t, numbers)
+
+
+@njit(error_model="numpy")
+def compiled_heat(p, t, numbers):
+    rho = _kernels.density_ratio(p, t, numbers)
+    return _kernels.conductivity_ratio(p, t, numbers), _kernels.capacity_ratio(p, t, rho, numbers)

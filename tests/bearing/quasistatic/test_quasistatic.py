@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
 from bearing.operation import HYPOTHESES
 from bearing.quasistatic._equilibrium_kernels import differentiated
-from bearing.quasistatic.ball_equilibrium import _given, _prescribed, solve_balls
+from bearing.quasistatic.ball_equilibrium import _kernel_arguments, _prescribed, solve_balls
 from bearing.quasistatic.balls import ball_problem, ball_state
 from bearing.quasistatic.kinematics import PrescribedBalls
 from bearing.quasistatic.ring import ring_of
@@ -80,7 +80,7 @@ def test_compiled_balance_agrees_with_its_twin(bearings, kinematics, prescribed)
         names = [field.name for field in fields(PrescribedBalls)]
         motion = dict(zip(names, generator.uniform(1.0, 2.0, (len(names), 400)), strict=True))
         problem = replace(problem, prescribed=PrescribedBalls(**motion))
-    known, given = _prescribed(problem, 400), _given(problem)
+    known, given = _prescribed(problem, 400), _kernel_arguments(problem)
     found, slopes = np.empty((400, 6)), np.empty((400, 6, 4))
     sizes = [
         differentiated(*at, given, values, slope)

@@ -20,6 +20,8 @@ from ehl import Lubricant, ViscosityLaw
 from ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_shares, starved_share
 from ehl.conditions import moes_groups
 
+from ...reference.heat_balance import Cooling, heat_balance
+
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 ML_MIN = 1e-6 / 60.0  # [m^3/s]
 

@@ -119,7 +119,7 @@ def test_an_outer_ring_that_floats_moves_as_an_inner_one():
     options = VibrationOptions(
         duration=0.04, settling=0.015, sample_rate=20480.0, law=ContactLaw.LINEAR, wave_filter=WaveFilter.NONE
     )
-    support = Support(inner_ring_held=True, seat_stiffness=0.0, outer_mass=0.4)
+    support = Support(inner_ring_fixed=True, seat_stiffness=0.0, outer_mass=0.4)
     model = VibrationModel(form=SurfaceForm(waves=waves), options=options, support=support)
     found = computed(vibration_run(state, model, assembled(state, contact_conditions(state, case().lubricant), model)))
     (line,) = expected_lines(state, found.assembled, model.form)

@@ -27,7 +27,7 @@ from postprocess.batch.store import PointStore
 from postprocess.batch.summary import batch_summary
 from postprocess.batch.table import batch_table
 from postprocess.files import write_json
-from postprocess.report.batch import _points
+from postprocess.report.batch import listed_points
 
 from .test_batch import HerePool
 
@@ -200,7 +200,7 @@ def test_lives_are_hours_without_powers_of_ten():
     text = terminal.file.getvalue()
     assert "L10mh" in text and "1234000000" in text and "Q max" not in text
     assert max(len(line.rstrip()) for line in text.splitlines()) <= 80
-    page = _points(batch_summary(results))
+    page = listed_points(batch_summary(results))
     assert "modified rating life L10mh<small>h</small>" in page
     assert "<td>1234000000</td>" in page and "<td>27120000</td>" in page
 

@@ -14,7 +14,7 @@ from cases.batch.results import load_results, write_batch
 from cases.batch.sweep import sweep_from_text
 from postprocess.batch.summary import batch_summary
 from postprocess.batch.table import batch_table
-from postprocess.report.batch import _uncertainty
+from postprocess.report.batch import uncertainty
 
 from .test_batch import HEAD, HerePool, messages
 
@@ -104,7 +104,7 @@ def test_designs_are_in_the_summary(tmp_path):
     assert band["points"] == 8
     assert band["q50_low"] <= band["q50"] <= band["q50_high"]
     assert band["q95_high"] is None  # eight points do not bound it
-    assert "Sobol indices from 16 points" in _uncertainty(batch_summary(results))
+    assert "Sobol indices from 16 points" in uncertainty(batch_summary(results))
     assert len(batch_table(results).renderables) >= 5
 
 

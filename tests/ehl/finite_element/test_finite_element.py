@@ -14,7 +14,7 @@ from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, sol
 from ehl.finite_element.edges import dual_lengths
 from ehl.finite_element.levels import cell_along, lattices, level_on
 from ehl.finite_element.mesh import graded_lines, refined
-from ehl.finite_element.newton import Progress, newton, share_of_step
+from ehl.finite_element.newton import Progress, newton, step_fraction
 from ehl.finite_element.oil_laws import oil_laws, reduced_pressure, tabulated_laws
 from ehl.finite_element.reynolds import (
     coefficients,
@@ -209,10 +209,10 @@ def test_iterations_of_the_linear_solver_do_not_grow(m, l):
 def test_a_step_that_takes_back_the_last_is_halved():
     """Between two sets of cavitated nodes that lead to each other Newton's method would go to and fro."""
     step = np.array([0.0, 1e-3, -2e-3])
-    assert share_of_step(step, -step) == 0.5
-    assert share_of_step(step, 0.1 * step) == 1.0
-    assert share_of_step(step, -0.5 * step) == 1.0  # a solution overshot is met by the next step
-    assert share_of_step(np.zeros(3), step) == 1.0
+    assert step_fraction(step, -step) == 0.5
+    assert step_fraction(step, 0.1 * step) == 1.0
+    assert step_fraction(step, -0.5 * step) == 1.0  # a solution overshot is met by the next step
+    assert step_fraction(np.zeros(3), step) == 1.0
 
 
 def test_the_start_is_forgotten():

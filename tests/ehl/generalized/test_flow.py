@@ -15,8 +15,7 @@ from scipy.integrate import quad
 from ehl.generalized import _kernels
 from ehl.generalized._stress_kernels import ROWS
 from ehl.generalized.section import film_section
-from ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, viscosity
-from ehl.oil.numbers import oil_numbers
+from ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, oil_numbers, viscosity
 from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 
 from ...reference.ehl.film_columns import FilmColumns, _stresses, flow_integrals, fluidities, mid_stress

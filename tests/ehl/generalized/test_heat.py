@@ -18,11 +18,10 @@ from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw, solve
 from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.generalized import _heat_kernels as _kernels
 from ehl.generalized import _sweep_kernels, flow, solver
-from ehl.generalized.film_heat import LEAST_UNSEEN, FilmHeat
+from ehl.generalized.film_heat import SMALLEST_PENDING_CHANGE, FilmHeat
 from ehl.generalized.section import film_section, wall_slopes
 from ehl.generalized.solver import solve_generalized
-from ehl.oil.lubricant import DensityLaw, ThermalProperties
-from ehl.oil.numbers import oil_numbers
+from ehl.oil.lubricant import DensityLaw, ThermalProperties, oil_numbers
 from ehl.oil.rheology import Rheology, kernel_rheology
 from ehl.solid.heat import SolidThermal, history_weights, response_factor
 
@@ -220,7 +219,7 @@ class Line:
         self.temperature, self.upwind = np.full((*shape, n), T_0), np.full((*shape, n), T_0)
         self.flux, self.upwind_flux = np.zeros((2, *shape)), np.zeros((2, *shape))
         self.middle, self.mass, self.dissipation = np.full((2, *shape), np.nan), np.zeros((*shape, n)), np.zeros(shape)
-        self.recirculates, self.unseen = np.zeros(shape, dtype=np.bool_), np.full(shape, np.inf)
+        self.recirculates, self.pending_change = np.zeros(shape, dtype=np.bool_), np.full(shape, np.inf)
 
     def march(self, inlet=T_0):
         """Sweep once along the line; the number of columns that missed."""
@@ -229,7 +228,12 @@ class Line:
             *(*self.film, (self.mesh, 1.0), True, True, oil_numbers(self.oil), heat, SECTION.integration, DIFFERENCES),
             *(kernel_rheology(Rheology()), inlet, (T_0, T_0), self.response, self.weights),
             *(self.upwind, self.upwind_flux, self.temperature, self.flux, self.middle, self.mass, self.dissipation),
-            *(self.recirculates, self.unseen, LEAST_UNSEEN, _sweep_kernels.column_rooms(SECTION.nodes.size)),
+            *(
+                self.recirculates,
+                self.pending_change,
+                SMALLEST_PENDING_CHANGE,
+                _sweep_kernels.column_rooms(SECTION.nodes.size),
+            ),
         )
 
 
@@ -237,7 +241,7 @@ def sweep(*film, turns=3, inlet=T_0, **more):
     """March one line of a film of uniform thickness; returns temperature, fluxes, dissipation and misses."""
     line = Line(*film, **more)
     for _ in range(turns):
-        line.unseen[:] = np.inf
+        line.pending_change[:] = np.inf
         missed = line.march(inlet)
     return line.temperature[0], line.flux[:, 0], line.dissipation[0], missed, line.middle[:, 0]
 
@@ -249,17 +253,17 @@ def test_columns_are_solved_again_where_they_have_something_to_follow():
     film = (OIL, (STEEL, STEEL), (6.0, 4.0))
     line = Line(*film, nx=200)
     assert line.march() == 0
-    assert line.unseen.max() == 0.0
+    assert line.pending_change.max() == 0.0
     rest = line.temperature.copy()
     assert line.march(T_0 + 20.0) == 0
     assert_array_equal(line.temperature, rest)
-    line.unseen[0, 0] = np.inf
+    line.pending_change[0, 0] = np.inf
     assert line.march(T_0 + 20.0) == 0
     whole = sweep(*film, nx=200, inlet=T_0 + 20.0, turns=1)[0]
     assert np.abs(whole - rest).max() > 5.0
-    assert_allclose(line.temperature[0], whole, atol=2.0 * LEAST_UNSEEN)
+    assert_allclose(line.temperature[0], whole, atol=2.0 * SMALLEST_PENDING_CHANGE)
     assert_array_equal(line.temperature[0, -1], rest[0, -1])  # there the walls have long taken the difference
-    assert line.unseen.max() < LEAST_UNSEEN
+    assert line.pending_change.max() < SMALLEST_PENDING_CHANGE
 
 
 @pytest.mark.parametrize("slip", [1.0, 6.0, 20.0])
@@ -326,7 +330,7 @@ def test_heat_of_a_weak_film_at_rest_is_that_of_all_its_columns(monkeypatch):
     contact = ball_contact(entrainment_speed=2.0, slide_roll_ratio=0.01)
     solve = partial(solve_generalized, contact, Rheology(), solids=(STEEL, STEEL), options=SolverOptions(points=33))
     film = solve()
-    monkeypatch.setattr(flow, "RESTED_SHARE", 0.0)
+    monkeypatch.setattr(flow, "CONVERGED_HEAT_FRACTION", 0.0)
     whole = solve()
     assert whole.temperature.max() - T_0 < 1.0
     assert_allclose(film.heat_flux.sum(axis=(1, 2)), whole.heat_flux.sum(axis=(1, 2)), rtol=2e-3)
@@ -353,7 +357,7 @@ def test_temperatures_that_still_change_are_in_the_error_bar():
     plain = solve_contact(ball_contact(entrainment_speed=20.0), SolverOptions(points=65))
     still, restless = (solver._with_heat_error(plain, 1e9, change, None) for change in (0.0, 10.0))
     wider = restless.film_central_dimensionless.uncertainty - still.film_central_dimensionless.uncertainty
-    assert_allclose(wider, 10.0 * solver.RESTLESS_ERROR * plain.film_central_dimensionless.finest, rtol=1e-9)
+    assert_allclose(wider, 10.0 * solver.UNCONVERGED_HEAT_ERROR * plain.film_central_dimensionless.finest, rtol=1e-9)
 
 
 @pytest.mark.parametrize(("share", "said"), [(1.001, True), (0.5, False)])

@@ -1,4 +1,4 @@
-"""Contacts of the sweep `oilfilm verify --robustness` that no attempt led to a solution, and what solves them now."""
+"""Contacts that no attempt of `verification/run.py --robustness` led to a solution, and what solves them now."""
 
 from __future__ import annotations
 

@@ -181,6 +181,7 @@ def test_certificate_on_request():
     assert film.uncertainty < bar.uncertainty
 
 
+@pytest.mark.slow
 def test_last_attempt_where_cycles_fail():
     """Nested iteration by Newton's method, after one attempt with cycles."""
     attempts = (ATTEMPTS[0], ATTEMPTS[-1])

@@ -13,7 +13,14 @@ from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, Solver
 from ehl.closed_form.hertz import hertz_contact
 from ehl.conditions import moes_groups
 from ehl.grid import Grid
-from ehl.multigrid.far_field import deflection_outside, edge_pressure, exterior_load, far_field, on_edge, squeeze_load
+from ehl.multigrid.far_field import (
+    deflection_outside,
+    edge_field,
+    edge_pressure,
+    exterior_load,
+    far_field,
+    squeeze_load,
+)
 from ehl.oil.lubricant import density, viscosity
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
@@ -191,7 +198,7 @@ def test_deflection_outside_is_the_integral_of_the_far_field_over_the_distance()
     brute = 2.0 * np.sum(strength / film**2 / distance) * 0.2**2
     ours = deflection_outside(field, box, gap(box.X[None, :], box.Y[:, None]))
     assert_allclose(ours, brute, rtol=5e-3)
-    near = deflection_outside(field, box, gap(box.X[None, :], box.Y[:, None]), layer=60.0)
+    near = deflection_outside(field, box, gap(box.X[None, :], box.Y[:, None]), inlet_film_thickness=60.0)
     within = film < 60.0
     assert_allclose(near, 2.0 * np.sum((strength / film**2 / distance)[within]) * 0.2**2, rtol=5e-3)
 
@@ -219,7 +226,7 @@ def test_edge_pressure_is_positive_where_the_oil_holds():
     c = scale_contact(INNER)
     grid = Grid(x_in=-4.0, hx=0.5, hy=2.0, nx=13, ny=9, symmetric=True)
     P, H = np.zeros((9, 13)), np.full((9, 13), 8.0)
-    edge_pressure(on_edge(far_field(c), grid), H, P)
+    edge_pressure(edge_field(far_field(c), grid), H, P)
     assert np.all(P[:, 0] > 0.0)
     assert np.all(P[-1, grid.X <= 1.0] > 0.0)
     assert np.all(P[-1, grid.X > 1.0] == 0.0)

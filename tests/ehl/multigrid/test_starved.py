@@ -36,7 +36,7 @@ SPHERE = ContactConditions(
 )
 
 
-def layer(thickness):
+def inlet_film(thickness):
     return InletLayer(thickness=(thickness,))
 
 
@@ -48,8 +48,8 @@ def flooded():
 @cache
 def starved(ratio):
     """With `ratio` times the oil that the flooded film takes along."""
-    probe = solve_contact(replace(CIRCULAR, inlet_layer=layer(1.0)), BOX)
-    return solve_contact(replace(CIRCULAR, inlet_layer=layer(ratio / probe.supply.inlet_ratio)), BOX)
+    probe = solve_contact(replace(CIRCULAR, inlet_layer=inlet_film(1.0)), BOX)
+    return solve_contact(replace(CIRCULAR, inlet_layer=inlet_film(ratio / probe.supply.inlet_ratio)), BOX)
 
 
 def share(solution):
@@ -60,7 +60,7 @@ def test_an_endless_layer_is_the_flooded_contact():
     """But for the first column, whose difference is a central one without a layer."""
     tight = replace(BOX, points=65, tolerance=1e-4, max_cycles=60)
     without = solve_contact(CIRCULAR, tight)
-    endless = solve_contact(replace(CIRCULAR, inlet_layer=layer(1e6)), tight)
+    endless = solve_contact(replace(CIRCULAR, inlet_layer=inlet_film(1e6)), tight)
     assert_allclose(endless.P, without.P, atol=5e-4)
     of_grid = endless.film_central_dimensionless.finest / without.film_central_dimensionless.finest
     assert of_grid == pytest.approx(1.0, abs=2e-5)
@@ -109,8 +109,8 @@ def test_the_law_holds_for_the_frame_of_the_entrainment():
     """Oblique: near the solution (0.820 at r 1), named as outside; across the ellipse it is that of the turned one."""
     contact = moes(100.0, 10.0, 0.3, np.pi / 6.0, oil=OIL)
     options = SolverOptions(points=129, tabulated=True)
-    probe = solve_contact(replace(contact, inlet_layer=layer(1.0)), options)
-    even = solve_contact(replace(contact, inlet_layer=layer(1.0 / probe.supply.inlet_ratio)), options)
+    probe = solve_contact(replace(contact, inlet_layer=inlet_film(1.0)), options)
+    even = solve_contact(replace(contact, inlet_layer=inlet_film(1.0 / probe.supply.inlet_ratio)), options)
     assert not even.supply.law.inside
     assert share(even) == pytest.approx(0.82, abs=0.02)
 
@@ -133,7 +133,7 @@ def test_less_oil_less_of_everything():
 
 def test_mass_is_conserved_to_rounding():
     """Plain cycles go on until what enters, leaves."""
-    s, state = solve_attempts(replace(CIRCULAR, inlet_layer=layer(0.3)), replace(BOX, points=65), film_guess=0.25)
+    s, state = solve_attempts(replace(CIRCULAR, inlet_layer=inlet_film(0.3)), replace(BOX, points=65), film_guess=0.25)
     finest = len(state.levels) - 1
     for _ in range(25):
         cycle(state, finest)
@@ -145,7 +145,7 @@ def test_mass_is_conserved_to_rounding():
 
 def test_a_solution_is_at_rest_on_the_coarser_grid():
     """Restricted and swept there, nothing moves: else the cycle had a second, false fixed point."""
-    _, state = solve_attempts(replace(CIRCULAR, inlet_layer=layer(0.1)), replace(BOX, points=65), film_guess=0.1)
+    _, state = solve_attempts(replace(CIRCULAR, inlet_layer=inlet_film(0.1)), replace(BOX, points=65), film_guess=0.1)
     finest = len(state.levels) - 1
     for _ in range(25):
         cycle(state, finest)
@@ -175,7 +175,7 @@ def test_half_and_whole_grid_and_lines_with_flow_across_them_agree():
     turning = from_groups(moes(100.0, 8.0, 0.3), rotation=2e-3)
     options = SolverOptions(points=129, domain=(-4.0, 1.6, 1.8))
     thickness = 0.5 * solve_contact(conditions, options).film_central
-    one, other = (solve_contact(replace(c, inlet_layer=layer(thickness)), options) for c in (conditions, turning))
+    one, other = (solve_contact(replace(c, inlet_layer=inlet_film(thickness)), options) for c in (conditions, turning))
     assert one.converged and other.converged
     assert share(one) == pytest.approx(share(other), rel=5e-3)
     assert one.supply.meniscus == pytest.approx(other.supply.meniscus, abs=0.06)
@@ -188,11 +188,11 @@ def test_oblique_contact_on_two_grids():
     shares = []
     for turned in (False, True):
         film, _ = solve_attempts(conditions, options)
-        supplied = replace(conditions, inlet_layer=layer(film.film_central_dimensionless.finest))
+        with_layer = replace(conditions, inlet_layer=inlet_film(film.film_central_dimensionless.finest))
 
         attempts = tuple(a for a in ATTEMPTS if a.along_entrainment == turned)[:1]
         thin, _ = solve_attempts(
-            supplied, options, attempts=attempts, film_guess=0.8 * film.film_central_dimensionless.value
+            with_layer, options, attempts=attempts, film_guess=0.8 * film.film_central_dimensionless.value
         )
         assert thin.converged
         shares.append(thin.film_central_dimensionless.value)
@@ -244,7 +244,7 @@ def test_bad_layers(keys, found):
 
 
 def test_what_is_not_solved_behind_a_layer_is_refused():
-    sphere = replace(SPHERE, inlet_layer=layer(1e-7))
+    sphere = replace(SPHERE, inlet_layer=inlet_film(1e-7))
     options = SolverOptions(points=65)
     thinning = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
     with pytest.raises(ValueError, match="inlet_layer"):
@@ -260,14 +260,14 @@ def test_what_is_not_solved_behind_a_layer_is_refused():
 
 def test_rolling_moment_of_the_solved_pressure():
     options = SolverOptions(points=129)
-    films = [solve_contact(replace(SPHERE, inlet_layer=layer(h)), options) for h in (1e-3, 5e-8)]
+    films = [solve_contact(replace(SPHERE, inlet_layer=inlet_film(h)), options) for h in (1e-3, 5e-8)]
     full, thin = (rolling_moment(film) for film in films)
     assert thin.value < 0.3 * full.value
     assert thin.layer == 5e-8
     flooded_film = solve_contact(SPHERE, options)
     assert full.value == pytest.approx(rolling_moment(flooded_film, 1e-3).value, rel=0.02)
     assert full.extent == pytest.approx(rolling_moment(flooded_film, 1e-3).extent, rel=1e-3)
-    fixed = rolling_moment(solve_contact(replace(SPHERE, inlet_layer=layer(1e-3)), BOX))
+    fixed = rolling_moment(solve_contact(replace(SPHERE, inlet_layer=inlet_film(1e-3)), BOX))
     assert fixed.extent is None and "floods the box" in fixed.note
     assert films[0].semi_axis_x < thin.extent < 1.5 * films[0].semi_axis_x
 
@@ -283,7 +283,7 @@ def power_of_the_pressure(state):
     psi = np.interp(level.P, grades, integral)
     rows = np.ones((grid.ny, 1))
     rows[0] = 0.5  # half a grid
-    fed = -float(np.sum(rows * psi[:, 1:] * np.diff(level.fill.along, axis=1))) * grid.hy
+    fed = -float(np.sum(rows * psi[:, 1:] * np.diff(level.film_content.along, axis=1))) * grid.hy
     heat = 0.0
     for axis, step, other in ((1, grid.hx, grid.hy), (0, grid.hy, grid.hx)):
         eps = 0.5 * (level.eps + np.roll(level.eps, 1, axis))
@@ -325,7 +325,7 @@ def test_moes_groups_take_the_layer_in_units_of_the_film():
     conditions = from_groups(moes(50.0, 8.0))
     film = solve_contact(conditions, BOX)
     scale = film.film_scale
-    lengths = solve_contact(replace(conditions, inlet_layer=layer(0.1 * scale)), BOX)
+    lengths = solve_contact(replace(conditions, inlet_layer=inlet_film(0.1 * scale)), BOX)
     assert isinstance(moes(50.0, 8.0), MoesConditions)
-    groups = solve_contact(replace(moes(50.0, 8.0), inlet_layer=layer(0.1)), BOX)
+    groups = solve_contact(replace(moes(50.0, 8.0), inlet_layer=inlet_film(0.1)), BOX)
     assert lengths.film_central_dimensionless.value == pytest.approx(groups.film_central_dimensionless.value, rel=1e-6)

@@ -219,7 +219,7 @@ def test_cycles_that_come_no_nearer_have_stalled(residual, stalled):
 
 
 @pytest.mark.parametrize(
-    ("residual", "film", "nearing"),
+    ("residual", "film", "approaching_solution"),
     [
         ([4e-3] * 6, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], True),  # the equations hold, the films move
         ([4e-3] * 5, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0], False),  # too few to tell
@@ -229,7 +229,7 @@ def test_cycles_that_come_no_nearer_have_stalled(residual, stalled):
         ([], [1.0], False),
     ],
 )
-def test_cycles_that_near_the_solution_go_on(residual, film, nearing):
+def test_cycles_that_near_the_solution_go_on(residual, film, approaching_solution):
     history = LevelHistory(
         film=[(value, value) for value in film],
         approach=[0.0] * len(film),
@@ -237,4 +237,4 @@ def test_cycles_that_near_the_solution_go_on(residual, film, nearing):
         residual=residual,
         load=[0.0] * len(residual),
     )
-    assert history.nearing is nearing
+    assert history.approaching_solution is approaching_solution

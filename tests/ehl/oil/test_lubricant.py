@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from numba import njit
 from numpy.testing import assert_allclose
 
 from ehl.multigrid.flow_model import NOTHING
@@ -31,9 +32,11 @@ from ehl.oil.lubricant import (
     ViscosityLaw,
     density,
     log_viscosity_ratio,
+    oil_numbers,
     viscosity,
 )
-from ehl.oil.numbers import oil_numbers
+
+from ...reference.ehl import oil_laws as reference
 
 TAIT = TaitVolume(bulk_modulus=1.312e9, bulk_modulus_derivative=11.74, reference_temperature=298.0)
 DOOLITTLE = DoolittleFreeVolume(factor=5.258, occupied_share=0.6633)
@@ -184,16 +187,36 @@ def test_general_form_is_the_isothermal_one():
     assert_allclose(viscosity(p, oil), oil.viscosity * np.exp(oil.pressure_viscosity * p), rtol=1e-13)
 
 
-def test_kernels_agree(oil):
-    """Property by property over pressures and temperatures [exp of up to 60 loses two digits]."""
+@njit(error_model="numpy")
+def compiled_laws(p, t, numbers):
+    """ln(eta/eta_0), eta and rho/rho_0 as kernels have them."""
+    log_ratio = _kernels.log_viscosity_ratio(p, t, numbers)
+    return log_ratio, _kernels.viscosity(p, t, numbers), _kernels.density_ratio(p, t, numbers)
+
+
+def test_laws_agree_with_their_twins(oil):
+    """Over arrays and compiled, property by property [exp of up to 60 loses two digits]."""
+    numbers, heated = oil_numbers(oil), oil.temperature is not None
+    pressures = np.array([0.0, 2e8, 8e8, 1.6e9])
+    for t in (320.0, 345.0, 420.0) if heated else (298.15,):
+        at = t if heated else None
+        log_ratio, ratio = (
+            reference.log_viscosity_ratio(pressures, oil, at),
+            reference.density_ratio(pressures, oil, at),
+        )
+        assert_allclose(log_viscosity_ratio(pressures, oil, at), log_ratio, rtol=1e-12, atol=1e-13)
+        assert_allclose(density(pressures, oil, at), oil.density * ratio, rtol=1e-14)
+        by_node = np.array([compiled_laws(p, t, numbers) for p in pressures]).T
+        assert_allclose(by_node[0], log_ratio, rtol=1e-12, atol=1e-13)
+        assert_allclose(by_node[1], oil.viscosity * np.exp(log_ratio), rtol=1e-10)
+        assert_allclose(by_node[2], ratio, rtol=1e-13)
+
+
+def test_softening(oil):
+    """Minus the slope of ln(eta) over temperature, by a difference of 0.02 K."""
     numbers, heated = oil_numbers(oil), oil.temperature is not None
     for p in (0.0, 2e8, 8e8, 1.6e9):
         for t in (320.0, 345.0, 420.0) if heated else (298.15,):
-            at = t if heated else None
-            log_ratio = log_viscosity_ratio(p, oil, at)
-            assert_allclose(_kernels.log_viscosity_ratio(p, t, numbers), log_ratio, rtol=1e-11, atol=1e-12)
-            assert_allclose(_kernels.viscosity(p, t, numbers), viscosity(p, oil, at), rtol=1e-10)
-            assert_allclose(oil.density * _kernels.density_ratio(p, t, numbers), density(p, oil, at), rtol=1e-13)
             cold = viscosity(p, oil, t - 0.01) if heated else 1.0
             hot = viscosity(p, oil, t + 0.01) if heated else 1.0
             softening = _kernels.viscosity_softening(p, t, numbers)
@@ -219,6 +242,11 @@ def test_density_slope(oil):
     for p in (1e5, 3e8, 2e9):
         slope = (density(p + 1e4, oil) - density(p - 1e4, oil)) / 2e4 / oil.density
         assert_allclose(_kernels.density_slope(p, numbers), slope, rtol=1e-5, atol=1e-18)
+
+
+def test_the_glass_is_thick_beyond_numbers_and_warns_nobody():
+    """ln(eta/eta_0) is 600 at most, where the occupied volume fills the whole too."""
+    assert log_viscosity_ratio(np.array([0.0, 1e11]), SQUALANE).tolist() == [0.0, _kernels.EXPONENT_LIMIT]
 
 
 def test_flow_properties(oil):

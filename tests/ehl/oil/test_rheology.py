@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from numba import njit
 from numpy.testing import assert_allclose
 
 from ehl.oil import _rheology_kernels as _kernels
@@ -21,7 +22,7 @@ from ehl.oil.rheology import (
     shear_stress_vector,
 )
 
-from ...reference.ehl.rheology import shear_rate, shear_rate_vector
+from ...reference.ehl.rheology import limiting, shear_rate, shear_rate_vector, stress
 
 LAWS = {
     "newtonian": Rheology(),
@@ -167,16 +168,26 @@ def test_vector_is_parallel(rheology):
     assert_allclose(back, rates, rtol=1e-9)
 
 
-def test_kernels_agree(rheology, states):
+def test_laws_agree_with_their_twins(rheology, states):
+    """Over arrays, and of one node as kernels have it."""
     numbers = kernel_rheology(rheology)
     base, limits = numbers[:4], numbers[4:]
-    for rate, viscosity, pressure in zip(*states, strict=True):
-        limit = _kernels.limiting_stress(pressure, 350.0, *limits)
-        assert_allclose(limit, limiting_stress(pressure, rheology, 350.0), rtol=ROUND_OFF)
-        stress = _kernels.shear_stress(rate, viscosity, limit, *base)
-        assert_allclose(stress, shear_stress(rate, viscosity, pressure, rheology, 350.0), rtol=ROUND_OFF)
-        ours = _kernels.shear_rate(0.9 * stress, viscosity, limit, *base)
-        assert_allclose(ours, shear_rate(0.9 * stress, viscosity, pressure, rheology, 350.0), rtol=ROUND_OFF)
+    bound = limiting(states[2], rheology, 350.0)
+    assert_allclose(limiting_stress(states[2], rheology, 350.0), bound, rtol=ROUND_OFF)
+    wanted = stress(*states[:2], bound, rheology)
+    assert_allclose(shear_stress(*states, rheology, 350.0), wanted, rtol=ROUND_OFF)
+    rates = shear_rate(0.9 * wanted, states[1], states[2], rheology, 350.0)
+    for node, (rate, viscosity, pressure) in enumerate(zip(*states, strict=True)):
+        limit = compiled_limit(pressure, 350.0, *limits)
+        assert_allclose(limit, bound[node], rtol=ROUND_OFF)
+        assert_allclose(_kernels.shear_stress(rate, viscosity, limit, *base), wanted[node], rtol=ROUND_OFF)
+        ours = _kernels.shear_rate(0.9 * wanted[node], viscosity, limit, *base)
+        assert_allclose(ours, rates[node], rtol=ROUND_OFF)
+
+
+@njit(error_model="numpy")
+def compiled_limit(pressure, temperature, coefficient, stress, slope, reference, minimum):
+    return _kernels.limiting_stress(pressure, temperature, coefficient, stress, slope, reference, minimum)
 
 
 @pytest.mark.parametrize(

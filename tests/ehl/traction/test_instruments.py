@@ -68,8 +68,8 @@ def test_clausius_and_mossotti():
     p = 1e9
     ratio = float(ehl.oil.lubricant.density(p, tight)) / tight.density
     share = 0.25 * ratio
-    assert_allclose(instruments.pressed_permittivity(np.array(p), tight, 2.0), (1 + 2 * share) / (1 - share))
-    assert_allclose(instruments.pressed_permittivity(np.array(p), OIL, 2.0), 2.0)
+    assert_allclose(instruments.permittivity_at_pressure(np.array(p), tight, 2.0), (1 + 2 * share) / (1 - share))
+    assert_allclose(instruments.permittivity_at_pressure(np.array(p), OIL, 2.0), 2.0)
 
 
 def test_bulk_modulus_of_dowson_and_higginson():

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.transient.content import moved, steady_content, weights
+from ehl.transient.content import advected, steady_content, weights
 
 
 def parabolas():
@@ -18,19 +18,19 @@ def parabolas():
 def test_parabolas_move_exactly_also_from_beyond_the_ends(nodes):
     x = np.arange(40.0) - nodes
     exact = np.stack([0.3 + 0.02 * x**2, 1.0 - 0.1 * x + 0.005 * x**2])
-    assert_allclose(moved(parabolas(), nodes), exact, rtol=1e-12)
+    assert_allclose(advected(parabolas(), nodes), exact, rtol=1e-12)
 
 
 def test_whole_nodes_move_without_rounding():
     values = np.random.default_rng(9127).random((3, 20))
-    assert (moved(values, 1.0)[:, 1:] == values[:, :-1]).all()
+    assert (advected(values, 1.0)[:, 1:] == values[:, :-1]).all()
 
 
 @pytest.mark.parametrize("nodes", [0.37, -0.62, 1.0])
 def test_a_lump_inside_the_line_keeps_its_oil(nodes):
     values = np.zeros((1, 60))
     values[0, 20:40] = np.random.default_rng(4411).random(20)
-    assert_allclose(moved(values, nodes).sum(), values.sum(), rtol=1e-13)
+    assert_allclose(advected(values, nodes).sum(), values.sum(), rtol=1e-13)
 
 
 @pytest.mark.parametrize("ratio", [0.5, 1.0, 1.4])

@@ -15,7 +15,7 @@ from ehl.multigrid.far_field import far_field
 from ehl.multigrid.levels import Damping, TimeStep, make_multigrid
 from ehl.oil.lubricant import DensityLaw
 from ehl.scaling import scale_contact
-from ehl.transient.content import moved, weights
+from ehl.transient.content import advected, weights
 from ehl.transient.inputs import TransientConditions, TransientOptions
 from ehl.transient.run import transient_run
 from ehl.transient.start import SWITCH
@@ -56,7 +56,7 @@ def rigid(ratio, angle, points, speed):
     step = level.grid.hx
     c0, c1, c2 = weights(1.0)
     state.time_step = TimeStep(rate=c0 / step, couette=0.0, load=c.load)
-    source = c1 * moved(film(step), speed) - c2 * moved(film(2.0 * step), 2.0 * speed)
+    source = c1 * advected(film(step), speed) - c2 * advected(film(2.0 * step), 2.0 * speed)
     level.f = -source / step
     level.s = level.gap
     state.approach = GAP
@@ -138,7 +138,7 @@ def test_oil_is_kept_between_the_steps():
         before = run.past
         run.accept(run.advance())
     now = run.past
-    held = 1.5 * now.content[0] - 2.0 * moved(before.content[0], 1.0) + 0.5 * moved(before.content[1], 2.0)
+    held = 1.5 * now.content[0] - 2.0 * advected(before.content[0], 1.0) + 0.5 * advected(before.content[1], 2.0)
     film = level.H
     level.H = np.zeros_like(film)  # without film the operator is the Poiseuille flow
     gained = reynolds_operator(level).copy()

@@ -35,6 +35,24 @@ def test_bars_end_where_the_components_do():
     assert {text.get_text().strip() for text in axes.texts} == {"50", "25"}
 
 
+def test_negative_parts_stand_left_of_zero():
+    axes = Figure().subplots()
+    draw_models(axes, {"skf": summed({"rolling": 2e-3, "sliding": -1e-3}), "houpert": summed({"spin": 1e-3})})
+    bars = [bar for bar in axes.patches if bar.get_width() != 0.0]
+    rolling, sliding, spin = ((min(x, x + w), abs(w)) for x, w in ((b.get_x(), b.get_width()) for b in bars))
+    assert rolling == pytest.approx((0.0, 2.0))
+    assert sliding == pytest.approx((-1.0, 1.0))
+    assert spin == pytest.approx((0.0, 1.0))
+    assert len({bar.get_facecolor() for bar in bars}) == 3
+
+
+def test_tiny_negative_parts_leave_the_others_their_colours():
+    """A sliding part of -0.0001 of 10.5 N mm must not turn the bar grey."""
+    axes = Figure().subplots()
+    draw_models(axes, {"integrated": summed({"rolling": 10.47e-3, "sliding": -1e-7, "curvature": 6e-5})})
+    assert len({bar.get_facecolor() for bar in axes.patches if bar.get_width() != 0.0}) == 2
+
+
 def test_figure_with_and_without_the_balls():
     names = dict.fromkeys(NAMES, ModelTorque(note="left out"))
     names["skf"] = summed({"rolling": 0.03, "sliding": 0.02})

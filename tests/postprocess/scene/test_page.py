@@ -120,14 +120,14 @@ def test_wrong_names_and_missing_packages_are_reported(tmp_path, monkeypatch):
 
 def test_the_colour_scale_of_the_page():
     """Logarithmic where the scene's colours are: equal ratios take equal heights."""
-    from postprocess.scene.page import bar_html
+    from postprocess.scene.page import overlay_html
     from postprocess.scene.parts import ColourScale
 
     bar = ColourScale(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
     assert [bar.height(h) for h in (0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.5, 1.0])
     even = ColourScale(quantity="pressure", label="pressure [GPa]", limits=(0.0, 2.0))
     assert even.height(1.5) == pytest.approx(0.75)
-    html = bar_html(bar)
+    html = overlay_html("6208", "films", bar)
     assert "film thickness [µm]" in html
     assert re.search(r"bottom:calc\(50\.00% - 8px\);[^>]*>– 1<", html)
     assert html.count("rgb(") > 10

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehl.generalized.section import Section
-from ehl.oil.rheology import LIMIT_POWER, Rheology, ShearLaw, limiting_stress, shear_stress
+from ehl.oil._rheology_kernels import LIMIT_POWER
+from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_stress
 
 from .rheology import shear_rate, unlimited
 

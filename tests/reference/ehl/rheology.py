@@ -1,15 +1,44 @@
-"""Inverse shear laws in NumPy, the reference for `ehl.oil._rheology_kernels`."""
+"""Shear laws and their inverses in NumPy, the reference for `ehl.oil._rheology_kernels`."""
 
 from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ehl.oil.rheology import LARGEST_ARGUMENT, LIMIT_POWER, Rheology, ShearLaw, limiting_stress
+from ehl.oil._rheology_kernels import LARGEST_ARGUMENT, LIMIT_POWER
+from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress
 
 Array = NDArray[np.float64]
 
 NEWTON_STEPS = 30  # of the inversion of Carreau and Yasuda's law; it takes about five
+
+
+def limiting(pressure: ArrayLike, rheology: Rheology, temperature: float) -> Array:
+    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least `limiting_minimum` [Pa]; infinite if there is no limit."""
+    p = np.asarray(pressure, dtype=np.float64)
+    if rheology.limiting_coefficient is None:
+        return np.full_like(p, inf)
+    softening = 1.0 + rheology.limiting_temperature_slope * (temperature - rheology.reference_temperature)
+    limit = rheology.limiting_stress + rheology.limiting_coefficient * p / softening
+    return np.maximum(limit, rheology.limiting_minimum)
+
+
+def stress(rate: ArrayLike, viscosity: ArrayLike, limit: Array, rheology: Rheology) -> Array:
+    """Magnitude of the shear stress at the magnitude of a rate [1/s] and the low-shear viscosity [Pa s], under a
+    limiting stress [Pa]; NumPy's own functions.
+    """
+    tau = np.asarray(viscosity) * np.asarray(rate)
+    if rheology.law is ShearLaw.REE_EYRING:
+        tau = rheology.eyring_stress * np.arcsinh(tau / rheology.eyring_stress)
+    elif rheology.law is ShearLaw.CARREAU_YASUDA:
+        n, a = rheology.carreau_exponent, rheology.yasuda_exponent
+        tau = tau * (1.0 + (tau / rheology.carreau_modulus) ** a) ** ((n - 1.0) / a)
+    if rheology.limiting_coefficient is None:
+        return tau
+    if rheology.law is ShearLaw.NEWTONIAN:
+        return -limit * np.expm1(-tau / limit)
+    ratio = np.minimum(tau, limit) / np.maximum(tau, limit)
+    return np.minimum(tau, limit) / (1.0 + ratio**LIMIT_POWER) ** (1.0 / LIMIT_POWER)
 
 
 def shear_rate(

@@ -58,7 +58,7 @@ def summed_forces(kinematics, nodes, stress, sliding):
 def law_forces(law, load, speed, slide_x, slide_y, spin):
     """F_x, F_y [N], M_n, M_y [N m] of a coefficient over the Hertz ellipse, as `law.forces`."""
     a, b, radius, curvature, difference = law.shape.constants
-    x, y, share = law.kernel_arguments[0] * np.array([[a * np.cbrt(load)], [b * np.cbrt(load)], [load]])
+    x, y, share = law.kernel_arguments()[0] * np.array([[a * np.cbrt(load)], [b * np.cbrt(load)], [load]])
     rolling = speed / radius - 0.5 * difference * slide_x
     s_x = slide_x - spin * y - rolling * curvature * y * y
     s_y = slide_y + spin * x

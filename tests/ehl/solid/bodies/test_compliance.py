@@ -239,7 +239,7 @@ def test_impossible_profiles_name_the_field(change, field):
 @pytest.mark.parametrize(("loads", "thin_ring"), [(2, 68.1), (3, 14.9)])
 def test_places_on_the_seat_of_a_thin_ring(loads, thin_ring):
     """Equal forces on its bore: as between loads on the track, 68.1 and 14.9 um of a 61808 under 60 N (Timoshenko)."""
-    places = ring_response(INNER_61808, STEEL, Seat.SPLIT, ANGLE, COARSE, place=0.0625).places
+    places = ring_response(INNER_61808, STEEL, Seat.SPLIT, ANGLE, COARSE, seat_contact=0.0625).seat_contacts
     moved = places.at(2.0 * np.pi * np.arange(loads) / loads)
     assert_allclose(60e6 * moved[2].sum(), thin_ring, rtol=0.05)
     # a load on the track beyond its normal pushes the bore inwards: the same bending, other sign

@@ -69,7 +69,7 @@ def test_pressure_carries_the_load():
     [
         ({"load": 2.0}, "A = "),
         ({"entrainment_angle": 0.2}, "along x"),
-        ({"mean_spin": 500.0}, "turn"),
+        ({"mean_spin": 500.0}, "without spin"),
         ({"lubricant": replace(OIL, viscosity_law=ViscosityLaw.BARUS)}, "Roelands"),
         ({"lubricant": replace(OIL, roelands_pressure=1.5e8)}, "196 MPa"),
         ({"lubricant": replace(OIL, roelands_z=0.9)}, "roelands_z"),

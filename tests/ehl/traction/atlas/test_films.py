@@ -90,7 +90,7 @@ def test_films_stiffness_and_moment_of_a_solve():
         (moes(400.0, 10.0, 0.1, angle=1.5, oil=OIL), "Rx/Ry must"),
         (
             from_groups(moes(200.0, 10.0, 0.5, angle=0.3, oil=OIL), rotation=0.05),
-            "mean_spin_rad_s: entrainment at an angle",
+            "mean_spin_rad_s: the film atlas covers entrainment at an angle",
         ),
         (
             moes(200.0, 10.0, oil=replace(OIL, pressure_viscosity=40e-9)),
@@ -307,4 +307,4 @@ def test_a_layer_that_is_none_is_refused(layer):
     oil = ehl.Lubricant(viscosity=0.05, pressure_viscosity=22e-9)
     groups = ehl.MoesConditions(load_parameter=200.0, lubricant_parameter=10.0, lubricant=oil)
     with pytest.raises(ValueError, match="layer"):
-        ehl.atlas_films(groups, layer=layer)
+        ehl.atlas_films(groups, inlet_film_thickness=layer)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from ehl.traction.atlas.table import NO_STEP, near, near_sums, radial, table
+from ehl.traction.atlas.table import NO_STEP, radial, slanted_radial, table, weighted_radial_sums
 
 
 def test_sums_are_those_of_the_matrices():
@@ -15,8 +15,8 @@ def test_sums_are_those_of_the_matrices():
     x = light.places[::97] + rng.normal(size=(len(light.places[::97]), 3)) * 0.1
     x = np.concatenate([x, [[1e3, -1e4, 1e5]]])
     size = np.abs(light.weights).sum(axis=0)
-    found = near_sums(x, light.places, light.scales, light.step, light.weights)
-    known = near(x, light.places, light.scales, light.step) @ light.weights
+    found = weighted_radial_sums(x, light.places, light.scales, light.step, light.weights)
+    known = slanted_radial(x, light.places, light.scales, light.step) @ light.weights
     assert_allclose(found / size, known / size, atol=1e-13)
-    found = near_sums(x, light.places, light.scales, NO_STEP, light.weights)
+    found = weighted_radial_sums(x, light.places, light.scales, NO_STEP, light.weights)
     assert_allclose(found / size, radial(x, light.places, light.scales) @ light.weights / size, atol=1e-13)

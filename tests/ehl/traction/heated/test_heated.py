@@ -23,7 +23,7 @@ from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.film import table_film
 from ehl.traction.table.full_solves import full_solves
-from ehl.traction.table.many_motions import many_heated_forces
+from ehl.traction.table.many_motions import vectorised_heated_forces
 from ehl.traction.table.table import TableContact, TableRange
 
 from ....reference.ehl import heated as reference
@@ -195,7 +195,7 @@ def test_heat_takes_more_friction_the_faster_it_slides(film):
     ratio = np.geomspace(1e-4, 2.0, 25)
     none = np.zeros(25)
     slide, rolling = (SPEED * ratio, none, none), np.full(25, SPEED / 8e-3)
-    friction = -film.forces(slide, rolling, 0.0)[:, 0] / LOAD
+    friction = -film.sliding_forces(slide, rolling, 0.0)[:, 0] / LOAD
     top = int(friction.argmax())
     assert 5 < top < 24
     assert np.all(np.diff(friction[: top + 1]) > 0.0)
@@ -251,7 +251,7 @@ def test_table_with_heat():
     film = table_film(CONTACT, 57.0, 4.1, SolverOptions(points=65))
     ratio = np.geomspace(1e-3, 0.5, 9)
     none = np.zeros(9)
-    wanted = film.forces((4.1 * ratio, none, none), np.full(9, 4.1 / 8e-3), 50.0)[:, 0]
+    wanted = film.sliding_forces((4.1 * ratio, none, none), np.full(9, 4.1 / 8e-3), 50.0)[:, 0]
     found = np.array([table.forces(57.0, 4.1, 4.1 * one, 0.0, 0.0).force_x for one in ratio])
     assert_allclose(found, wanted, atol=0.01 * largest_force(table, 57.0, 4.1))
 
@@ -263,7 +263,7 @@ def test_forces_of_thousands_of_motions_are_those_of_each(film):
     slide = SPEED * rng.choice([-1.0, 1.0], size.shape) * size * np.array([[1.0], [1.0], [50.0]])
     slide[:, :3] = 0.0
     rolling = np.full(400, SPEED / 8e-3)
-    several, each = (f(film.quadrature, tuple(slide), rolling, 50.0) for f in (many_heated_forces, heated_forces))
+    several, each = (f(film.quadrature, tuple(slide), rolling, 50.0) for f in (vectorised_heated_forces, heated_forces))
     assert np.all(np.abs(several - each) < 6e-4 * np.abs(each).max(axis=0))
     none = np.zeros(2)
-    assert np.all(many_heated_forces(film.quadrature, (none, none, none), none, 0.0) == 0.0)
+    assert np.all(vectorised_heated_forces(film.quadrature, (none, none, none), none, 0.0) == 0.0)

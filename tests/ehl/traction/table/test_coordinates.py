@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.traction.table.coordinates import PLACE_PARTS, at_vertex, from_vertex, motion_of, place_of
+from ehl.traction.table.coordinates import PLACE_PARTS, at_vertex, from_vertex, motion_at, place_of
 
 
 @pytest.mark.parametrize("limit", [0.05, 0.5, 2.0, 3.0])
@@ -27,7 +27,7 @@ def test_places_go_there_and_back(limit, part):
     places = place_of(motions, 1e-3 * limit, limit, part)
     assert np.all(np.diff(places) > 0.0)
     assert_allclose(places[[0, 500, -1]], [-1.0, 0.0, 1.0], atol=1e-12)
-    assert_allclose(motion_of(places, 1e-3 * limit, limit, part), motions, atol=1e-9 * limit)
+    assert_allclose(motion_at(places, 1e-3 * limit, limit, part), motions, atol=1e-9 * limit)
 
 
 def test_places_are_dense_where_a_body_stands_still():

@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from ehl.oil._rheology_kernels import shear_stress
 from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 from ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
-from ehl.traction.table.many_motions import many_sliding_forces
+from ehl.traction.table.many_motions import vectorised_sliding_forces
 
 from ....reference.ehl.traction import over_strip
 
@@ -40,7 +40,7 @@ def test_forces_are_those_of_each_motion(name):
     slide = np.sign(rng.uniform(-1.0, 1.0, size.shape)) * size * np.array([[1.0], [1.0], [300.0]])
     slide[:, :3] = 0.0  # at rest against each other
     rolling = np.full(400, 1000.0)
-    several, each = (f(own, tuple(slide), rolling, 20.0) for f in (many_sliding_forces, sliding_forces))
+    several, each = (f(own, tuple(slide), rolling, 20.0) for f in (vectorised_sliding_forces, sliding_forces))
     assert np.all(np.abs(several - each) < 6e-4 * np.abs(each).max(axis=0))
 
 
@@ -52,7 +52,7 @@ def test_thin_oil_on_one_line_counts_once(width):
     own.nodes[4] = 1e-3
     size = 10.0 ** np.random.default_rng(9).uniform(-7.0, 0.5, (3, 100))
     slide = tuple(size * np.array([[1.0], [1.0], [300.0]]))
-    several, each = (f(own, slide, np.full(100, 1000.0), 20.0) for f in (many_sliding_forces, sliding_forces))
+    several, each = (f(own, slide, np.full(100, 1000.0), 20.0) for f in (vectorised_sliding_forces, sliding_forces))
     assert np.all(np.abs(several - each) <= 6e-4 * np.abs(each).max(axis=0))
 
 
@@ -94,4 +94,4 @@ def test_a_limiting_stress_is_averaged_over_a_strip(s_y):
 def test_no_sliding_has_no_force():
     own = film(LAWS["eyring"], limited=True)
     none = np.zeros(2)
-    assert np.all(many_sliding_forces(own, (none, none, none), none, 0.0) == 0.0)
+    assert np.all(vectorised_sliding_forces(own, (none, none, none), none, 0.0) == 0.0)

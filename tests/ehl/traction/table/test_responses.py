@@ -15,7 +15,7 @@ from ehl.scaling import scale_contact
 from ehl.traction.atlas.films import atlas_load
 from ehl.traction.response.normal import NormalResponse, ResponseValue, dry_stiffness
 from ehl.traction.table.film import FilmSample
-from ehl.traction.table.responses import log_responses, wanted_responses
+from ehl.traction.table.responses import log_responses, response_nodes
 from ehl.traction.table.table import TableContact
 
 CONTACT = TableContact(
@@ -70,7 +70,7 @@ def turns(place):
 
 
 def test_responses_of_some_of_the_films_give_those_of_all():
-    wanted = wanted_responses(CONTACT, NODES, [False] * len(NODES))
+    wanted = response_nodes(CONTACT, NODES, [False] * len(NODES))
     assert sum(wanted) <= 0.65 * len(NODES)
     expected = log_responses(CONTACT, films([True] * len(NODES)))[0]
     found, gaps = log_responses(CONTACT, films(wanted))
@@ -82,11 +82,11 @@ def test_responses_of_some_of_the_films_give_those_of_all():
 
 
 def test_nodes_between_known_ones_are_not_asked_for_again():
-    known = wanted_responses(CONTACT, NODES, [False] * len(NODES))
-    assert wanted_responses(CONTACT, NODES, known) == known
+    known = response_nodes(CONTACT, NODES, [False] * len(NODES))
+    assert response_nodes(CONTACT, NODES, known) == known
     loads = 0.5 * (LOADS[1:] + LOADS[:-1])
     more = [(float(load), float(speed)) for load, speed in product(loads, SPEEDS)]
-    again = wanted_responses(CONTACT, NODES + more, [*known, *[False] * len(more)])
+    again = response_nodes(CONTACT, NODES + more, [*known, *[False] * len(more)])
     assert again[: len(NODES)] == known
     assert sum(own and not turns(place) for own, place in zip(again, NODES + more, strict=True)) <= 2 + sum(known)
     assert sum(again[len(NODES) :]) < len(more) / 2
@@ -94,11 +94,11 @@ def test_nodes_between_known_ones_are_not_asked_for_again():
 
 def test_loads_that_are_far_apart_all_have_their_response():
     far = [(load, 2.0) for load in np.log(11.0) + 0.5 * np.arange(4)]
-    assert wanted_responses(CONTACT, far, [False] * 4) == [True] * 4
+    assert response_nodes(CONTACT, far, [False] * 4) == [True] * 4
 
 
 def test_films_near_one_without_a_response_take_that_of_neighbouring_loads():
-    wanted = wanted_responses(CONTACT, NODES, [False] * len(NODES))
+    wanted = response_nodes(CONTACT, NODES, [False] * len(NODES))
     lightest = NODES[: SPEEDS.size]
     found, gaps = log_responses(CONTACT, films(wanted, [lightest[0]]))
     expected, _ = log_responses(CONTACT, films(wanted))
@@ -125,7 +125,7 @@ def test_few_responses_are_not_interpolated_over_both():
 def test_narrow_ranges_have_responses_enough(loads):
     """Where four corners are close to all nodes; of few nodes each has its own."""
     places = [(float(q), float(u)) for q, u in product(np.log(np.geomspace(*loads)), np.log(np.linspace(5.0, 6.0, 4)))]
-    wanted = np.array(wanted_responses(CONTACT, places, [False] * len(places)))
+    wanted = np.array(response_nodes(CONTACT, places, [False] * len(places)))
     assert wanted.all() if len(places) <= 24 else wanted.sum() > 6
     rows = [
         FilmSample(place=p, film=None, scales=(1.0,) * 3, moment=1.0, response=response(p) if own else None)
@@ -139,6 +139,6 @@ def test_films_that_turn_all_have_their_response():
     """In a wide range, where those turn at twenty times its lightest load."""
     loads = np.log(np.geomspace(0.5, 150.0, 19))
     places = [(float(q), float(u)) for q, u in product(loads, np.log(np.geomspace(15.0, 50.0, 4)))]
-    wanted = wanted_responses(CONTACT, places, [False] * len(places))
+    wanted = response_nodes(CONTACT, places, [False] * len(places))
     assert all(own or not turns(place) for own, place in zip(wanted, places, strict=True))
     assert sum(wanted) < len(places)

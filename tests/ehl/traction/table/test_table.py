@@ -27,8 +27,8 @@ from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
 from ehl.traction.table import check
 from ehl.traction.table.build import TableOptions, build_table
-from ehl.traction.table.check import straight_motions
-from ehl.traction.table.packing import VALUE_STEP, packed, stored_values, unpacked, whole_numbers
+from ehl.traction.table.check import spin_free_motions
+from ehl.traction.table.packing import VALUE_STEP, compressed, decompressed, stored_values, whole_numbers
 from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
 from ehl.traction.table.table import FullSolve, TableContact, TableRange, load_place
@@ -137,7 +137,7 @@ def test_error_is_that_of_points_not_in_the_table(table):
 
 def test_check_draws_rolling_without_spin():
     """Slides in every factor of ten from 1e-7 on, both signs, along or across alone and together; some with spin."""
-    slide_x, slide_y, spin = straight_motions(CIRCLE, LIMITS, 60.0, np.random.default_rng(3), 600)
+    slide_x, slide_y, spin = spin_free_motions(CIRCLE, LIMITS, 60.0, np.random.default_rng(3), 600)
     straight = spin == 0.0
     assert np.count_nonzero(straight) == 400
     assert np.abs(spin).max() == abs(spin[0]) == LIMITS.spin and slide_x[0] == slide_y[0] == 0.0
@@ -152,7 +152,7 @@ def test_check_draws_rolling_without_spin():
 
 def test_check_draws_motions_at_which_a_body_nearly_stands_still():
     limits = replace(LIMITS, slide_x=2.0)
-    slide_x, slide_y, spin = check.standing_motions(limits, np.random.default_rng(4), 600)
+    slide_x, slide_y, spin = check.standstill_motions(limits, np.random.default_rng(4), 600)
     gap = 2.0 - np.abs(slide_x)
     assert np.count_nonzero(gap == 0.0) == 75
     counts, _ = np.histogram(np.log10(gap[gap > 0.0]), [-3.0, -2.0, -1.0, 0.0])
@@ -160,7 +160,7 @@ def test_check_draws_motions_at_which_a_body_nearly_stands_still():
     for part, limit in ((slide_y, limits.slide_y), (spin, limits.spin)):
         assert np.any(part == 0.0) and 0.5 * limit < part.max() <= limit and -limit <= part.min() < -0.5 * limit
     assert {-1.0, 1.0} == set(np.sign(slide_x))
-    narrow, *_ = check.standing_motions(LIMITS, np.random.default_rng(4), 600)
+    narrow, *_ = check.standstill_motions(LIMITS, np.random.default_rng(4), 600)
     assert np.abs(narrow).max() == LIMITS.slide_x
 
 
@@ -169,7 +169,7 @@ def test_check_draws_films_where_the_splines_bend_most(table):
     values = np.zeros_like(table.values)
     values[3, 1, ..., 0] = 0.5  # coefficients stand one before the nodes
     values[4, 4, ..., 2] = 0.5
-    found = check.doubtful_places(replace(table, values=values, scalars=np.zeros_like(table.scalars)))
+    found = check.adaptive_check_points(replace(table, values=values, scalars=np.zeros_like(table.scalars)))
     counted = [[load_place(np.exp(q)), u] for q, u in found]
     places = (np.array(counted) - table.axes[:2, 0]) * table.axes[:2, 1]
     slow, fast = places[0], places[-1]
@@ -197,10 +197,10 @@ def test_message_tells_how_far_stiffness_and_damping_are_off(table):
         stiffness=values[0], damping=values[1], converged=True, resolved=True, message="converged"
     )
     film = SimpleNamespace(response=response)
-    told = check.of_responses([film, SimpleNamespace(response=None)], error)
+    told = check.response_message([film, SimpleNamespace(response=None)], error)
     assert "stiffness is off by up to 1.0%, damping by 8.0%" in told and "up to 3.0% and 10.0%" in told
     for small in (0.04, np.nan):
-        assert not check.of_responses([film], replace(error, largest_damping=small, largest_stiffness=small))
+        assert not check.response_message([film], replace(error, largest_damping=small, largest_stiffness=small))
 
 
 def test_a_share_of_the_rolling_moment_costs_no_new_numbers(table):
@@ -229,12 +229,12 @@ def test_packed_values_are_the_same_whole_numbers(table):
     assert_allclose(
         node_values(stored.astype(float), (0, 1, 2, 3, 4))[:, :, :, 1:], values[:, :, :, 1:], atol=0.51 * VALUE_STEP
     )
-    assert np.array_equal(unpacked(packed(stored), stored.shape), stored)
-    assert packed(table.values).nbytes < 0.2 * table.values.nbytes
+    assert np.array_equal(decompressed(compressed(stored), stored.shape), stored)
+    assert compressed(table.values).nbytes < 0.2 * table.values.nbytes
     other = stored + np.float32(0.5 * VALUE_STEP)
-    assert np.array_equal(unpacked(packed(other), other.shape), other)
+    assert np.array_equal(decompressed(compressed(other), other.shape), other)
     with pytest.raises(ValueError, match="reshape"):
-        unpacked(other, (*other.shape[:5], 3))
+        decompressed(other, (*other.shape[:5], 3))
 
 
 def test_values_meet_their_mirror_image():
@@ -375,7 +375,7 @@ def test_strips_of_a_film_are_close_enough(solution, monkeypatch, spin, limit):
     """96 strips between 64 lines against 1024 lines, near rolling, where a strip's sliding changes its sign."""
     pair = replace(CIRCLE, radius_x=4.8e-3, radius_y=12e-3, curvature_radius=6.08e-3)
     limits = TableRange(load=(10.0, 1000.0), speed=(1.0, 20.0))
-    slide_x, slide_y, _ = straight_motions(pair, limits, 500.0, np.random.default_rng(7), 120)
+    slide_x, slide_y, _ = spin_free_motions(pair, limits, 500.0, np.random.default_rng(7), 120)
     turns = np.full(120, spin)
     slide = (slide_x * 15.08, slide_y * 15.08, turns * 15.08 / 4.8e-3)
     rolling = np.full(120, 15.08 / 4.8e-3)

@@ -1,0 +1,105 @@
+"""Kernels compiled before a command needs them: `python -m cases.runs.warm_up KIND`.
+
+A process of its own that `kernel_cache.compiled_ahead` starts. It calls first the kernels that
+the command needs last, and leaves them in numba's cache on the disk.
+"""
+
+import sys
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearing.dynamics import _kernels
+from bearing.dynamics.assembly import assemble
+from bearing.dynamics.choices import LoadType
+from bearing.dynamics.contact._cage_kernels import cage_land, pocket_forces
+from bearing.dynamics.contact._implicit_kernels import implicit_friction
+from bearing.dynamics.initial import StartingPoint
+from bearing.dynamics.integration._clock_kernels import renew_friction, renew_pockets
+from bearing.friction.law import ContactLaw, Dissipation
+from bearing.friction.newton import MotionProblem, minimise
+from ehl.arrays import Array
+
+from ..format.case import Case, ContactCase, load_case
+from .contact import run_contact
+from .dynamics import build_model
+from .kernel_cache import compiled_stamp
+
+
+def _films() -> None:
+    """Kernels of the contact solver, by a small contact."""
+    case = load_case("moes_20_10")
+    assert isinstance(case, ContactCase)
+    run_contact(case)
+
+
+def _proportional(motion: Array, indices: NDArray[np.int64]) -> Dissipation:
+    """Friction in proportion to the motion (n, 4): power, gradient and curvature."""
+    slope = np.tile(np.eye(4), (len(indices), 1, 1))
+    return Dissipation(0.5 * (motion**2).sum(axis=1), motion.copy(), slope)
+
+
+def _balance() -> None:
+    """Kernels of Newton's method for the balance of friction on balls, by one ball."""
+    one = np.ones(1)
+    problem = MotionProblem(
+        law=ContactLaw(evaluate=_proportional, reference_force=np.ones(2)),
+        start=np.ones((1, 2, 4)),
+        slopes=np.tile(np.eye(4), (1, 2, 1, 1)),
+        gyroscopic_couple=np.zeros((1, 4)),
+        gyroscopic_matrix=np.zeros((1, 4, 4)),
+        cage_force=0.0 * one,
+        drag=0.0 * one,
+        pocket=0.0 * one,
+        rubbing=np.zeros((1, 2)),
+        free=np.ones((1, 4), dtype=np.bool_),
+        reference_slip=one,
+        reference_force=one,
+        driven=np.ones(1, dtype=np.bool_),
+        ring_motion=np.zeros((1, 2, 4)),
+        first=np.zeros(1, dtype=np.int64),
+        like=np.zeros(1, dtype=np.int64),
+    )
+    minimise(problem, np.zeros((1, 4)))
+
+
+def _bearing() -> None:
+    """Kernels of the films and then of the friction of a bearing."""
+    _films()
+    _balance()
+
+
+def _motion() -> None:
+    """Kernels of the equations of motion, the last ones first."""
+    case = load_case("7008_axial")
+    assert isinstance(case, Case)
+    model = build_model(case, None, lambda *_: None)
+    angles = (case.bearing.free_contact_angle,) * 2
+    point = StartingPoint(kind=LoadType.GENERAL, angles=angles, equilibrium=None, messages=())
+    data = assemble(case.bearing, case.operation, model, point).kernel
+    p, balls, y, dy = data.bearing, data.balls, data.whole, data.rates
+    inner, outer, cage = _kernels.place_bodies(case.bearing.balls, y, 1.0, 0.0)
+    renew_pockets(p, balls, y, 1, 1e-6, 1.0)
+    renew_friction(data, y, 1, 1e-6, 1.0)
+    implicit_friction(p, balls, y, inner, outer)
+    cage_land(p, data.memory, 0, inner, cage)
+    pocket_forces(p, balls, data.memory, cage, y)
+    _kernels.cage_equations(p, y, cage, dy)
+    _kernels.ring_equations(p, 0.0, y, 0.0, inner, dy)
+    _kernels.energies(y, data, np.zeros(3))
+
+
+KINDS: dict[str, Callable[[], None]] = {"bearing": _bearing, "motion": _motion}
+
+
+def main(kind: str) -> None:
+    """Compile the kernels for a kind of work, and leave the stamp of it."""
+    KINDS[kind]()
+    stamp = compiled_stamp(f"ahead {kind}")
+    if stamp is not None:
+        stamp.touch()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
