@@ -72,6 +72,11 @@ def compiled_ahead(kind: str) -> Iterator[None]:
 
     The process ends with what is done inside, finished or not. None is started where the kernels
     are compiled already, or where this process has but one core.
+
+    Parameters
+    ----------
+    kind : str
+        Kind of work, a key of `warm_up.KINDS`.
     """
     stamp = compiled_stamp(f"ahead {kind}")
     if stamp is None or stamp.exists() or (os.cpu_count() or 1) < 2:

@@ -164,7 +164,20 @@ def _deflection_error(cells: int) -> float:
 
 
 def rigid_film(points: int, tolerance: float) -> Check:
-    """Compare the film between rigid surfaces with `RIGID` times that of Kapitza [-]."""
+    """Compare the film between rigid surfaces with `RIGID` times that of Kapitza [-].
+
+    Parameters
+    ----------
+    points : int
+        Nodes along the entrainment [-].
+    tolerance : float
+        Relative difference that is allowed [-].
+
+    Returns
+    -------
+    Check
+        The comparison.
+    """
     conditions = MoesConditions(
         load_parameter=RIGID_LOAD, lubricant_parameter=0.0, lubricant=ISOVISCOUS
     )
@@ -185,7 +198,20 @@ def _solution(contact: Reference, points: int) -> ContactSolution:
 
 
 def film_checks(contact: Reference, solution: ContactSolution) -> Iterator[Check]:
-    """Compare both films with the reference, within both error bars and 0.1 %."""
+    """Compare both films with the reference, within both error bars and 0.1 %.
+
+    Parameters
+    ----------
+    contact : Reference
+        The contact with its reference films.
+    solution : ContactSolution
+        The solved contact.
+
+    Yields
+    ------
+    Iterator[Check]
+        A comparison for the central and the minimum film.
+    """
     films = (
         ("central", contact.central, solution.film_central_dimensionless),
         ("minimum", contact.minimum, solution.film_minimum_dimensionless),

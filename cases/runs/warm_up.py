@@ -94,7 +94,13 @@ KINDS: dict[str, Callable[[], None]] = {"bearing": _bearing, "motion": _motion}
 
 
 def main(kind: str) -> None:
-    """Compile the kernels for a kind of work, and leave the stamp of it."""
+    """Compile the kernels for a kind of work, and leave the stamp of it.
+
+    Parameters
+    ----------
+    kind : str
+        Kind of work, a key of `KINDS`.
+    """
     KINDS[kind]()
     stamp = compiled_stamp(f"ahead {kind}")
     if stamp is not None:
