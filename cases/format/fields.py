@@ -80,9 +80,10 @@ class Table(BaseModel):
         values: dict[str, Any] = {}
         for field in dataclass_fields(kind):  # type: ignore[arg-type]
             value = own.get(field.name)
+            if isinstance(field.type, type) and issubclass(field.type, Enum) and value is not None:
+                value = field.type(value)
             if value is not None:
-                member = isinstance(field.type, type) and issubclass(field.type, Enum)
-                values[field.name] = field.type(value) if member else value  # type: ignore[operator]
+                values[field.name] = value
         return kind(**values | given)
 
 

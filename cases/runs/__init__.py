@@ -18,9 +18,10 @@
 | processes | how worker processes begin, what they do first, and how they end |
 | export | meshes of results for other programs |
 | output_directory | folders of results: complete or not there |
-| integrity | whether files of results are as they were written |
+| integrity | digests of files of results |
 | output_lock | one writer at a time, and what killed ones have left |
 | interrupt | messages, and work that an interrupt lets finish |
-| kernel_cache | where compiled kernels are kept |
+| kernel_cache | folders of compiled kernels |
+| warm_up | compilation of kernels ahead, in a process of its own |
 | verification | the short verification of an installation |
 """
