@@ -26,7 +26,9 @@ NEGLIGIBLE_LOAD = 0.02
 SIDES = np.array([-1.0, 1.0])  # of the inner and the outer contact, from the ball's centre [-]
 
 
-def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> BearingContacts:
+def contact_conditions(
+    solution: QuasistaticSolution, lubricant: Lubricant
+) -> tuple[BearingContact, ...]:
     """All contacts of a bearing as lubricated contacts.
 
     Parameters
@@ -38,8 +40,8 @@ def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> B
 
     Returns
     -------
-    BearingContacts
-        Row by row and ball by ball, inner then outer, 2 Z entries a row.
+    tuple of BearingContact
+        `BearingContacts`: row by row and ball by ball, inner then outer, 2 Z entries a row.
     """
     motions = _motions(solution)
     light = NEGLIGIBLE_LOAD * float(max(solution.inner_load.max(), solution.outer_load.max()))
