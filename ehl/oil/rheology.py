@@ -330,7 +330,7 @@ def shear_stress(
     return np.copysign(stress, rate)
 
 
-def _broadcast(*values: ArrayLike) -> list[Array]:
+def _broadcast(*values: ArrayLike) -> tuple[Array, ...]:
     """Arrays of the common shape of numbers and arrays."""
     return np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in values))
 
