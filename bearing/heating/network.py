@@ -7,7 +7,7 @@ Temperatures of boundaries are given. A fluid that comes at the temperature of a
 leaves at that of a node is a conductance rho c V between them.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -186,21 +186,3 @@ def node_values(values: Mapping[str, float]) -> Array:
         values, shape (nodes,) [any unit], [-]
     """
     return np.array([values.get(name, 0.0) for name in NODES])
-
-
-def total_path(paths: Sequence[HeatPath], boundary: str) -> float:
-    """Sum of the conductances to a boundary.
-
-    Parameters
-    ----------
-    paths : Sequence[HeatPath]
-        paths of a network
-    boundary : str
-        name of the boundary
-
-    Returns
-    -------
-    float
-        conductance [W/K]
-    """
-    return sum(path.conductance.value for path in paths if path.second == boundary)
