@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import json
+import shutil
 
 import numpy as np
 import pytest
@@ -21,18 +22,37 @@ CHANGES = {
 }
 
 
-def made(command, tmp_path):
-    """Results of a small case, its summary, and what the loader opens."""
+def compute(command, folder):
+    """Results of a small case, in the folder `out`."""
     stem, changes = CHANGES[command]
     text = read_text(find_case(stem))
     for old, new in changes:
         text = text.replace(old, new)
-    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
-    words = [command, str(tmp_path / "case.toml"), "-o", str(tmp_path / "out"), "-q"]
+    (folder / "case.toml").write_text(text, encoding="utf-8")
+    words = [command, str(folder / "case.toml"), "-o", str(folder / "out"), "-q"]
     found = CliRunner().invoke(app, [*words, "--points", "2"] if command == "stiffness" else words)
     assert found.exit_code == 0, found.output
-    document = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
-    tree = postprocess.open_results(tmp_path / "out")
+    return folder / "out"
+
+
+@pytest.fixture(scope="module")
+def computed(tmp_path_factory):
+    """Function `computed(command, folder)`: a copy of results that are computed once, in a folder."""
+    folders = {}
+
+    def copied(command, folder):
+        if command not in folders:
+            folders[command] = compute(command, tmp_path_factory.mktemp(command))
+        shutil.copytree(folders[command], folder / "out")
+        return folder / "out"
+
+    return copied
+
+
+def opened(folder, command):
+    """The summary of a folder, and what the loader opens."""
+    document = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    tree = postprocess.open_results(folder)
     assert tree.attrs["kind"] == command
     assert tree.attrs["oilfilm"] == document["oilfilm"]
     assert json.loads(tree.attrs["case"]) == document["case"]
@@ -45,8 +65,8 @@ def is_lazy(variable):
     return not isinstance(variable.variable._data, np.ndarray)
 
 
-def test_slip(tmp_path):
-    document, tree = made("slip", tmp_path)
+def test_slip(tmp_path, computed):
+    document, tree = opened(computed("slip", tmp_path), "slip")
     with tree:
         assert is_lazy(tree["slip_factor"])
         least = tree["slip_factor"].min("ball").values
@@ -68,8 +88,8 @@ def test_slip(tmp_path):
         left["slip_factor"].load()
 
 
-def test_stiffness(tmp_path):
-    document, tree = made("stiffness", tmp_path)
+def test_stiffness(tmp_path, computed):
+    document, tree = opened(computed("stiffness", tmp_path), "stiffness")
     with tree:
         assert is_lazy(tree["stiffness"])
         place = {"freedom": "ty", "freedom_2": "z"}
@@ -77,8 +97,8 @@ def test_stiffness(tmp_path):
         np.testing.assert_allclose(found, [point["stiffness"][3][2] for point in document["points"]])
 
 
-def test_dynamics(tmp_path):
-    _, tree = made("dynamics", tmp_path)
+def test_dynamics(tmp_path, computed):
+    _, tree = opened(computed("dynamics", tmp_path), "dynamics")
     with tree:
         assert is_lazy(tree["contact_load"])
         assert tree["contact_load"].dims == ("time", "race", "ball")
@@ -89,8 +109,8 @@ def test_dynamics(tmp_path):
 
 
 @pytest.mark.parametrize("command", ["slip", "stiffness"])
-def test_folders_of_older_versions_are_told(tmp_path, command):
-    made(command, tmp_path)[1].close()
+def test_folders_of_older_versions_are_told(tmp_path, command, computed):
+    opened(computed(command, tmp_path), command)[1].close()
     (tmp_path / "out" / "results.nc").unlink()
     with pytest.raises(ValueError, match=r"no results\.nc: compute it again"):
         postprocess.open_results(tmp_path / "out")
