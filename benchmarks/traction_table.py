@@ -18,7 +18,7 @@ from ehl.traction._kernels import table_lookup
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
 from ehl.traction.table.build import HEATED_START, START
 from ehl.traction.table.packing import VALUE_STEP
-from ehl.traction.table.table import load_place
+from ehl.traction.table.table import load_coordinate
 
 Array = NDArray[np.float64]
 
@@ -41,8 +41,8 @@ def many(axes, constants, scalars, values, motions, out):
 def random_table(random: np.random.Generator, start: tuple[int, ...]) -> tuple[Array, Array, Array, NDArray[np.int16]]:
     """Arrays of a table of the nodes that the 6208's starts with; its numbers are noise."""
     nodes = np.array(start, dtype=np.float64)
-    first = np.array([load_place(LOAD[0]), np.log(SPEED[0]), -1.0, 0.0, -1.0])
-    last = np.array([load_place(LOAD[1]), np.log(SPEED[1]), 1.0, 1.0, 1.0])
+    first = np.array([load_coordinate(LOAD[0]), np.log(SPEED[0]), -1.0, 0.0, -1.0])
+    last = np.array([load_coordinate(LOAD[1]), np.log(SPEED[1]), 1.0, 1.0, 1.0])
     axes = np.stack([first, (nodes - 1.0) / (last - first), nodes], axis=1)
     constants = np.array([RADIUS, -125.0, 2.0, 1.0, 0.6, 1.5e-4, CURVATURE, VALUE_STEP, 2e-5, 0.1, 0.15, 0.0])
     scalars = random.random((start[0] + 2, start[1] + 2, 10)) - np.array([8.0, 8.0, 3.0, *[0.0] * 7])

@@ -14,7 +14,7 @@ class SolverOptions:
     Examples
     --------
     >>> from oilfilm import SolverOptions
-    >>> SolverOptions(tolerance=0.005).most_points
+    >>> SolverOptions(tolerance=0.005).max_points
     1025
     >>> SolverOptions(points=257).wanted_tolerance is None
     True
@@ -39,7 +39,7 @@ class SolverOptions:
     tabulated: bool = False
 
     def __post_init__(self) -> None:
-        cells = self.most_points - 1
+        cells = self.max_points - 1
         if cells < 32 or cells > 4096 or cells & (cells - 1):
             raise ValueError(
                 "points must be 2^k + 1 from 33 to 4097 (for example 129, 257, 513), "
@@ -60,7 +60,7 @@ class SolverOptions:
                 )
 
     @property
-    def most_points(self) -> int:
+    def max_points(self) -> int:
         """Nodes along x on the finest level, or the most of them [-]."""
         return MOST_POINTS if self.points is None else self.points
 

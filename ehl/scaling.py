@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
-from .closed_form.starvation import StarvationShares, starvation_shares
+from .closed_form.starvation import StarvationFactors, starvation_factors
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
 from .oil.inlet_layer import InletLayer
 from .oil.lubricant import (
@@ -387,9 +387,9 @@ def groups_along(contact: ScaledContact) -> tuple[float, float, float]:
     return (contact.moes_load * s**1.25, contact.moes_lubricant * s**0.25, contact.curvature_y / s)
 
 
-def contact_shares(
+def contact_starvation_factors(
     contact: ScaledContact, ratio: float, flooded_ratio: float = inf
-) -> StarvationShares:
+) -> StarvationFactors:
     """Starvation factors of a contact, in the frame of its entrainment.
 
     Parameters
@@ -403,11 +403,11 @@ def contact_shares(
 
     Returns
     -------
-    StarvationShares
+    StarvationFactors
         factors on films, rolling moment and damping; with wider uncertainties outside the range of
         the law
     """
-    factors = starvation_shares(*groups_along(contact), ratio, flooded_ratio)
+    factors = starvation_factors(*groups_along(contact), ratio, flooded_ratio)
     if abs(contact.curvature_xy) <= OBLIQUE and contact.turning <= TURNING:
         return factors
     return factors.outside()

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .closed_form.hertz import MEAN_PRESSURE_RATIO
-from .closed_form.starvation import ReductionFactor, StarvationShares
+from .closed_form.starvation import ReductionFactor, StarvationFactors
 from .conditions import ContactConditions, MoesConditions
 from .oil.film_state import FilmState
 from .options import SolverOptions
@@ -95,7 +95,7 @@ class OilSupply:
     filled: Array | None = None
     # what the law gave, None: solved behind the layer; and the moment of the flooded pressure in
     # the box, over p_h a^3, with what makes it that by the heat of its flow
-    law: StarvationShares | None = None
+    law: StarvationFactors | None = None
     flooded_moment: tuple[float, float] = (0.0, 0.0)
     # work of the flooded film as in `ConvergenceRecord`, by the nodes of the solution; that has it
     # with its own, as it has the time of both

@@ -26,18 +26,23 @@ from .multigrid.levels import Multigrid
 from .multigrid.newton import certify
 from .multigrid.open_box import choose_domain
 from .multigrid.settling import Progress
-from .multigrid.supply.oil_supply import inlet_ratio, oil_supply, starved_film_guess, turned_round
-from .multigrid.supply.starvation_law import behind_layer
+from .multigrid.supply.oil_supply import (
+    inlet_ratio,
+    oil_supply,
+    reverse_flow_message,
+    starved_film_guess,
+)
+from .multigrid.supply.starvation_law import with_inlet_film_by_law
 from .multigrid.verdict import (
     approach_value,
-    beside_finer,
-    error_by_box,
+    film_error_by_box,
     film_over_radius,
     film_value,
     resolution_message,
-    tolerance_judged,
     tolerance_reached,
+    unconfirmed_by_finer_mesh,
     with_status,
+    with_tolerance_status,
 )
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
@@ -135,25 +140,25 @@ def solve_attempts(
     contact = scale_contact(conditions)
     domain = options.domain or choose_domain(contact)
     problem = _Problem(conditions, domain, flow_model, film_guess)
-    points = options.most_points
+    points = options.max_points
     if tolerance is not None:
         points = _first_points(problem.scaled()[0], domain, tolerance, points)
     mesh = replace(options, points=points)
     solution, result = _solve(problem, mesh, attempts, progress)
-    while tolerance is not None and points < options.most_points:
+    while tolerance is not None and points < options.max_points:
         if (
             tolerance_reached(solution, tolerance)
             or film_over_radius(solution) > MAX_FILM_OVER_RADIUS
         ):
             break
-        if error_by_box(result) > max(tolerance, 0.5 * solution.widest_bar):
+        if film_error_by_box(result) > max(tolerance, 0.5 * solution.widest_bar):
             break  # of which no mesh takes anything away
         mesh = replace(mesh, points=2 * points - 1)
         sound = solution.converged and solution.resolved
         further = () if sound else attempts
         finer, finer_result = _solve_finer(problem, mesh, result, further, progress)
         if sound and not finer.converged:
-            solution = beside_finer(solution)
+            solution = unconfirmed_by_finer_mesh(solution)
             break
         points = 2 * points - 1
         solution, result = finer, finer_result
@@ -161,7 +166,7 @@ def solve_attempts(
         _certify(result, progress)
         solution = _assembled(conditions, solution.options, result, progress)
     if tolerance is not None:
-        solution = tolerance_judged(solution, tolerance, f"{points} points")
+        solution = with_tolerance_status(solution, tolerance, f"{points} points")
     record = replace(solution.record, wall_time=time.perf_counter() - start)
     return replace(solution, options=options, record=record), result.state
 
@@ -228,10 +233,10 @@ def solve_starved(
         raise ValueError(FLOODED_ONLY)
     if options.certify:
         raise ValueError("certify: Newton's method has no equations of a layer at the inlet")
-    return solve_behind_layer(conditions, options)[0]
+    return solve_with_inlet_film(conditions, options)[0]
 
 
-def solve_behind_layer(
+def solve_with_inlet_film(
     conditions: ContactConditions | MoesConditions, options: SolverOptions
 ) -> tuple[ContactSolution, Multigrid]:
     """A contact behind a layer of oil as by `solve_starved`, with the levels of its solution.
@@ -256,7 +261,7 @@ def solve_behind_layer(
     if not flooded.converged:
         message = f"flooded film: {flooded.message}"
         return replace(flooded, conditions=conditions, message=message), levels
-    if turned := turned_round(levels):
+    if turned := reverse_flow_message(levels):
         unsolved = replace(flooded, conditions=conditions, message=turned)
         return replace(unsolved, converged=False, resolved=False), levels
     ratio = inlet_ratio(layer.central, flooded, levels.contact)
@@ -306,7 +311,7 @@ def solve_by_law(
     if not flooded.converged:
         return replace(flooded, conditions=conditions, message=f"flooded film: {flooded.message}")
     frames = (levels.contact, scale_contact(conditions, along_entrainment=True))
-    return behind_layer(flooded, conditions, frames, contact.inlet_layer.central)
+    return with_inlet_film_by_law(flooded, conditions, frames, contact.inlet_layer.central)
 
 
 def _certify(result: AttemptResult, progress: Progress) -> None:
@@ -412,7 +417,7 @@ def _assembled(
         ),
         result,
     )
-    return with_status(_solution(conditions, options, result, record), error_by_box(result))
+    return with_status(_solution(conditions, options, result, record), film_error_by_box(result))
 
 
 def with_history(record: ConvergenceRecord, result: AttemptResult) -> ConvergenceRecord:

@@ -269,7 +269,7 @@ def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:
 def write_figures(
     directory: Path,
     figures: Iterable[tuple[str, Callable[[Figure], object]]],
-    hurried: Callable[[], bool] = lambda: False,
+    is_interrupted: Callable[[], bool] = lambda: False,
 ) -> tuple[str, ...]:
     """Write PNG pictures by their paths without suffix; what cannot be drawn is a message.
 
@@ -289,7 +289,7 @@ def write_figures(
     """
     problems: list[str] = []
     for name, draw in figures:
-        if hurried():
+        if is_interrupted():
             return (*problems, "the other pictures not written: interrupted")
         try:
             write_figure(directory / f"{name}.png", draw)

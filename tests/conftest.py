@@ -71,8 +71,6 @@ def draw_sample(items):
             item.add_marker(SAMPLED)
 
 
-
-
 @pytest.fixture(scope="session")
 def shared(tmp_path_factory, worker_id):
     """Function `shared(name, make)`: the file or folder that `make(path)` writes, once for all workers."""

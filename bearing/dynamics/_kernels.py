@@ -27,10 +27,6 @@ from .arrays import (
     CONTACT,
     ELASTIC,
     FORCE,
-    GIVEN_FORCE,
-    GIVEN_MOMENT,
-    GIVEN_PLACE,
-    GIVEN_RATE,
     GUIDED_BY_BALLS,
     GUIDED_BY_INNER_RING,
     INNER,
@@ -42,6 +38,10 @@ from .arrays import (
     OUTER_SPEED,
     POCKET,
     POTENTIAL,
+    PRESCRIBED_DISPLACEMENT,
+    PRESCRIBED_FORCE,
+    PRESCRIBED_MOMENT,
+    PRESCRIBED_RATE,
     WORK,
     Body,
 )
@@ -83,7 +83,7 @@ def schedule_at(times, schedule, t, out):
     for column in range(out.size):
         before = schedule[k, column]
         out[column] = before + share * (schedule[k + 1, column] - before)
-    if out.size > GIVEN_PLACE:
+    if out.size > PRESCRIBED_DISPLACEMENT:
         places_between(schedule[k], schedule[k + 1], span, share, out)
     return (schedule[k + 1, INNER_SPEED] - schedule[k, INNER_SPEED]) / span
 
@@ -95,13 +95,13 @@ def places_between(before, after, span, share, out):
     """
     left = 1.0 - share
     for i in range(RING):
-        start, end = before[GIVEN_PLACE + i], after[GIVEN_PLACE + i]
-        first, final = before[GIVEN_RATE + i], after[GIVEN_RATE + i]
+        start, end = before[PRESCRIBED_DISPLACEMENT + i], after[PRESCRIBED_DISPLACEMENT + i]
+        first, final = before[PRESCRIBED_RATE + i], after[PRESCRIBED_RATE + i]
         bend = left * (span * first - end + start) - share * (span * final - end + start)
-        out[GIVEN_PLACE + i] = start + share * (end - start) + share * left * bend
+        out[PRESCRIBED_DISPLACEMENT + i] = start + share * (end - start) + share * left * bend
         slope = (left - share) * bend - share * left * (first + final) * span
         slope += 2.0 * share * left * (end - start)
-        out[GIVEN_RATE + i] = (end - start + slope) / span
+        out[PRESCRIBED_RATE + i] = (end - start + slope) / span
 
 
 @compiled
@@ -110,8 +110,8 @@ def place_ring(balls, held, given, y):
     first = velocities(balls)
     for i in range(RING):
         if held[i] > 0.0:
-            y[i] = given[GIVEN_PLACE + i]
-            y[first + i] = given[GIVEN_RATE + i]
+            y[i] = given[PRESCRIBED_DISPLACEMENT + i]
+            y[first + i] = given[PRESCRIBED_RATE + i]
 
 
 @compiled
@@ -150,7 +150,7 @@ def ball_rates(p, ball, y, j, dy):
     w = ball_turn(c.balls, j)
     speed = norm(vector(y, v))
     pull = c.drag * speed
-    p.power[WORK.churning] += c.copies * pull * speed * speed
+    p.power[WORK.churning] += c.symmetric_copies * pull * speed * speed
     for i in range(3):
         force = ball.forces[FORCE + i] - pull * y[v + i]
         dy[x + i] = y[v + i]
@@ -172,7 +172,7 @@ def tilting_equations(p, y, rate, dy):
     for i in range(2):
         tilt = RING_TILT + i
         w = y[rate + i]
-        given = p.given[GIVEN_MOMENT + i]
+        given = p.given[PRESCRIBED_MOMENT + i]
         dy[tilt] = w
         dy[rate + i] = p.free[tilt] * (given + coupled[i]) / c.ring_transverse
         p.power[WORK.loads] += (p.free[tilt] * given - p.held[tilt] * coupled[i]) * w
@@ -191,7 +191,7 @@ def ring_equations(p, t, y, acceleration, body, dy):
     power = p.power
     first = velocities(c.balls)
     spin = given[INNER_SPEED]
-    fx, fy, fz = vector(given, GIVEN_FORCE)
+    fx, fy, fz = vector(given, PRESCRIBED_FORCE)
     if c.unbalance != 0.0:
         phase = y[ring_angle(c.balls)] + c.unbalance_phase
         co, si = np.cos(phase), np.sin(phase)
@@ -262,11 +262,11 @@ def add_copies(c, loads, power):
     """
     for body in range(loads.shape[0]):
         for part in (FORCE, MOMENT):
-            loads[body, part] *= c.copies
+            loads[body, part] *= c.symmetric_copies
             loads[body, part + 1] = 0.0
             loads[body, part + 2] = 0.0
     for k in range(power.size):
-        power[k] *= c.copies
+        power[k] *= c.symmetric_copies
 
 
 @inlined
@@ -291,12 +291,12 @@ def motion_rates(t, y, data, dy):
     # 2. pockets, or balls that meet
     if c.cage_mass > 0.0:
         pocket_forces(p, balls, memory, cage, y)
-    elif c.copies == 1:
+    elif c.symmetric_copies == 1:
         ball_collisions(p, balls, memory, y)
     # 3. friction that is stiff, balls that are not solved, and lands
     if friction_is_stiff(p, balls):
         implicit_friction(p, balls, y, inner, outer)
-    if c.copies > 1:
+    if c.symmetric_copies > 1:
         add_copies(c, p.loads, p.power)
     p.power[WORK.drive_outer] -= outer.turn[0] * p.loads[OUTER, MOMENT]
     if c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS:
@@ -361,9 +361,9 @@ def energies(y, data, out):
             approach = balls[j].race_out[race, CONTACT.approach]
             elastic += elastic_energy(p.normal[race], approach)
         elastic += elastic_energy(p.normal[POCKET], balls[j].pocket_out[CONTACT.approach])
-    kinetic *= c.copies
-    elastic *= c.copies
-    weight *= c.copies
+    kinetic *= c.symmetric_copies
+    elastic *= c.symmetric_copies
+    weight *= c.symmetric_copies
     first = velocities(c.balls)
     for i in range(3):
         kinetic += 0.5 * free[i] * c.ring_mass * y[first + i] ** 2

@@ -31,12 +31,14 @@ LOAD_COLUMNS = 6
 # columns of `schedule` and `given`
 INNER_SPEED = 0
 OUTER_SPEED = 1
-GIVEN_FORCE = 2
-GIVEN_MOMENT = 5
-GIVEN_PLACE = 7  # of the inner ring where it is held: x, y, z [m], tilt y, tilt z [rad]
-GIVEN_RATE = 12  # its rate [m/s], [rad/s]
+PRESCRIBED_FORCE = 2
+PRESCRIBED_MOMENT = 5
+PRESCRIBED_DISPLACEMENT = (
+    7  # of the inner ring where it is held: x, y, z [m], tilt y, tilt z [rad]
+)
+PRESCRIBED_RATE = 12  # its rate [m/s], [rad/s]
 OIL_VISCOSITY = 17  # of pockets and lands, over `Constants.film_viscosity` [-]
-GIVEN_COLUMNS = 18
+PRESCRIBED_COLUMNS = 18
 
 # columns of `friction`, as the kernels of `ehl.traction` write them
 FORCE_X, FORCE_Y, SPIN_MOMENT, ROLL_MOMENT = range(4)
@@ -167,7 +169,7 @@ class Constants(NamedTuple):
     """Numbers of one bearing, SI."""
 
     balls: int  # those whose motion is solved
-    copies: int  # balls that each of them stands for
+    symmetric_copies: int  # balls that each of them stands for
     mirrored: int  # 1: the plane across the axis is a mirror, balls have no spin on the races
     ball_mass: float  # [kg]
     ball_inertia: float  # 2/5 m R^2 [kg m^2]
@@ -227,10 +229,10 @@ BEARING = np.dtype(
         ("mechanical", np.int64),
         ("free", np.float64, (17,)),
         ("held", np.float64, (5,)),
-        ("given", np.float64, (GIVEN_COLUMNS,)),
+        ("given", np.float64, (PRESCRIBED_COLUMNS,)),
         ("friction", np.float64, (FRICTION_COLUMNS,)),
         ("land_out", np.float64, (2, POCKET_COLUMNS)),
-        ("foretold", np.float64, (4,)),
+        ("predicted_friction", np.float64, (4,)),
         ("pace", np.float64, (1,)),
         ("system", np.float64, (6, 7)),
         ("power", np.float64, (ACCUMULATORS,)),
@@ -241,7 +243,7 @@ BEARING = np.dtype(
 BALL = np.dtype(
     [
         ("pocket_angle", np.float64),
-        ("pocket_place", np.float64, (2,)),
+        ("pocket_direction", np.float64, (2,)),
         ("pocket_play", np.float64),
         ("forces", np.float64, (LOAD_COLUMNS,)),
         ("race_out", np.float64, (2, RACE_COLUMNS)),
@@ -282,15 +284,15 @@ class EquationData(NamedTuple):
     free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
     held: Array  # 1 for coordinates of the ring whose place is given, else 0, shape (5,)
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
-    pocket_place: Array  # direction (y, z) of each pocket in the cage, shape (Z, 2) [-]
+    pocket_direction: Array  # direction (y, z) of each pocket in the cage, shape (Z, 2) [-]
     pocket_play: Array  # radial, of each pocket, shape (Z,) [m]
     times: Array  # of the rows of the schedule, shape (n,) [s]
     # speeds of inner and outer ring [rad/s], force [N], moment [N m], place of the ring where it
-    # is held [m], [rad], its rate, viscosity [-]; shape (n, GIVEN_COLUMNS)
+    # is held [m], [rad], its rate, viscosity [-]; shape (n, PRESCRIBED_COLUMNS)
     schedule: Array
     # speed of the impact that began each contact [m/s]: inner, outer, pocket of each ball, lands
     memory: Array
-    given: Array  # scratch: the schedule at a time, shape (GIVEN_COLUMNS,)
+    given: Array  # scratch: the schedule at a time, shape (PRESCRIBED_COLUMNS,)
     friction: Array  # scratch: friction of one ball on a race, shape (FRICTION_COLUMNS,)
     forces: Array  # scratch: force and moment on each ball, shape (Z, 6) [N], [N m]
     race_out: Array  # state of the races' contacts, shape (2, Z, RACE_COLUMNS)
@@ -300,7 +302,7 @@ class EquationData(NamedTuple):
     # friction of the races linearised, shape (2, Z, LINEAR.size); no slopes where the law counts
     linear: Array
     pocket_films: Array  # of the pockets as matrices, shape (Z, 38); `contact._belt_kernels`
-    foretold: Array  # scratch: forces and moments by slopes, shape (4,)
+    predicted_friction: Array  # scratch: forces and moments by slopes, shape (4,)
     pace: Array  # step that friction is implicit over, shape (1,); 0: not [s]
     system: Array  # scratch: equations of a ball's acceleration, shape (6, 7)
     power: Array  # into and out of the accumulators [W], shape (ACCUMULATORS,)

@@ -17,13 +17,13 @@ from .arrays import (
     ACCUMULATORS,
     FILM,
     FRICTION_COLUMNS,
-    GIVEN_COLUMNS,
     INNER_SPEED,
     LINEAR,
     LOAD_COLUMNS,
     OUTER,
     OUTER_SPEED,
     POCKET_COLUMNS,
+    PRESCRIBED_COLUMNS,
     RACE_COLUMNS,
     STIFFNESS,
     TABLE,
@@ -41,7 +41,7 @@ from .initial import StartingPoint
 from .inputs import CageBody, DynamicsModel
 from .laws import damping_factor
 from .layout import CAGE, CAGE_ROTATION, RING, RING_TILT, Layout
-from .reduction import solved_places
+from .reduction import solved_indices
 
 HERTZ_EXPONENT = 1.5
 RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
@@ -81,7 +81,7 @@ def assemble(
     cage = model.cage
     n = bearing.balls
     free = free_array(point.kind, operation, model)
-    indices = solved_places(free, n)
+    indices = solved_indices(free, n)
     azimuth = bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)
     numbers = constants(bearing, model)
     laws = normal_laws(bearing, model, point.angles)
@@ -98,12 +98,12 @@ def assemble(
         free=free,
         held=np.array([load is None for load in operation.loads], dtype=np.float64),
         pocket_angle=np.asarray(azimuth),
-        pocket_place=np.stack((np.cos(azimuth), np.sin(azimuth)), axis=1),
+        pocket_direction=np.stack((np.cos(azimuth), np.sin(azimuth)), axis=1),
         pocket_play=0.5 * np.array((cage or NO_CAGE).clearances(n)),
         times=np.array(model.times, dtype=np.float64),
         schedule=schedule,
         memory=np.full(3 * n + 2, model.normal.impact_floor),
-        given=np.zeros(GIVEN_COLUMNS),
+        given=np.zeros(PRESCRIBED_COLUMNS),
         friction=np.zeros(FRICTION_COLUMNS),
         forces=np.zeros((n, LOAD_COLUMNS)),
         race_out=np.zeros((2, n, RACE_COLUMNS)),
@@ -138,7 +138,7 @@ def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
     Returns
     -------
     Array
-        rows, shape (n, GIVEN_COLUMNS) [SI]
+        rows, shape (n, PRESCRIBED_COLUMNS) [SI]
     """
     displacements = model.places(operation)
     rates = np.zeros_like(displacements)
@@ -197,7 +197,7 @@ def _clock_arrays(balls: int) -> dict[str, Array]:
     return {
         "films": np.zeros((2, balls, 2)),
         "linear": np.zeros((2, balls, LINEAR.size)),
-        "foretold": np.zeros(4),
+        "predicted_friction": np.zeros(4),
         "pocket_films": np.zeros((balls, 38)),
         "pace": np.zeros(1),
         "system": np.zeros((6, 7)),
@@ -249,7 +249,7 @@ def with_equations(
         changed problem, which shares its arrays with `data`
     """
     free = free_array(kind, operation, model)
-    indices = solved_places(free, data.constants.balls)
+    indices = solved_indices(free, data.constants.balls)
     mechanical = _mechanical(indices, data.constants.balls)
     return changed_data(data, free=free, solved=indices, mechanical=mechanical)
 
@@ -316,7 +316,7 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
     mass = ball_mass(bearing.ball_diameter, bearing.ball_material.density)
     return Constants(
         balls=bearing.balls,
-        copies=1,
+        symmetric_copies=1,
         mirrored=0,
         ball_mass=mass,
         ball_inertia=0.4 * mass * radius**2,

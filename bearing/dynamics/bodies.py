@@ -10,7 +10,7 @@ from ehl.units import from_si
 from ..geometry import Bearing
 from ..material import Material, reduced_modulus
 from ..operation import Operation
-from .arrays import GIVEN_FORCE, GIVEN_MOMENT
+from .arrays import PRESCRIBED_FORCE, PRESCRIBED_MOMENT
 from .choices import Guidance, LoadType
 from .inputs import CageBody, DynamicsModel, RingBody
 from .layout import RING_TILT
@@ -221,11 +221,11 @@ def cage_body(
     )
 
 
-# values that a load type needs at zero besides gravity: columns of `given_values`, coordinates of
+# values that a load type needs at zero besides gravity: columns of `prescribed_values`, coordinates of
 # the ring
-ACROSS = slice(GIVEN_FORCE + 1, None)
-ALONG = (GIVEN_FORCE, GIVEN_MOMENT, GIVEN_MOMENT + 1)
-# the same of `given_places`
+ACROSS = slice(PRESCRIBED_FORCE + 1, None)
+ALONG = (PRESCRIBED_FORCE, PRESCRIBED_MOMENT, PRESCRIBED_MOMENT + 1)
+# the same of `prescribed_displacements`
 DISPLACEMENTS_ACROSS = slice(1, None)
 DISPLACEMENTS_ALONG = (0, 3, 4)
 
@@ -254,7 +254,7 @@ def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
     kind = max(lasts, key=lambda each: lasts[each])
     if lasts[kind] > 0.0:
         return kind
-    others = np.array(model.rows(operation))[:, GIVEN_FORCE + 2 :]
+    others = np.array(model.rows(operation))[:, PRESCRIBED_FORCE + 2 :]
     plain = not (
         np.any(others)
         or any(model.options.gravity)

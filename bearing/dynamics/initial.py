@@ -15,10 +15,10 @@ from ..quasistatic.symmetric import solve_symmetric, unknowns
 from ..rating.frequencies import kinematic_cage_speed
 from .arrays import (
     EXPONENT,
-    GIVEN_FORCE,
     INNER_SPEED,
     OUTER,
     OUTER_SPEED,
+    PRESCRIBED_FORCE,
     STIFFNESS,
     Array,
     EquationData,
@@ -91,8 +91,8 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
 def _pushed_along(operation: Operation, model: DynamicsModel) -> bool:
     """Check the first load or displacement of the ring for a component along the axis."""
     for row, displacement in zip(model.rows(operation), model.places(operation), strict=True):
-        if any(row[GIVEN_FORCE:]) or any(displacement):
-            return row[GIVEN_FORCE] != 0.0 or displacement[0] != 0.0
+        if any(row[PRESCRIBED_FORCE:]) or any(displacement):
+            return row[PRESCRIBED_FORCE] != 0.0 or displacement[0] != 0.0
     return False
 
 
@@ -137,10 +137,10 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
     rows = model.rows(operation)
     inner, outer = (
         a or SMALLEST_SPEED_SHARE * b
-        for a, b in zip(rows[0][:GIVEN_FORCE], rows[-1][:GIVEN_FORCE], strict=True)
+        for a, b in zip(rows[0][:PRESCRIBED_FORCE], rows[-1][:PRESCRIBED_FORCE], strict=True)
     )
     ring = free_coordinates(kind, operation)[0]
-    prescribed = [*rows[0][GIVEN_FORCE:]]
+    prescribed = [*rows[0][PRESCRIBED_FORCE:]]
     if model.rotating is not None:
         prescribed[1] += model.rotating.force * cos(model.rotating.phase)
         prescribed[2] += model.rotating.force * sin(model.rotating.phase)
@@ -183,8 +183,8 @@ def initial_state(
     """
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
-    cosines, sines = data.pocket_place.T
-    speeds = data.schedule[0, :GIVEN_FORCE]
+    cosines, sines = data.pocket_direction.T
+    speeds = data.schedule[0, :PRESCRIBED_FORCE]
     # 1. balls: place, speed of the orbit, spin about axis and radius
     if point.equilibrium is None:
         axial, radial, orbit, spin = _rolling(bearing, data, point.angles, speeds)

@@ -9,12 +9,12 @@ from scipy.interpolate import PchipInterpolator
 from ehl.ranges import require_positive
 
 from ..operation import Operation
-from .arrays import GIVEN_PLACE, GIVEN_RATE, OIL_VISCOSITY, Array
+from .arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE, Array
 from .choices import Guidance, LoadType, NormalLaw, Start
 from .friction import RaceFriction
 
 
-def given_values(operation: Operation) -> tuple[float, ...]:
+def prescribed_values(operation: Operation) -> tuple[float, ...]:
     """Speeds of the rings, force and moment of an operation.
 
     Parameters
@@ -31,7 +31,7 @@ def given_values(operation: Operation) -> tuple[float, ...]:
     return (operation.inner_speed, operation.outer_speed, *loads)
 
 
-def given_places(operation: Operation) -> tuple[float, ...]:
+def prescribed_displacements(operation: Operation) -> tuple[float, ...]:
     """Prescribed displacements of the inner ring.
 
     Parameters
@@ -180,7 +180,7 @@ class Schedule:
 
     def __post_init__(self) -> None:
         lengths = {len(row) for row in self.values}
-        if lengths != {GIVEN_PLACE} or len(self.time) != len(self.values):
+        if lengths != {PRESCRIBED_DISPLACEMENT} or len(self.time) != len(self.values):
             raise ValueError("schedule: needs a row of seven values for each time")
         for rows in (self.places, self.rates):
             if rows is not None and [len(row) for row in rows] != [5] * len(self.time):
@@ -215,20 +215,25 @@ class Schedule:
         if not given:
             return None
         times = np.unique(np.concatenate([table[:, 0] for table in given.values()]))
-        row = (*given_values(operation), *given_places(operation), *[0.0] * 5, 1.0)
+        row = (
+            *prescribed_values(operation),
+            *prescribed_displacements(operation),
+            *[0.0] * 5,
+            1.0,
+        )
         values = np.tile(row, (times.size, 1))
         for first, table in given.items():
             for k, column in enumerate(table[:, 1:].T, start=first):
-                if GIVEN_PLACE <= k < GIVEN_RATE:
-                    step = GIVEN_RATE - GIVEN_PLACE
+                if PRESCRIBED_DISPLACEMENT <= k < PRESCRIBED_RATE:
+                    step = PRESCRIBED_RATE - PRESCRIBED_DISPLACEMENT
                     values[:, k], values[:, k + step] = smooth(table[:, 0], column, times)
                 else:
                     values[:, k] = np.interp(times, table[:, 0], column)
         return cls(
             time=tuple(times.tolist()),
-            values=_rows(values[:, :GIVEN_PLACE]),
-            places=_rows(values[:, GIVEN_PLACE:GIVEN_RATE]),
-            rates=_rows(values[:, GIVEN_RATE:OIL_VISCOSITY]),
+            values=_rows(values[:, :PRESCRIBED_DISPLACEMENT]),
+            places=_rows(values[:, PRESCRIBED_DISPLACEMENT:PRESCRIBED_RATE]),
+            rates=_rows(values[:, PRESCRIBED_RATE:OIL_VISCOSITY]),
             viscosity=tuple(values[:, OIL_VISCOSITY].tolist()),
         )
 
@@ -312,7 +317,7 @@ class DynamicsModel:
         return (0.0,) if self.schedule is None else self.schedule.time
 
     def rows(self, operation: Operation) -> list[tuple[float, ...]]:
-        """`given_values` at each time of the schedule, or those of the operation.
+        """`prescribed_values` at each time of the schedule, or those of the operation.
 
         Parameters
         ----------
@@ -326,10 +331,10 @@ class DynamicsModel:
         """
         if self.schedule is not None:
             return list(self.schedule.values)
-        return [given_values(operation)]
+        return [prescribed_values(operation)]
 
     def places(self, operation: Operation) -> list[tuple[float, ...]]:
-        """`given_places` at each time of the schedule, or those of the operation.
+        """`prescribed_displacements` at each time of the schedule, or those of the operation.
 
         Parameters
         ----------
@@ -343,7 +348,7 @@ class DynamicsModel:
         """
         if self.schedule is not None and self.schedule.places is not None:
             return list(self.schedule.places)
-        return [given_places(operation)] * len(self.times)
+        return [prescribed_displacements(operation)] * len(self.times)
 
     @property
     def viscosities(self) -> tuple[float, ...]:

@@ -9,7 +9,14 @@ from ..friction.sources import RaceTraction
 from ..geometry import Bearing
 from ..material import Material
 from ..operation import Operation
-from .arrays import GIVEN_FORCE, GIVEN_MOMENT, GIVEN_PLACE, INNER_SPEED, OIL_VISCOSITY, OUTER_SPEED
+from .arrays import (
+    INNER_SPEED,
+    OIL_VISCOSITY,
+    OUTER_SPEED,
+    PRESCRIBED_DISPLACEMENT,
+    PRESCRIBED_FORCE,
+    PRESCRIBED_MOMENT,
+)
 from .bodies import cage_body
 from .choices import Guidance
 from .friction import race_friction
@@ -156,10 +163,10 @@ def prescribed_schedule(
         {
             INNER_SPEED: inner_speed,
             OUTER_SPEED: outer_speed,
-            GIVEN_FORCE: force,
-            GIVEN_MOMENT: moment,
-            GIVEN_PLACE: displacement,
-            GIVEN_PLACE + RING_TILT: tilt,
+            PRESCRIBED_FORCE: force,
+            PRESCRIBED_MOMENT: moment,
+            PRESCRIBED_DISPLACEMENT: displacement,
+            PRESCRIBED_DISPLACEMENT + RING_TILT: tilt,
             OIL_VISCOSITY: viscosity,
         },
     )

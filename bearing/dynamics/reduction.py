@@ -26,7 +26,7 @@ SYMMETRIC = (*MIRRORED, LoadType.AXIAL)
 LANDS = 2  # places of the lands, the last of the memory of impacts
 
 
-def solved_places(free: Array, balls: int) -> NDArray[np.int64]:
+def solved_indices(free: Array, balls: int) -> NDArray[np.int64]:
     """Indices in the state vector of the unknowns: free coordinates, their speeds, the rest.
 
     Parameters
@@ -150,7 +150,7 @@ class SolvedMotion:
             state.shares[:] = history.shares
             state.attitude[:] = turned_attitudes(history.attitude[None], self.balls)[0]
 
-    def whole_record(self, record: Record) -> Record:
+    def full_record(self, record: Record) -> Record:
         """Record of all balls.
 
         Parameters
@@ -215,12 +215,12 @@ def _one_ball(data: EquationData) -> EquationData:
     """Equations of the first ball, which stands for all."""
     balls = data.constants.balls
     layout = Layout(1)
-    indices = solved_places(data.free, 1)
+    indices = solved_indices(data.free, 1)
     return changed_data(
         data,
-        constants=data.constants._replace(balls=1, copies=balls),
+        constants=data.constants._replace(balls=1, symmetric_copies=balls),
         pocket_angle=data.pocket_angle[:1].copy(),
-        pocket_place=data.pocket_place[:1].copy(),
+        pocket_direction=data.pocket_direction[:1].copy(),
         pocket_play=data.pocket_play[:1].copy(),
         memory=data.memory[_first_contacts(balls)],
         forces=np.zeros((1, LOAD_COLUMNS)),

@@ -13,10 +13,10 @@ from ._kernels import energies
 from .arrays import (
     DAMPING,
     FILM,
-    GIVEN_FORCE,
-    GIVEN_MOMENT,
     GUIDED_BY_BALLS,
     OUTER,
+    PRESCRIBED_FORCE,
+    PRESCRIBED_MOMENT,
     STIFFNESS,
     Array,
     EquationData,
@@ -112,7 +112,7 @@ class Simulation:
     @property
     def reference_load(self) -> float:
         """Largest load over the number of balls, at least `REFERENCE_LOAD` [N]."""
-        forces = self.data.schedule[:, GIVEN_FORCE:GIVEN_MOMENT]
+        forces = self.data.schedule[:, PRESCRIBED_FORCE:PRESCRIBED_MOMENT]
         largest = float(np.linalg.norm(forces, axis=1).max())
         largest += self.data.constants.rotating_force
         return max(REFERENCE_LOAD, largest / self.bearing.balls)

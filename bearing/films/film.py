@@ -13,14 +13,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ehl.closed_form.inlet_heat import HeatShare
+from ehl.closed_form.inlet_heat import ThermalReduction
 from ehl.conditions import ContactConditions
 from ehl.solution import ContactSolution, FilmValue
 
 # of Hertz' pressure, from which on a node counts to the contact, whose gap goes with the film;
 # ahead of it the gap is that of the bodies [-]
 CONTACT_PRESSURE = 0.01
-NO_HEAT = HeatShare(1.0, 1.0, 1.0)
+NO_HEAT = ThermalReduction(1.0, 1.0, 1.0)
 
 
 class FilmOrigin(Enum):
@@ -97,7 +97,9 @@ class ContactFilm:
     isothermal_minimum: float | None = None  # [m]
     flooded_central: float  # without limit of the supply, as computed [m]
     flooded_moment: float = 0.0  # that resists rolling, flooded and isothermal [N m]
-    heat: HeatShare = NO_HEAT  # of the isothermal film that the heat of the inlet leaves [-]
+    heat: ThermalReduction = (
+        NO_HEAT  # of the isothermal film that the heat of the inlet leaves [-]
+    )
     supply: SupplyFractions = FLOODED
     gap_fraction: float = 1.0  # of the gap in the contact that supply and heat leave [-]
     rolling_fraction: float = 1.0  # of the rolling moment that supply and inlet leave [-]
@@ -117,7 +119,7 @@ class ContactFilm:
         return self.origin is not FilmOrigin.SOLVED and self.field is not None
 
     @property
-    def behind_layer(self) -> bool:
+    def with_inlet_film_by_law(self) -> bool:
         """Whether the film was solved behind a layer of oil."""
         return self.field is not None and self.field.supply is not None
 
@@ -203,14 +205,14 @@ def with_gap(film: ContactSolution, fraction: float) -> ContactSolution:
     return replace(film, H=np.where(inside, fraction * film.H, film.H))
 
 
-def heated_solution(film: ContactSolution, heat: HeatShare) -> ContactSolution:
+def heated_solution(film: ContactSolution, heat: ThermalReduction) -> ContactSolution:
     """A solved film with the fraction of it that the heat of its inlet leaves.
 
     Parameters
     ----------
     film : ContactSolution
         Solved film of a contact, without heat.
-    heat : HeatShare
+    heat : ThermalReduction
         Fraction and its range [-]; the range enters the error bars.
 
     Returns
@@ -227,7 +229,7 @@ def heated_solution(film: ContactSolution, heat: HeatShare) -> ContactSolution:
     )
 
 
-def _heated(film: FilmValue, heat: HeatShare) -> FilmValue:
+def _heated(film: FilmValue, heat: ThermalReduction) -> FilmValue:
     return FilmValue(
         value=heat.value * film.value,
         uncertainty=hypot(heat.value * film.uncertainty, heat.uncertainty * film.value),

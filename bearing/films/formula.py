@@ -32,7 +32,7 @@ from ehl.closed_form.inlet_heat import inlet_heat
 from ehl.conditions import ContactConditions
 from ehl.scaling import ScaledContact, scale_contact
 from ehl.solution import ContactSolution, FilmValue
-from ehl.traction.atlas.films import AtlasFilms, NotInAtlasError, atlas_films_of, skewed
+from ehl.traction.atlas.films import AtlasFilms, NotInAtlasError, atlas_films_of_contacts, skewed
 from ehl.traction.atlas.nearest import nearest_covered
 from ehl.traction.rolling_moment import rolling_moment
 
@@ -180,7 +180,7 @@ def _numbers(
     contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
 ) -> list[FormulaValues]:
     """The same of many contacts that differ: of the atlas, or as far beyond it as it is."""
-    known = atlas_films_of([conditions for conditions, _ in contacts])
+    known = atlas_films_of_contacts([conditions for conditions, _ in contacts])
     return [
         _beyond_atlas(*contact)
         if isinstance(films, NotInAtlasError) or skewed(contact[0].entrainment_angle)
@@ -219,7 +219,7 @@ def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> F
     near, distance = nearest_covered(conditions)
     if near is None or not distance:  # its film is too thick
         return own
-    (known,) = atlas_films_of([near])
+    (known,) = atlas_films_of_contacts([near])
     if isinstance(known, NotInAtlasError):
         return own
     stretch = (near.load / conditions.load) ** (1.0 / 3.0)

@@ -12,7 +12,7 @@ from math import inf
 
 import numpy as np
 
-from ehl.closed_form.inlet_heat import HeatShare, inlet_heat
+from ehl.closed_form.inlet_heat import ThermalReduction, inlet_heat
 from ehl.closed_form.starvation import FLOODED as FLOODED_SHARES
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
@@ -45,7 +45,7 @@ class OilAtInlets:
     as_solved: bool = True
 
 
-def film_heat(contact: BearingContact) -> HeatShare:
+def film_heat(contact: BearingContact) -> ThermalReduction:
     """Fraction of the flooded, isothermal film of a contact that the heat of its inlet leaves.
 
     Parameters
@@ -55,7 +55,7 @@ def film_heat(contact: BearingContact) -> HeatShare:
 
     Returns
     -------
-    HeatShare
+    ThermalReduction
         Fraction and range [-]; 1 of a contact that carries no load or entrains no oil.
     """
     if contact.conditions is None or contact.hertz is None:
@@ -164,7 +164,7 @@ def _with_isothermal(film: ContactFilm, contact: BearingContact) -> ContactFilm:
         isothermal_minimum=None
         if values.ratio is None
         else min(values.ratio, 1.0) * values.central,
-        heat=HeatShare(fraction, fraction * (1.0 - bar), fraction * (1.0 + bar)),
+        heat=ThermalReduction(fraction, fraction * (1.0 - bar), fraction * (1.0 + bar)),
     )
 
 
@@ -283,7 +283,7 @@ def _operating(
     )
 
 
-def _heated(film: FilmThickness, heat: HeatShare) -> FilmThickness:
+def _heated(film: FilmThickness, heat: ThermalReduction) -> FilmThickness:
     """A film with the heat of its inlet."""
     return FilmThickness(
         value=heat.value * film.value,
@@ -298,7 +298,7 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
     what the flooded film of that was.
     """
     before = film.supply
-    layered = film.behind_layer
+    layered = film.with_inlet_film_by_law
     if layered and (supply.as_solved or not before.rolling_moment > 0.0):
         return film
     shares = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
@@ -367,7 +367,8 @@ def flooded_films(films: Films) -> tuple[ContactFilm | None, ...]:
         Flooded films, in the same boxes.
     """
     return tuple(
-        _without_layer(film) if film is not None and film.behind_layer else film for film in films
+        _without_layer(film) if film is not None and film.with_inlet_film_by_law else film
+        for film in films
     )
 
 

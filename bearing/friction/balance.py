@@ -26,9 +26,9 @@ from ..quasistatic.solution import QuasistaticSolution
 from .cage import (
     CageBalance,
     balance_cage,
+    cage_driven_pocket_power,
     orbit_velocities,
     rubbing_speeds,
-    taken_pocket_power,
     with_land,
 )
 from .law import TINY, ContactFriction
@@ -372,7 +372,7 @@ def _resisted(
     """Beside the contacts at the unknowns z [m/s], in [W]."""
     load = np.where(problem.driven, solution.inner_load, 0.0)
     pocket = pocket_power(z, problem).sum()
-    pocket += taken_pocket_power(solution, problem, z, resistance).sum()
+    pocket += cage_driven_pocket_power(solution, problem, z, resistance).sum()
     drag = float((problem.drag * (orbit_velocities(solution) + z[:, 0])).sum())
     power = ResistedPower(drag=drag, pocket=float(pocket))
     return with_land(power, solution, resistance, z, load) if load.any() else power

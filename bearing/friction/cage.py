@@ -215,7 +215,9 @@ def _cage_force(
     others = np.flatnonzero(~driving)
     if others.size:
         needed = _driven_power(solution, problem, z)[others]
-        power += float(needed.sum() + taken_pocket_power(solution, problem, z, resistance).sum())
+        power += float(
+            needed.sum() + cage_driven_pocket_power(solution, problem, z, resistance).sum()
+        )
     return load * power / max(abs(driving_power), TINY) * np.sign(driving_power)
 
 
@@ -233,7 +235,7 @@ def _driven_power(solution: QuasistaticSolution, problem: MotionProblem, z: Arra
     return power[problem.first][problem.like]
 
 
-def taken_pocket_power(
+def cage_driven_pocket_power(
     solution: QuasistaticSolution, problem: MotionProblem, z: Array, resistance: Resistance
 ) -> Array:
     """Friction power in the pockets of balls that the cage drives.

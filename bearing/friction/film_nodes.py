@@ -20,7 +20,7 @@ from ehl.oil.rheology import (
     kernel_rheology,
     limiting_stress,
 )
-from ehl.traction.atlas.film_shapes import PLACE, film_shapes, shape_places
+from ehl.traction.atlas.film_shapes import PLACE, film_shapes, shape_coordinates
 from ehl.traction.shear import (
     Cavitation,
     bounded_viscosity,
@@ -258,7 +258,7 @@ def _shape_numbers(films: Sequence[ContactFilm]) -> list[tuple[float, ...]]:
     [m].
     """
     sizes = np.array([film.size for film in films])
-    places = shape_places([film.conditions for film in films], sizes[:, 0])
+    places = shape_coordinates([film.conditions for film in films], sizes[:, 0])
     return [
         (*place, *film.size, film.conditions.radius_x, film.flooded_central)
         for place, film in zip(places.tolist(), films, strict=True)

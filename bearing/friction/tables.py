@@ -22,7 +22,9 @@ Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 STEP = 1.0e-5
 
 
-def contact_law(contacts: Sequence[BearingContact], laws: Sequence[TractionLaw]) -> ContactFriction:
+def contact_law(
+    contacts: Sequence[BearingContact], laws: Sequence[TractionLaw]
+) -> ContactFriction:
     """Friction of all contacts by a law each, where they are lubricated.
 
     Parameters

@@ -90,7 +90,7 @@ class SelfHeatingProblem:
         """
         return np.array(
             [
-                state.found_temperature - state.film_temperature,
+                state.resulting_temperature - state.film_temperature,
                 self.clearance(state.temperatures) - state.clearance,
             ]
         )
@@ -128,7 +128,7 @@ class HeatState:
         return np.array([values.get(name, 0.0) for name in NODES])
 
     @property
-    def found_temperature(self) -> float:
+    def resulting_temperature(self) -> float:
         """Film temperature that follows [K]."""
         return float(self.weights @ self.temperatures)
 

@@ -169,7 +169,7 @@ def balances_over_speed(
     ValueError
         if the start is no balance
     """
-    if not abs(start.found_temperature - start.film_temperature) <= TEMPERATURE_TOLERANCE:
+    if not abs(start.resulting_temperature - start.film_temperature) <= TEMPERATURE_TOLERANCE:
         raise ValueError("the branch must start from a balance of friction and cooling")
     newton = _Newton(problem)
     first = _BranchPoint(start.film_temperature, np.array([0.0, start.clearance]), start)

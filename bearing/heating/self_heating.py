@@ -236,7 +236,7 @@ def _nearby(search: _Search, tolerance: float) -> tuple[HeatState, float | None]
     high: float | None = None
     known: list[tuple[float, float]] = []  # temperatures and what is found above each [K]
     for _ in range(MOST_STEPS):
-        excess = state.found_temperature - state.film_temperature
+        excess = state.resulting_temperature - state.film_temperature
         if abs(excess) <= tolerance:
             return state, at
         low, high = (at, high) if excess > 0.0 else (low, at)
@@ -276,7 +276,7 @@ def _moved(search: _Search, state: HeatState, at: float) -> HeatState:
         places = [*np.arange(at, hottest, HOTTER).tolist(), hottest]
     else:
         places = [before + (at - before) * 0.5**k for k in range(HALVINGS + 1)]
-    still = state.temperatures - state.found_temperature
+    still = state.temperatures - state.resulting_temperature
     return _driven(search, places, lambda there: still + there)
 
 
@@ -299,7 +299,7 @@ def _by_viscosity(problem: SelfHeatingProblem, state: HeatState, coldest: float)
     """Temperature of the balance, at most a step away, if the heat of a state went with a power
     of the viscosity alone [K].
     """
-    rise = max(state.found_temperature - coldest, 0.0)
+    rise = max(state.resulting_temperature - coldest, 0.0)
 
     def surplus(at: float) -> float:
         thinner = problem.oil(at).viscosity / state.viscosity

@@ -51,7 +51,7 @@ def ball_sizes(smallest: float, largest: float) -> tuple[float, ...]:
     return tuple(size for size in sorted((*fine, *METRIC, *coarse)) if smallest <= size <= largest)
 
 
-def most_balls(ball_diameter: float, pitch_diameter: float) -> int:
+def full_complement(ball_diameter: float, pitch_diameter: float) -> int:
     """Number of balls that fit on the pitch circle without a cage.
 
     Parameters
@@ -125,7 +125,7 @@ def typical_number(ball_diameter: float, pitch_diameter: float, contact_angle: f
     """
     fill = _fill(degrees(contact_angle))
     balls = round(fill * pi / asin(ball_diameter / pitch_diameter))
-    return max(FEWEST_BALLS, min(balls, most_balls(ball_diameter, pitch_diameter)))
+    return max(FEWEST_BALLS, min(balls, full_complement(ball_diameter, pitch_diameter)))
 
 
 def _fill(angle: float) -> float:

@@ -126,7 +126,7 @@ def estimate_geometry(data: CatalogueData) -> RatedPair:
 
 def _bearings(data: CatalogueData, ball: float) -> list[Bearing]:
     """Bearings with balls of a diameter [m] in all numbers that come into question."""
-    largest = typical.most_balls(ball, data.pitch)
+    largest = typical.full_complement(ball, data.pitch)
     numbers = range(typical.FEWEST_BALLS, largest + 1)
     if data.dynamic_rating is None or data.static_rating is None:
         usual = typical.typical_number(ball, data.pitch, data.contact_angle)

@@ -26,13 +26,13 @@ from math import inf, isfinite, pi
 
 from ehl.closed_form.starvation import (
     FLOODED,
-    StarvationShares,
+    StarvationFactors,
     starvation_exponent,
-    starved_share,
+    starved_film_factor,
 )
 from ehl.conditions import ContactConditions
 from ehl.oil.lubricant import Lubricant, density
-from ehl.scaling import contact_shares, scale_contact
+from ehl.scaling import contact_starvation_factors, scale_contact
 
 from ..contacts.contact import BearingContact
 from ..geometry import Bearing
@@ -98,7 +98,7 @@ AMPLE = InletFilm(layer=1.0)  # floods every contact
 
 def supplied_shares(
     contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
-) -> StarvationShares:
+) -> StarvationFactors:
     """Fractions of the flooded films and of the rolling moment of a contact that a supply leaves.
 
     Parameters
@@ -114,7 +114,7 @@ def supplied_shares(
 
     Returns
     -------
-    StarvationShares
+    StarvationFactors
         fractions [-]; all where no oil is entrained
     """
     if contact.conditions is None or contact.hertz is None:
@@ -190,7 +190,7 @@ def contact_track(
     track = Track(
         share=lambda ratio: law(ratio).central.value,
         passing=partial(
-            starved_share,
+            starved_film_factor,
             exponent=exponent or starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x),
         ),
         side_flow=unit**2 * side_flow(contact),
@@ -207,7 +207,7 @@ def _unit(contact: BearingContact, flooded_film: float) -> float:
 
 def starvation_law(
     conditions: ContactConditions, unit: float
-) -> Callable[[float], StarvationShares]:
+) -> Callable[[float], StarvationFactors]:
     """Law of starvation of a contact: fractions over r, the layer over the oil of the flooded
     film. The
     layer of a flooded inlet leaves all.
@@ -221,12 +221,12 @@ def starvation_law(
 
     Returns
     -------
-    Callable[[float], StarvationShares]
+    Callable[[float], StarvationFactors]
         gives the fractions at r [-]
     """
     scaled = scale_contact(conditions, along_entrainment=True)
     ample = conditions.lubricant.flooded_layer / unit
-    return lambda ratio: contact_shares(scaled, ratio, ample)
+    return lambda ratio: contact_starvation_factors(scaled, ratio, ample)
 
 
 def _added(contact: BearingContact, supply: Supply, balls: int) -> float:

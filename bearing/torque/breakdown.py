@@ -177,7 +177,7 @@ def torque_breakdown(
     if friction.supply is not None:
         oil = OilAtInlets(oil=friction.supply, balls=solution.bearing.balls)
         supplied = supplied_films(contacts, known, oil, friction.asperities)
-    behind_layers = any(film is not None and film.behind_layer for film in known)
+    behind_layers = any(film is not None and film.with_inlet_film_by_law for film in known)
     order = [*NAMES, *(name for name in models if name not in NAMES)]
     return TorqueBreakdown(
         models={name: models[name] for name in order},

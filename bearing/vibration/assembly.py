@@ -107,7 +107,7 @@ def assembled(
         stiffness[race] = 1.5 * factor ** (2.0 / 3.0) * contact.load ** (1.0 / 3.0)
         if model.options.law is ContactLaw.FILM:
             films[race] = solved_films(contact, factor, frequency)
-            films[race] = replace(films[race], film_share=model.film_shares.get(race, 1.0))
+            films[race] = replace(films[race], film_share=model.film_load_fractions.get(race, 1.0))
             laws[race] = film_law(factor, films[race])
         else:
             laws[race] = _other_law(solution, race, factor, model)

@@ -113,4 +113,4 @@ class VibrationModel:
     support: Support = field(default_factory=Support)
     options: VibrationOptions = field(default_factory=VibrationOptions)
     # part of the heaviest contacts' loads that films carry, the rest is on asperities; else all
-    film_shares: dict[Race, float] = field(default_factory=dict)  # [-]
+    film_load_fractions: dict[Race, float] = field(default_factory=dict)  # [-]

@@ -111,7 +111,7 @@ def heaviest(contacts: Sequence[BearingContact], race: Race) -> BearingContact:
     return worst
 
 
-def film_shares(
+def film_load_fractions(
     contacts: Sequence[BearingContact],
     asperities: Asperities,
     supply: Supply | InletFilm | None,

@@ -64,7 +64,7 @@ def run(
         try:
             with progress_bar(quiet=quiet) as progress:
                 results = run_case(
-                    loaded, workers, progress, filmed=drawing.films if directory else None
+                    loaded, workers, progress, on_films_solved=drawing.films if directory else None
                 )
                 save(results, directory, drawing, progress)
         except Interrupted as stop:
@@ -103,7 +103,7 @@ def contact(
         from ..runs.contact import run_contact
 
         elements = method is Method.FINITE_ELEMENT
-        film = f"one film on at most {loaded.solver.most_points} nodes"
+        film = f"one film on at most {loaded.solver.max_points} nodes"
         report_cost((film, film_seconds(loaded.solver)), quiet=quiet)
         with progress_bar(quiet=quiet) as progress:
             progress(0, 1, "film")
@@ -120,7 +120,7 @@ def film(case: CaseName, as_json: Json = False, quiet: Quiet = False) -> int:
     from postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
 
     from ..format.case import ContactCase, load_case
-    from ..runs.heating import at_its_temperature
+    from ..runs.heating import with_temperature
     from ..runs.studies.atlas import run_atlas_bearing, run_atlas_contact
 
     loaded = load_case(case)
@@ -128,7 +128,7 @@ def film(case: CaseName, as_json: Json = False, quiet: Quiet = False) -> int:
         own = run_atlas_contact(loaded, case)
         document = atlas_contact_summary(own)
         return report(document, lambda: atlas_contact_table(own), None, as_json, quiet)
-    found = run_atlas_bearing(at_its_temperature(loaded), case)
+    found = run_atlas_bearing(with_temperature(loaded), case)
     document = atlas_bearing_summary(found)
     return report(document, lambda: atlas_bearing_table(found), None, as_json, quiet)
 

@@ -64,7 +64,7 @@ def film_seconds(options: SolverOptions) -> float:
     float
         Time [s].
     """
-    return FILM_SECONDS * (options.most_points / FILM_POINTS) ** 2
+    return FILM_SECONDS * (options.max_points / FILM_POINTS) ** 2
 
 
 def run_cost(case: Case, workers: int) -> tuple[str, float]:
@@ -83,7 +83,7 @@ def run_cost(case: Case, workers: int) -> tuple[str, float]:
         Description, and time [s].
     """
     films = run_films(case)
-    text = f"at most {films} films on at most {case.solver.most_points} nodes"
+    text = f"at most {films} films on at most {case.solver.max_points} nodes"
     return f"{text}, {workers} at a time", films * film_seconds(case.solver) / workers
 
 

@@ -116,7 +116,7 @@ def _history_folder(directory: Path | None) -> AbstractContextManager[str | Path
 
 
 def _write(
-    results: DynamicsResults, directory: Path, hurried: Callable[[], bool]
+    results: DynamicsResults, directory: Path, is_interrupted: Callable[[], bool]
 ) -> tuple[str, ...]:
     """Write the results and, if there are samples, the motion for ParaView; return problems.
 
@@ -125,9 +125,9 @@ def _write(
     from postprocess.dynamics.write import write_dynamics
     from postprocess.scene.vtk_history import write_motion
 
-    problems = write_dynamics(results, directory, hurried)
+    problems = write_dynamics(results, directory, is_interrupted)
     try:
-        if results.running.rows and not hurried():
+        if results.running.rows and not is_interrupted():
             write_motion(directory)
     except (OSError, ValueError) as error:
         if is_disk_failure(error):

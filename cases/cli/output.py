@@ -48,12 +48,12 @@ def load_bearing(name: str, needed: str, *, heated: bool = True, own_table: bool
         If the case is a single contact, or something is wrong with it.
     """
     from ..format.case import Case, load_case
-    from ..runs.heating import at_its_temperature
+    from ..runs.heating import with_temperature
 
     case = load_case(name, own_table=own_table)
     if not isinstance(case, Case):
         raise CaseError(f"{name}: is a single contact; {needed}")
-    return at_its_temperature(case) if heated else case
+    return with_temperature(case) if heated else case
 
 
 def results_directory(case: str, output: Path | None, as_json: bool) -> Path | None:

@@ -150,7 +150,7 @@ def coefficient_source(
 
 def _films(friction: FrictionInput, films: CaseFilms) -> FilmTraction:
     """Films on a coarser grid than those of the results."""
-    points = min(films.options.most_points, FILM_POINTS)
+    points = min(films.options.max_points, FILM_POINTS)
     options = replace(films.options, points=points, tolerance=None)
     rheology = films.films.rheology
     assert rheology is not None  # of every bearing case

@@ -34,11 +34,11 @@ from .films import Progress, Solve, film_plan, film_solver, solve_contacts, want
 from .heating import (
     WARM_TOLERANCE,
     ReportedTorque,
-    at_its_temperature,
     case_conductances,
     conducts,
     self_heated,
     with_heat_balance,
+    with_temperature,
     without_heat_balance,
 )
 from .interrupt import interruptible
@@ -68,7 +68,7 @@ def run_case(
     workers: int | None = None,
     progress: Progress | None = None,
     solve: Solve | None = None,
-    filmed: OnFilmsSolved | None = None,
+    on_films_solved: OnFilmsSolved | None = None,
     equilibria: Equilibria | None = None,
 ) -> BearingResults:
     """Solve a bearing: equilibrium, films of its contacts, torque, life.
@@ -104,8 +104,8 @@ def run_case(
     equilibria = equilibria or Equilibria()
     how = (workers, notify, solve, equilibria)
     if case.file.operation.temperature != SELF_HEATED:
-        return _run(case, *how, filmed)
-    warmed = at_its_temperature(case, equilibria=equilibria)
+        return _run(case, *how, on_films_solved)
+    warmed = with_temperature(case, equilibria=equilibria)
     if case.films.model is FilmModel.THERMAL:
         warmed = _by_rough_films(case, warmed, how)
     for _ in range(WARM_ROUNDS):
@@ -117,7 +117,7 @@ def run_case(
         found = heating.balance.temperature
         if abs(found - warmed.operation.temperature) <= WARM_TOLERANCE:
             break
-        warmed = at_its_temperature(case, heating)
+        warmed = with_temperature(case, heating)
     return _in_balance(results, warmed)
 
 
@@ -127,12 +127,12 @@ def _by_rough_films(
     """The case at the temperature of the torque of films on a rough mesh, whose heat takes a
     quarter of the time; as it was where these have no balance.
     """
-    if warmed.solver.most_points <= ROUGH_POINTS:
+    if warmed.solver.max_points <= ROUGH_POINTS:
         return warmed
     rough = replace(warmed.solver, points=ROUGH_POINTS, tolerance=None)
     heating = _run(replace(warmed, solver=rough), *how).heating
     found = heating is not None and heating.balance is not None and heating.converged
-    return at_its_temperature(case, heating) if found else warmed
+    return with_temperature(case, heating) if found else warmed
 
 
 def _in_balance(results: BearingResults, case: Case) -> BearingResults:
@@ -174,7 +174,7 @@ def _run(
     notify: Progress,
     solve: Solve | None,
     equilibria: Equilibria,
-    filmed: OnFilmsSolved | None = None,
+    on_films_solved: OnFilmsSolved | None = None,
 ) -> BearingResults:
     """Run a case at its temperature, as `run_case`."""
     notify(0, 1, "equilibrium of the bearing")
@@ -206,8 +206,8 @@ def _run(
         duty_cycle=cycle,
         **_ratings(case, state),
     )
-    if filmed is not None and not films.interrupted:
-        filmed(results)
+    if on_films_solved is not None and not films.interrupted:
+        on_films_solved(results)
     return _with_friction(case, results, films, notify)
 
 

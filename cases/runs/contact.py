@@ -112,7 +112,7 @@ def _by_elements(
     conditions: ContactConditions | MoesConditions, options: SolverOptions
 ) -> tuple[ContactSolution, tuple[str, ...]]:
     """Solution by finite elements from the multigrid's, and notes on it."""
-    points = min(options.most_points, START_POINTS)
+    points = min(options.max_points, START_POINTS)
     grid = solve_contact(conditions, replace(options, points=points, tolerance=None))
     start = grid if grid.converged else None
     note = START_NOTE.format(points=points) if start else NO_START_NOTE

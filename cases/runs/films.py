@@ -101,7 +101,7 @@ def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions
     for own in wanted:
         base = None
         if own is not None and own.inlet_layer is None:
-            fine = None if too_thick(own) else resolvable(own, options.most_points, cells)
+            fine = None if too_thick(own) else resolvable(own, options.max_points, cells)
             base = None if fine is own else fine
             solved.append(own if fine is own else None)
         else:
@@ -214,7 +214,7 @@ def shared_options(options: SolverOptions, threads: int) -> SolverOptions:
     SolverOptions
         The options.
     """
-    shared = threads > 1 and options.most_points >= LARGE_CONTACT
+    shared = threads > 1 and options.max_points >= LARGE_CONTACT
     return replace(options, threads=threads) if shared else options
 
 

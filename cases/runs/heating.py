@@ -52,7 +52,7 @@ class ReportedTorque(NamedTuple):
     conductance: Array | None = None  # through these films, `case_conductances` [W/K]
 
 
-def at_its_temperature(
+def with_temperature(
     case: Case, heating: SelfHeatingSolution | None = None, equilibria: Equilibria | None = None
 ) -> Case:
     """The case at the temperature that its bearing warms itself to, where it asks for that: oil
@@ -126,7 +126,7 @@ def without_heat_balance(
     """
     if heating is None:
         return None
-    cold = at_its_temperature(case, heating)
+    cold = with_temperature(case, heating)
     return None if cold.operation.temperature == warmed.operation.temperature else cold
 
 

@@ -14,7 +14,7 @@ from bearing.torque.integrated import films_torque
 from ..format.case import Case, LoadCaseInput, new_notes
 from .equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 from .films import Progress
-from .heating import at_its_temperature
+from .heating import with_temperature
 
 HALF_AND_HALF = (
     "its balls are taken as half and half in place of traction equilibrium, which loads hardly "
@@ -56,7 +56,7 @@ def solve_load_cases(
 
 def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilibria) -> LoadCase:
     """One state, with the messages that are not `known`, those of [operation]."""
-    case = at_its_temperature(state.case, equilibria=equilibria)
+    case = with_temperature(state.case, equilibria=equilibria)
     messages = new_notes(case.warnings, known)
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         case = replace(case, model=without_traction_equilibrium(case.model))

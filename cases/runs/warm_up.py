@@ -17,7 +17,7 @@ from bearing.dynamics.contact._cage_kernels import cage_land, pocket_forces
 from bearing.dynamics.contact._implicit_kernels import implicit_friction
 from bearing.dynamics.initial import StartingPoint
 from bearing.dynamics.integration._clock_kernels import renew_friction, renew_pockets
-from bearing.friction.law import ContactLaw, Dissipation
+from bearing.friction.law import ContactFriction, Dissipation
 from bearing.friction.newton import MotionProblem, minimise
 from ehl.arrays import Array
 
@@ -44,7 +44,7 @@ def _balance() -> None:
     """Kernels of Newton's method for the balance of friction on balls, by one ball."""
     one = np.ones(1)
     problem = MotionProblem(
-        law=ContactLaw(evaluate=_proportional, reference_force=np.ones(2)),
+        law=ContactFriction(evaluate=_proportional, reference_force=np.ones(2)),
         start=np.ones((1, 2, 4)),
         slopes=np.tile(np.eye(4), (1, 2, 1, 1)),
         gyroscopic_couple=np.zeros((1, 4)),

@@ -38,7 +38,7 @@ MINERAL_FALL_POWER = 0.282
 ASSUMED_SPREAD = 0.35  # of the loss, more, of such an oil (0.51^0.55 to 1.31^0.55) [-]
 
 
-class HeatShare(NamedTuple):
+class ThermalReduction(NamedTuple):
     """Thermal reduction factor of a film: film with inlet heat over the isothermal film."""
 
     value: float
@@ -52,7 +52,7 @@ class HeatShare(NamedTuple):
         """From the value to the farther end of its range [-]."""
         return max(self.value - self.low, self.high - self.value)
 
-    def at(self, inlet: float) -> "HeatShare":
+    def at(self, inlet: float) -> "ThermalReduction":
         """Thermal reduction factor of a film behind a layer.
 
         The factor on the rolling moment stands for its inlet: s to this power (assumed).
@@ -64,16 +64,16 @@ class HeatShare(NamedTuple):
 
         Returns
         -------
-        HeatShare
+        ThermalReduction
             factor of the starved film
         """
         if inlet == 1.0:
             return self
         value, low, high = (max(end, 0.0) ** inlet for end in self[:3])
-        return HeatShare(value, low, high, self.assumed, self.beyond)
+        return ThermalReduction(value, low, high, self.assumed, self.beyond)
 
 
-def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
+def inlet_heat(conditions: ContactConditions, pressure: float) -> ThermalReduction:
     """Thermal reduction factor of a flooded film, with its range.
 
     Parameters
@@ -85,7 +85,7 @@ def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
 
     Returns
     -------
-    HeatShare
+    ThermalReduction
         factor and its range [-]
     """
     oil = conditions.lubricant
@@ -105,7 +105,7 @@ def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
     loss = heat_loss(loading, ratio, moes_load)
     low = max(1.0 - (1.0 + spread) * whole, 0.0)
     high = 1.0 - max(1.0 - spread, 0.0) * loss
-    return HeatShare(1.0 - loss, low, high, assumed, beyond)
+    return ThermalReduction(1.0 - loss, low, high, assumed, beyond)
 
 
 def heat_loss(loading: float, pressure_ratio: float, moes_load: float = inf) -> float:

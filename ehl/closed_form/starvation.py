@@ -1,7 +1,7 @@
 """Starvation factors of films, rolling moment and damping: value behind an inlet layer over the
 flooded one.
 
-`starvation_shares` is the law of this program, tabulated from its solutions. The formulas of
+`starvation_factors` is the law of this program, tabulated from its solutions. The formulas of
 others are for comparison.
 """
 
@@ -51,7 +51,7 @@ class ReductionFactor:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class StarvationShares:
+class StarvationFactors:
     """Starvation factors of a contact: its values behind a layer over the flooded ones."""
 
     central: ReductionFactor  # film at the centre
@@ -62,11 +62,11 @@ class StarvationShares:
     damping: ReductionFactor
     inside: bool  # whether the contact lies among those that were solved for the law
 
-    def outside(self) -> "StarvationShares":
+    def outside(self) -> "StarvationFactors":
         """The same of a contact outside the solved ones, with wider uncertainties."""
         if not self.inside:
             return self
-        return StarvationShares(
+        return StarvationFactors(
             central=self.central.widened(),
             minimum=self.minimum.widened(),
             rolling_moment=self.rolling_moment.widened(),
@@ -92,10 +92,10 @@ class StarvationShares:
         return min(self.minimum.value * minimum, self.central.value * central)
 
 
-def _uniform(value: float) -> StarvationShares:
+def _uniform(value: float) -> StarvationFactors:
     """One exact factor for all values [-]."""
     exact = ReductionFactor(value, 0.0)
-    return StarvationShares(
+    return StarvationFactors(
         central=exact, minimum=exact, rolling_moment=exact, damping=exact, inside=True
     )
 
@@ -104,13 +104,13 @@ FLOODED = _uniform(1.0)
 DRY = _uniform(0.0)
 
 
-def starvation_shares(
+def starvation_factors(
     load_parameter: float,
     lubricant_parameter: float,
     radius_ratio: float,
     inlet_ratio: float,
     flooded_ratio: float = inf,
-) -> StarvationShares:
+) -> StarvationFactors:
     """Starvation factors: films, rolling moment and damping behind a layer over the flooded ones.
 
     The difference of the law from the flooded contact at `flooded_ratio` is added in proportion
@@ -132,7 +132,7 @@ def starvation_shares(
 
     Returns
     -------
-    StarvationShares
+    StarvationFactors
         factors with their uncertainties [-]
 
     Raises
@@ -166,18 +166,18 @@ def starvation_shares(
     )
 
 
-def _factors(functions: Curves, inlet_ratio: float) -> StarvationShares:
+def _factors(functions: Curves, inlet_ratio: float) -> StarvationFactors:
     """Starvation factors of a contact at a ratio above zero [-]."""
     at = log(inlet_ratio)
     exponent, gain, moment, damping = (
         float(np.interp(at, functions.log_ratios, values))
         for values in (functions.exponent, functions.gain, functions.moment, functions.damping)
     )
-    film = starved_share(inlet_ratio, exp(exponent))
+    film = starved_film_factor(inlet_ratio, exp(exponent))
     minimum = min(film * exp((1.0 - film) * gain), 1.0)
     errors = [float(np.interp(at, table().error_ratios, row)) for row in functions.errors]
     beyond = at - float(np.clip(at, functions.log_ratios[0], functions.log_ratios[-1]))
-    factors = StarvationShares(
+    factors = StarvationFactors(
         central=ReductionFactor(film, errors[0] * film),
         minimum=ReductionFactor(minimum, errors[1] * minimum),
         rolling_moment=ReductionFactor(_beyond(1.0 / (1.0 + exp(-moment)), beyond), errors[2]),
@@ -216,7 +216,7 @@ def starvation_exponent(semi_axis_ratio: float) -> float:
     return EXPONENTS[0] * exp(fraction * log(EXPONENTS[1] / EXPONENTS[0]))
 
 
-def starved_share(inlet_ratio: float, exponent: float) -> float:
+def starved_film_factor(inlet_ratio: float, exponent: float) -> float:
     """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al.
     (1998).
 
@@ -237,7 +237,7 @@ def starved_share(inlet_ratio: float, exponent: float) -> float:
     return inlet_ratio / (1.0 + inlet_ratio**exponent) ** (1.0 / exponent)
 
 
-def rolling_share_biboulet_houpert(inlet_ratio: float) -> float:
+def rolling_moment_factor_biboulet_houpert(inlet_ratio: float) -> float:
     """Rolling moment of a starved line contact over the flooded one, Biboulet and Houpert (2010,
     part 1).
 

@@ -100,7 +100,7 @@ def table() -> Table:
         )
 
 
-def place_of_contact(load: float, lubricant: float, radius_ratio: float) -> Array:
+def contact_coordinates(load: float, lubricant: float, radius_ratio: float) -> Array:
     """Coordinates of a contact in the table: ln H_c, ln(1 + L/3) and ln(Rx/Ry).
 
     Parameters
@@ -197,7 +197,7 @@ def curves(load: float, lubricant: float, radius_ratio: float) -> Curves:
         functions, their errors, and if the contact lies among the solved ones
     """
     tabulated = table()
-    contact_point = place_of_contact(load, lubricant, radius_ratio)
+    contact_point = contact_coordinates(load, lubricant, radius_ratio)
     log_ratios = np.linspace(tabulated.lower[3], tabulated.upper[3], NODES)
     x = np.empty((NODES, 4))
     x[:, :3] = np.clip(contact_point, tabulated.lower[:3], tabulated.upper[:3])

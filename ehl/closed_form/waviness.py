@@ -69,7 +69,9 @@ def waviness_moving_with_body(
     return pressure, 1.0 + pressure / stiffness
 
 
-def amplitude_left(wavelengths: tuple[float, float], load: float, lubricant: float) -> float:
+def waviness_amplitude_ratio(
+    wavelengths: tuple[float, float], load: float, lubricant: float
+) -> float:
     """Amplitude ratio A_d/A_i of a waviness in pure rolling, Venner's fit for circular contacts.
 
     Solutions of this program lie within 20 % of it at L of 10 and more, and x of 0.8 to 7; below L

@@ -11,7 +11,7 @@ from ..closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_contact
 from ..conditions import ContactConditions
 from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
-from ..multigrid.verdict import tolerance_judged, tolerance_reached, with_status
+from ..multigrid.verdict import tolerance_reached, with_status, with_tolerance_status
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology, contact_rheology
 from ..options import GENERALIZED_POINTS, SolverOptions
@@ -160,7 +160,9 @@ def _with_heat_error(
     )
     if tolerance is None or not tolerance_reached(contact, tolerance):  # which its message says
         return wider
-    return tolerance_judged(wider, tolerance, f"{film_section().nodes.size} nodes across the film")
+    return with_tolerance_status(
+        wider, tolerance, f"{film_section().nodes.size} nodes across the film"
+    )
 
 
 def _first_converged(

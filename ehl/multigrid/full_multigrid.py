@@ -243,13 +243,13 @@ def contact_multigrid(
     if is_open:
         outlet = ceil(x_out / (x_out - x_in) * ORIGIN_CELLS - 1e-9)
         x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
-    levels = ((options.most_points - 1) // COARSEST_CELLS).bit_length()
+    levels = ((options.max_points - 1) // COARSEST_CELLS).bit_length()
     aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
     symmetric = (
         contact.symmetric and (flow_model is None or flow_model.symmetric) and not full_domain
     )
     grids = grid_hierarchy(
-        options.most_points,
+        options.max_points,
         (x_in, x_out, y_half * contact.half_extent_y),
         aspect,
         levels,

@@ -39,11 +39,11 @@ def film_value(result: AttemptResult, kind: int) -> FilmValue:
     oblique = not contact.symmetric
     film = extrapolate(result.levels, kind, oblique=oblique)
     wider = 1.0 if contact.moes_lubricant <= CALIBRATED_LUBRICANT else BEYOND_CALIBRATION
-    box_error = error_by_box(result) * abs(film.value)
+    box_error = film_error_by_box(result) * abs(film.value)
     return replace(film, uncertainty=wider * film.uncertainty + box_error)
 
 
-def error_by_box(result: AttemptResult) -> float:
+def film_error_by_box(result: AttemptResult) -> float:
     """Estimate the relative error of the films by the load outside an open box.
 
     Parameters
@@ -104,7 +104,9 @@ def tolerance_reached(solution: ContactSolution, tolerance: float) -> bool:
     return solution.converged and solution.resolved and solution.widest_bar <= tolerance
 
 
-def tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> ContactSolution:
+def with_tolerance_status(
+    solution: ContactSolution, tolerance: float, mesh: str
+) -> ContactSolution:
     """Extend the message of a solution that converged with wider error bars than asked for.
 
     Parameters
@@ -183,7 +185,7 @@ def with_status(solution: ContactSolution, box_error: float = 0.0) -> ContactSol
     return replace(solution, resolved=False, message=message)
 
 
-def beside_finer(solution: ContactSolution) -> ContactSolution:
+def unconfirmed_by_finer_mesh(solution: ContactSolution) -> ContactSolution:
     """Mark a solution as unresolved because a mesh twice as fine did not converge.
 
     Of 300 random contacts two were of this kind, with bars of 1.8 and 6.1 % of the minimum film;

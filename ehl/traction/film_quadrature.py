@@ -60,11 +60,11 @@ class FilmQuadrature:
     nodes: Array  # shape (8, n)
     half_width: float  # transverse semi-axis, beyond which curvature slip does not grow [m]
     rheology: Rheology  # shear law with the stresses of the contact
-    strips: int = 0  # strips of `node_shares` each, which the first nodes stand on
+    strips: int = 0  # strips of `line_quadrature` each, which the first nodes stand on
 
     def parts(self) -> tuple[Array, Array]:
         """Nodes of the strips, shape (8, strips, n), and all others, shape (8, m)."""
-        each = node_shares()[0].size
+        each = line_quadrature()[0].size
         first, others = np.split(self.nodes, [self.strips * each], axis=1)
         return first.reshape(first.shape[0], self.strips, each), others
 
@@ -219,7 +219,7 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
     rows = ends[0] + (np.arange(LINES) + 0.5) * width
     edges = np.array([_crossings(x, line) for line in (pressure(x, rows) - edge_pressure).T])
     # 3. nodes along each
-    shares, weights = node_shares()
+    shares, weights = line_quadrature()
     span = (edges[:, 1] - edges[:, 0])[:, None]
     along = edges[:, :1] + span * shares
     across = np.broadcast_to(rows[:, None], along.shape)
@@ -247,12 +247,12 @@ def strip_fields(fields: Array) -> Array:
         the rows on strips, shape (7, strips, n)
     """
     x, y, _, film, pressure, size, width = fields
-    y, width = strip_places(y, width)
+    y, width = strip_positions(y, width)
     x, film, pressure, size = (on_strips(values) for values in (x, film, pressure, size))
     return np.stack([x, y, size * width, film, np.maximum(pressure, 0.0), size, width])
 
 
-def strip_places(y: Array, width: Array) -> tuple[Array, Array]:
+def strip_positions(y: Array, width: Array) -> tuple[Array, Array]:
     """Place strips over the same nodes as lines.
 
     Parameters
@@ -312,7 +312,7 @@ def _strip_weights(lines: int) -> Array:
 
 
 @cache
-def node_shares() -> tuple[Array, Array]:
+def line_quadrature() -> tuple[Array, Array]:
     """Places of a line's nodes from edge to edge and their weights, each of shape (n,) [-]."""
     positions: list[float] = []
     weights: list[float] = []

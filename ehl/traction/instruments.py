@@ -27,7 +27,7 @@ from ..arrays import Array
 from ..conditions import ContactConditions
 from ..oil.lubricant import Lubricant, density
 from ..solution import ContactSolution
-from .oil_around import OilAround
+from .oil_around import MeniscusRegion
 from .rolling_moment import scaled_as_solved
 from .shear import Cavitation, dimensional_grid, sheared_width, trapezoidal_weights
 
@@ -238,7 +238,7 @@ def _beyond_box(
     oil = conditions.lubricant
     given = conditions.inlet_layer
     layer = oil.flooded_layer if given is None else given.central
-    around = OilAround(solution, scaled_as_solved(solution), conditions.ball_radius, layer)
+    around = MeniscusRegion(solution, scaled_as_solved(solution), conditions.ball_radius, layer)
 
     def per_gap(x: Array, y: Array, gap: Array) -> Array:
         filled = np.where(around.field.strength(x, y) > 0.0, permittivity, 1.0)

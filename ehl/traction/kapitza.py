@@ -59,7 +59,7 @@ def kapitza_moment(
     return float(2.0 * strength / (3.0 + 2.0 * c.radius_x / c.radius_y) * integral)
 
 
-def moment_lost_by_circles(
+def circles_moment_loss(
     conditions: ContactConditions,
     axes: tuple[float, float],
     film: float,

@@ -15,7 +15,7 @@ RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distanc
 SMALLEST_DISTANCE = 1e-12  # from the centre over a [-]: a direction at the centre itself
 
 
-class OilAround:
+class MeniscusRegion:
     """The oil around a contact, up to a layer [m]; lengths over a, films over a^2/Rx."""
 
     def __init__(
@@ -160,7 +160,7 @@ def along_entrainment(contact: ScaledContact, x: Array, y: Array) -> Array:
 class _Ray:
     """Rays from the centre beyond the edge of the box, in directions (x, y), shape (n,)."""
 
-    def __init__(self, oil: OilAround, x: Array, y: Array) -> None:
+    def __init__(self, oil: MeniscusRegion, x: Array, y: Array) -> None:
         solution = oil.solution
         self.oil = oil
         self.x = x

@@ -35,7 +35,7 @@ from ..conditions import ContactConditions
 from ..multigrid.supply.oil_supply import pressure_moment
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
-from .oil_around import OilAround, along_entrainment
+from .oil_around import MeniscusRegion, along_entrainment
 from .shear import trapezoidal_weights
 
 SAME_ANGLE = 1e-9  # [rad]
@@ -128,7 +128,7 @@ def rolling_moment(
             extent=None,
             note="the box is fixed by [ehl] domain, the oil ends on its edge",
         )
-    oil = OilAround(solution, contact, conditions.ball_radius, inlet_film_thickness)
+    oil = MeniscusRegion(solution, contact, conditions.ball_radius, inlet_film_thickness)
     beyond = scale * oil.moment_beyond_box()
     value = box - float(np.sum(moments * oil.dry_moment_fraction())) + beyond
     left = _solution_error(solution, contact, (value, change))
@@ -173,7 +173,7 @@ def _with_inlet_film(
     beyond = 0.0
     note = ""
     if extent is None and solution.options.domain is None:
-        oil = OilAround(solution, contact, conditions.ball_radius, inlet_film_thickness)
+        oil = MeniscusRegion(solution, contact, conditions.ball_radius, inlet_film_thickness)
         beyond = scale * oil.moment_beyond_box()
         extent = -oil.meniscus_ahead()
     elif extent is None:

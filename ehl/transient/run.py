@@ -12,7 +12,7 @@ from .features import Feature
 from .inputs import Scheme, TransientConditions, TransientOptions
 from .plan import nodes_moved, step_times
 from .record import QUANTITIES, Frame, MeshError, StepRecord, TransientSolution
-from .start import InitialState, NoStart, initial_state, levels_over_time
+from .start import InitialState, StartError, initial_state, levels_over_time
 from .step import Diverged, Past, StepConditions, Stepper, StepReport
 
 DIVERGED = "step {step} of {planned}, t = {time:.4g} s, did not converge with any damping"
@@ -105,7 +105,7 @@ class TransientRun:
         if result.frame is not None:
             self.frames.append(result.frame)
 
-    def go_on_from(
+    def resume_from(
         self, past: Past, state: tuple[float, int], records: tuple[list[StepRecord], list[Frame]]
     ) -> None:
         """Resume an earlier run of the same case.
@@ -285,7 +285,7 @@ def solve_transient(
 
     Raises
     ------
-    NoStart
+    StartError
         if the steady film does not converge
     ValueError
         if the conditions do not fit each other, or the run takes too many steps
@@ -335,7 +335,7 @@ def transient_run(conditions: TransientConditions, options: TransientOptions) ->
 
     Raises
     ------
-    NoStart
+    StartError
         if the steady film does not converge
     ValueError
         if the conditions do not fit each other, or the run takes too many steps
@@ -478,4 +478,4 @@ def _start(feature: Feature, conditions: TransientConditions, inlet: float) -> f
     return inlet - feature.reach
 
 
-__all__ = ["NoStart", "TransientRun", "transient_run"]
+__all__ = ["StartError", "TransientRun", "transient_run"]

@@ -37,7 +37,7 @@ POLISHED = 1e-7  # residual of the steady film
 MAX_CYCLES = 40
 
 
-class NoStart(Exception):  # noqa: N818
+class StartError(Exception):
     """No steady film to start from; the message says why."""
 
 
@@ -119,7 +119,7 @@ def initial_state(
 
     Raises
     ------
-    NoStart
+    StartError
         if the steady film does not converge
     """
     state, contact, domain = levels_over_time(conditions, options)
@@ -153,7 +153,7 @@ def _settle(
     points = SolverOptions(points=options.points, domain=options.domain)
     solution, levels = solve_attempts(at_zero, points)
     if not solution.converged:
-        raise NoStart(f"steady film at the start: {solution.message}")
+        raise StartError(f"steady film at the start: {solution.message}")
     # 1. onto this grid, backwards where it runs so
     index = len(state.levels) - 1
     start = _interpolated_pressure(levels, solution.frame_angle, state, speed < 0.0)
@@ -180,7 +180,7 @@ def _settle(
         one.factors = replace(one.factors, couette_x=None)
     state.contact = contact
     if not residual < 1e-3:
-        raise NoStart(f"steady film at the start: residual of {residual:.1e} after the cycles")
+        raise StartError(f"steady film at the start: residual of {residual:.1e} after the cycles")
     return _mesh_error(solution)
 
 

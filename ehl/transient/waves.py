@@ -6,7 +6,7 @@ from math import inf, pi
 import numpy as np
 
 from ..arrays import Array
-from ..closed_form.waviness import amplitude_left
+from ..closed_form.waviness import waviness_amplitude_ratio
 from .features import Waviness
 from .record import TransientSolution
 
@@ -118,4 +118,8 @@ def _fit(solution: TransientSolution, wave: Waviness) -> float | None:
     across = inf if wave.wavelength_across is None else wave.wavelength_across / a
     lengths = (wave.wavelength / a, across)
     x = min(lengths) * (load / lubricant) ** 0.5
-    return amplitude_left(lengths, load, lubricant) if FIT_RANGE[0] <= x <= FIT_RANGE[1] else None
+    return (
+        waviness_amplitude_ratio(lengths, load, lubricant)
+        if FIT_RANGE[0] <= x <= FIT_RANGE[1]
+        else None
+    )

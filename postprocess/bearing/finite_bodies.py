@@ -32,12 +32,12 @@ FINITE_BODY_QUANTITIES = (  # at the most heavily loaded contact of a race
         (
             "von_mises_change_share",
             "change of the largest von Mises stress in the ring",
-            "ring_stress.von_mises_share",
+            "ring_stress.von_mises_change",
         ),
         (
             "orthogonal_shear_change_share",
             "change of the orthogonal shear in the ring",
-            "ring_stress.orthogonal_shear_share",
+            "ring_stress.orthogonal_shear_change",
         ),
         ("approach_change_um", "change of the approach"),
         ("shift_um", "shift along the groove"),

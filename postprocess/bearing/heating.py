@@ -164,7 +164,7 @@ def _advice(results: BearingResults, heating: SelfHeatingSolution) -> str:
     """Advice for a bearing that is heated more than it is cooled."""
     state = heating.state
     oil = results.lubricant
-    if state is None or state.found_temperature <= state.film_temperature:
+    if state is None or state.resulting_temperature <= state.film_temperature:
         return "try another friction.heat_transfer_W_K or heating_torque"
     ways = []
     transfer = required_heat_transfer(state)
@@ -176,7 +176,7 @@ def _advice(results: BearingResults, heating: SelfHeatingSolution) -> str:
         ways.append(f"cooling_oil_mL_min above {from_si('flow_mL_min', volume):.2g}")
     ways = [f"in [friction] {' or '.join(ways)}"] if ways else []
     limit = from_si("temperature_C", state.film_temperature)
-    wanted = from_si("temperature_C", state.found_temperature)
+    wanted = from_si("temperature_C", state.resulting_temperature)
     return (
         f"friction is {state.friction.power:.4g} W at {limit:.0f} C, which would warm the films "
         f"to {wanted:.4g} C: try {', '.join([*ways, 'a thinner oil'])}, or less speed; oilfilm "

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from ehl import ContactConditions, ContactSolution
-from ehl.traction.atlas.check import beyond_both_bars
+from ehl.traction.atlas.check import atlas_disagreements
 from ehl.traction.instruments import film_instruments
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.units import MILLIMETRE, from_si
@@ -50,7 +50,7 @@ def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
         is_film = film.value > 0.0
         share = f"{film.uncertainty / film.value:.0%}" if is_film else "more than all"
         yield f"{name}: error bar of the minimum film is {share} of it; try more points"
-    for which, own, other in beyond_both_bars(solution):
+    for which, own, other in atlas_disagreements(solution):
         unit = solution.film_scale or 1.0
         ratio = own.value * unit / other.value - 1.0
         bars = f"{own.relative_uncertainty:.1%} and {other.uncertainty / other.value:.1%}"

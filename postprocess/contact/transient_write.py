@@ -34,7 +34,7 @@ UNITS = {  # SI units of the series in netCDF, and their keys in CSV
 
 
 def write_transient(
-    results: TransientResults, directory: Path, hurried: Callable[[], bool] = lambda: False
+    results: TransientResults, directory: Path, is_interrupted: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
     """Write series, fields, summary and pictures.
 
@@ -63,7 +63,7 @@ def write_transient(
     write_csv(directory / SERIES_FILE, keys, zip(*columns, strict=True))
     write_transient_netcdf(results, directory / FIELDS_FILE, document)
     write_json(document, directory / SUMMARY_FILE)
-    return () if hurried() else write_transient_plots(results, directory)
+    return () if is_interrupted() else write_transient_plots(results, directory)
 
 
 def write_transient_netcdf(

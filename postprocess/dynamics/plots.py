@@ -47,7 +47,7 @@ FEWEST_SAMPLES = 8  # of the half that a spectrum is of [-]
 
 
 def write_dynamics_plots(
-    directory: Path, document: dict[str, Any], hurried: Callable[[], bool] = lambda: False
+    directory: Path, document: dict[str, Any], is_interrupted: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
     """Write the pictures of a simulation beside its history.
 
@@ -68,7 +68,7 @@ def write_dynamics_plots(
     with open_history(directory).load() as data:
         given = {"data": data, "document": document}
         drawings = [(name, partial(draw, **given)) for name, draw in PICTURES.items()]
-        return write_figures(directory, drawings, hurried)
+        return write_figures(directory, drawings, is_interrupted)
 
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:

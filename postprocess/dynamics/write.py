@@ -12,7 +12,7 @@ from .summary import dynamics_summary
 
 
 def write_dynamics(
-    results: DynamicsResults, directory: Path, hurried: Callable[[], bool] = lambda: False
+    results: DynamicsResults, directory: Path, is_interrupted: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
     """Write summary, history and pictures.
 
@@ -34,6 +34,6 @@ def write_dynamics(
     document = dynamics_summary(results)
     write_json(document, directory / SUMMARY_FILE)
     shutil.move(results.history, directory / HISTORY_FILE)
-    if not results.running.rows or hurried():
+    if not results.running.rows or is_interrupted():
         return ()
-    return write_dynamics_plots(directory, document, hurried)
+    return write_dynamics_plots(directory, document, is_interrupted)

@@ -44,7 +44,7 @@ def _never() -> bool:
 
 
 def write_transient_series(
-    solution: TransientSolution, directory: Path, hurried: Callable[[], bool] = _never
+    solution: TransientSolution, directory: Path, is_interrupted: Callable[[], bool] = _never
 ) -> Path:
     """Write a file for each frame, its film as height, and their series.
 
@@ -69,7 +69,7 @@ def write_transient_series(
     y = y[::lines]
     files = {}
     for frame in solution.frames:
-        if hurried():
+        if is_interrupted():
             break
         name = f"{FOLDER}/step{frame.step:06d}.vts"
         thin = [
@@ -99,7 +99,10 @@ def _line_step(solution: TransientSolution, step: int) -> int:
 
 
 def write_movie(
-    solution: TransientSolution, file: Path, title: str, hurried: Callable[[], bool] = _never
+    solution: TransientSolution,
+    file: Path,
+    title: str,
+    is_interrupted: Callable[[], bool] = _never,
 ) -> None:
     """Write the frames as a GIF: map of the film above film and pressure on y = 0.
 
@@ -117,7 +120,7 @@ def write_movie(
     pictures = []
     with rc_context(RC):
         for frame in solution.frames:
-            if hurried():
+            if is_interrupted():
                 return
             pictures.append(_picture(solution, frame, title))
     content = io.BytesIO()

@@ -43,7 +43,7 @@ def write_vibration_plots(
     seen: Measured,
     document: dict[str, Any],
     directory: Path,
-    hurried: Callable[[], bool],
+    is_interrupted: Callable[[], bool],
 ) -> tuple[str, ...]:
     """Write the pictures; those that failed are messages.
 
@@ -77,7 +77,7 @@ def write_vibration_plots(
     folder = directory / "plots"
     folder.mkdir(exist_ok=True)
     drawings = [(name, partial(draw, **given)) for name, draw in pictures.items()]
-    return write_figures(folder, drawings, hurried)
+    return write_figures(folder, drawings, is_interrupted)
 
 
 def draw_time(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:

@@ -25,7 +25,7 @@ LINE_KEYS = (
 
 
 def write_vibration(
-    results: VibrationResults, directory: Path, hurried: Callable[[], bool] = lambda: False
+    results: VibrationResults, directory: Path, is_interrupted: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
     """Write all files of a vibration.
 
@@ -57,8 +57,10 @@ def write_vibration(
     problems: list[str] = []
 
     def draw() -> None:
-        if not hurried():
-            problems.extend(write_vibration_plots(results, seen, document, directory, hurried))
+        if not is_interrupted():
+            problems.extend(
+                write_vibration_plots(results, seen, document, directory, is_interrupted)
+            )
 
     return (*write_study(files, directory, draw), *problems)
 

@@ -26,7 +26,7 @@ from bearing.dynamics.arrays import (
 )
 from bearing.dynamics.layout import Layout
 from ehl.traction.table.splines import spline_weights
-from ehl.traction.table.table import LOAD_POWER, TractionTable, load_place
+from ehl.traction.table.table import LOAD_POWER, TractionTable, load_coordinate
 
 from .ehl.traction import table_forces
 
@@ -105,7 +105,7 @@ def film(data: TableData, load: float, speed: float) -> float:
     `data`: of a race with a table; `load`, `speed`: Q [N] and entrainment speed u [m/s].
     """
     slowest, fastest = table_speeds(data)
-    places = (load_place(float(np.clip(load, *table_loads(data)))), log(min(max(speed, slowest), fastest)))
+    places = (load_coordinate(float(np.clip(load, *table_loads(data)))), log(min(max(speed, slowest), fastest)))
     values: Array = data.scalars[..., CENTRAL_FILM]
     for place, (first, density, nodes) in zip(places, data.axes[:2], strict=True):
         start, weights = spline_weights((place - first) * density, int(nodes))

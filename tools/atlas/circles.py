@@ -2,7 +2,7 @@
 
 `python tools/atlas/circles.py SEED NUMBER` draws contacts of balls on grooves, solves each on 129 points, counts its
 moment in the gap of circles and in that of paraboloids, and prints A, L, R_x/R_y, the layer over a^2/R_x + h_c, the
-share of the moment that is lost, and that share by `ehl.traction.kapitza.moment_lost_by_circles`.
+share of the moment that is lost, and that share by `ehl.traction.kapitza.circles_moment_loss`.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ import numpy as np
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
-from ehl.traction.kapitza import moment_lost_by_circles
-from ehl.traction.oil_around import OilAround
+from ehl.traction.kapitza import circles_moment_loss
+from ehl.traction.oil_around import MeniscusRegion
 from ehl.traction.rolling_moment import rolling_moment
 
 POINTS = 129
@@ -50,7 +50,7 @@ def drawn(rng: np.random.Generator) -> ContactConditions:
     )
 
 
-def paraboloid(self: OilAround, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+def paraboloid(self: MeniscusRegion, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """No excess of circles."""
     return np.zeros(np.broadcast(x, y).shape)
 
@@ -58,7 +58,7 @@ def paraboloid(self: OilAround, x: np.ndarray, y: np.ndarray) -> np.ndarray:
 def main(seed: int, number: int) -> None:
     """Draw, solve and print."""
     rng = np.random.default_rng(seed)
-    circles = OilAround._excess
+    circles = MeniscusRegion._excess
     print("A, L, Rx/Ry, layer, lost by the solution, by Kapitza's pressure")
     found: list[float] = []
     while len(found) < number:
@@ -70,11 +70,11 @@ def main(seed: int, number: int) -> None:
             continue
         height = layer / (scaled.film_scale + film)
         moment = rolling_moment(solution).value
-        OilAround._excess = paraboloid
+        MeniscusRegion._excess = paraboloid
         flat = rolling_moment(solution).value
-        OilAround._excess = circles
+        MeniscusRegion._excess = circles
         axes = (scaled.semi_axis_x, scaled.semi_axis_x * scaled.semi_axis_ratio)
-        lost = moment_lost_by_circles(contact, axes, film, layer)
+        lost = circles_moment_loss(contact, axes, film, layer)
         found.append((lost - (flat - moment)) / flat)
         load = hertz_coefficients(scaled.radius_ratio)[0] ** 2 * scaled.moes_load ** (2.0 / 3.0)
         place = f"{load:.3g} {scaled.moes_lubricant:.3g} {scaled.radius_ratio:.3g} {height:.3g}"

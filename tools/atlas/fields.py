@@ -45,8 +45,8 @@ from ehl.traction.atlas.table import oil_features, trend_terms
 from ehl.traction.film_quadrature import (
     LINES,
     hertz_zone,
+    line_quadrature,
     low_pressure_blocks,
-    node_shares,
     sliding_forces,
     strongest_nodes,
 )
@@ -102,7 +102,7 @@ def solve(place):
 
 def vector(zone, blocks, scales, damping):
     """Of `layout`, from rows of `HertzZone.fields` [m], [Pa] and their scales."""
-    parts, (shares, weights) = layout(), node_shares()
+    parts, (shares, weights) = layout(), line_quadrature()
     found = np.empty(parts.shear.stop)
     above, below = zone[:, HALF:], zone[:, :HALF][:, ::-1]
     half = 0.5 * (above + below)

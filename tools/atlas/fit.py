@@ -23,7 +23,7 @@ from ehl.traction.atlas.table import (
     slanted,
     slanted_radial,
     trend_terms,
-    with_line,
+    with_linear_terms,
 )
 
 COLUMNS = "kind number A L D alpha z central minimum approach t8 t25 t400 scale8 scale25 scale400".split()
@@ -177,7 +177,7 @@ def with_oils(base, name, x, oils, y):
     """A patch with what other oils add, of their alpha [1/Pa] and z."""
     features = oil_features(x, *oils)
     left = y - patch_base(base, x)
-    terms = with_line(features, x)
+    terms = with_linear_terms(features, x)
     normal = terms.T @ terms + OIL_RIDGE * np.eye(terms.shape[1])
     trend = np.linalg.solve(normal, terms.T @ left)
     scales = np.array(OIL_SCALES[name])

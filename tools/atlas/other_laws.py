@@ -23,7 +23,7 @@ from bearing.library.lubricants import library_lubricant
 from ehl import ContactConditions, DensityLaw, Lubricant, ViscosityLaw
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
-from ehl.traction.atlas.oils import by_density, with_inlet_oil
+from ehl.traction.atlas.oils import density_correction, with_inlet_oil
 from ehl.traction.atlas.table import BASE_ALPHA, BASE_Z, functions
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
@@ -113,7 +113,7 @@ def errors(place, entry):
     x = np.array([[log(place.A), sqrt(thick), log(place.D)]])
     found = functions(x, np.array([alpha]), np.array([z]))
     error = relative(found - truth, row)[0]
-    return error + by_density(place.oil, entry["p_h"], place.A)
+    return error + density_correction(place.oil, entry["p_h"], place.A)
 
 
 def main():

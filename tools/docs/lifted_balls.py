@@ -42,7 +42,7 @@ def inward(result: Run) -> Any:
         turned = np.cos(angle), np.sin(angle)
         for j in range(c.balls):
             place = state[ball_position(j) : ball_position(j) + 3]
-            frame = pocket_frame(c, body, data.pocket_place[j], turned)
+            frame = pocket_frame(c, body, data.pocket_direction[j], turned)
             normal = pocket_motion(c, body, frame, tuple(place))[0]  # into the wall that pushes back
             outward = place[1:] / np.hypot(*place[1:])
             forces[row, j] = result.record.pockets[row, j, 0] * float(np.dot(normal[1:], outward))

@@ -14,7 +14,7 @@ from scipy.linalg import cho_factor, cho_solve
 from scipy.optimize import minimize
 from solves import LARGEST_EXPONENT, SOLVES
 
-from ehl.closed_form.starvation_table import DAMPING_FILE, FILE, place_of_contact, radial, trend_terms
+from ehl.closed_form.starvation_table import DAMPING_FILE, FILE, contact_coordinates, radial, trend_terms
 
 MOMENT = 0.44  # of the step of T/T_0 by its lever from the coarser mesh that is added: order 1.7
 LIGHT = 1.0  # Hc from which solves that want more points count, too
@@ -51,7 +51,7 @@ def rows(path):
             bars = [f[1] / f[0] for f in (*one["films"], *fine["flooded"]["films"])]
             bars = BAR_SHARE * np.array([np.hypot(bars[0], bars[2]), np.hypot(bars[1], bars[3]), 0.0])
             noise = np.sqrt(np.square(FLOORS) + np.square(STEP_SHARE * step) + np.minimum(bars, LARGEST_BAR) ** 2)
-            x = np.array([*place_of_contact(e["M"], e["L"], e["ratio"]), np.log(r)])
+            x = np.array([*contact_coordinates(e["M"], e["L"], e["ratio"]), np.log(r)])
             found.append((e["kind"], e["number"], x, y, noise))
     kinds, numbers, x, y, noise = zip(*found, strict=True)
     return np.array(kinds), np.array(numbers), np.array(x), np.array(y), np.array(noise)
@@ -65,7 +65,7 @@ def damping_rows(path):
         fine, coarse = e["fine"], e["coarse"]
         if fine["flooded"] is None or coarse["flooded"] is None:
             continue
-        place = place_of_contact(e["M"], e["L"], e["ratio"])
+        place = contact_coordinates(e["M"], e["L"], e["ratio"])
         for r, one, other in zip(e["layers"], fine["starved"], coarse["starved"], strict=True):
             if one is None or other is None:
                 continue

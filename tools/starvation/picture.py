@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from solves import SOLVES
 
 from ehl.closed_form.hertz import hertz_deflection
-from ehl.closed_form.starvation import rolling_share_biboulet_houpert, starvation_shares
+from ehl.closed_form.starvation import rolling_moment_factor_biboulet_houpert, starvation_factors
 from ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
@@ -40,7 +40,7 @@ def points():
 
 def law(e, r):
     """Shares by the law."""
-    return starvation_shares(e["M"], e["L"], e["ratio"], r)
+    return starvation_factors(e["M"], e["L"], e["ratio"], r)
 
 
 def print_errors(known):
@@ -120,7 +120,9 @@ def main():
             if k < len(own[0][1]):
                 panels[k].plot([p[0] for p in own], [p[1][k] for p in own], "o", color=f"C{colour}", ms=5)
     line = r[r >= 2.0]
-    panels[2].plot(line, [rolling_share_biboulet_houpert(s) for s in line], "k--", label="Biboulet, Houpert: lines")
+    panels[2].plot(
+        line, [rolling_moment_factor_biboulet_houpert(s) for s in line], "k--", label="Biboulet, Houpert: lines"
+    )
     for panel, title in zip(panels, titles, strict=True):
         panel.set(xscale="log", xlabel="layer over the oil of the flooded film, r [-]", title=title, ylim=(0.0, 1.05))
         panel.set_ylabel("share of flooded [-]")
@@ -133,7 +135,7 @@ def main():
     for low, high in ((1.5, 3.0), (4.0, 6.0), (8.0, 12.0), (30.0, 60.0)):
         part = np.array([t for s, t in steps if low <= s < high])
         if len(part):
-            middle = rolling_share_biboulet_houpert((low * high) ** 0.5)
+            middle = rolling_moment_factor_biboulet_houpert((low * high) ** 0.5)
             print(f"gap at the meniscus {low}-{high}: T/T_0 {part.min():.2f} to {part.max():.2f}, lines {middle:.2f}")
 
 

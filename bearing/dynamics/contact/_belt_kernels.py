@@ -8,15 +8,15 @@ from .._state_kernels import cross, dot, minus, plus, times, vector
 
 # of the film around a ball: cosine and sine of the angle of its places [-]; 8 of them hold shear
 # and squeeze to 0.4 % up to an eccentricity of 0.9, to 4 % at 0.98
-BELT_ANGLES = 0.25 * np.pi * (np.arange(8) + 0.5)
-BELT = np.stack((np.cos(BELT_ANGLES), np.sin(BELT_ANGLES)))
+POCKET_FILM_ANGLES = 0.25 * np.pi * (np.arange(8) + 0.5)
+POCKET_FILM_DIRECTIONS = np.stack((np.cos(POCKET_FILM_ANGLES), np.sin(POCKET_FILM_ANGLES)))
 # of `pocket_films`: gap that a matrix is of [m], 0 for none; steps between two; the matrix
 GAP, INTERVAL, MATRIX = range(3)
 GAP_CHANGE = 0.2  # of the gap, up to which a matrix holds [-]
 
 
 @compiled
-def belt_film(c, gap):
+def pocket_film_integrals(c, gap):
     """Shear and squeeze of the film between a ball and a wall of some height around it, for a
     gap at the middle: integrals over y of 1/h [-] and of the pressure by 6 viscosity R rate [1/m].
 
@@ -34,20 +34,20 @@ def belt_film(c, gap):
 
 
 @compiled
-def belt_places(c):
+def pocket_film_points(c):
     """Places around a ball: half of them where the middle plane is a mirror."""
-    return BELT.shape[1] // 2 if c.mirrored else BELT.shape[1]
+    return POCKET_FILM_DIRECTIONS.shape[1] // 2 if c.mirrored else POCKET_FILM_DIRECTIONS.shape[1]
 
 
 @compiled
-def belt_gap(play, place):
+def pocket_film_gap(play, place):
     """Gap of the narrow side of a ball at a place in its pocket, negative where pressed [m]."""
     across, axial = place
     return play - np.sqrt(across * across + axial * axial)
 
 
 @compiled
-def belt_of(c, frame, play, place):
+def pocket_film_circle(c, frame, play, place):
     """Directions towards the narrow side and across it, play, eccentricity and its `a`."""
     across, axial = place
     e = np.sqrt(across * across + axial * axial)
@@ -60,15 +60,15 @@ def belt_of(c, frame, play, place):
 
 
 @compiled
-def belt_place(c, belt, k):
+def pocket_film_point(c, belt, k):
     """Normal of a place around a ball, its shear and squeeze over a sliding speed [N s/m]."""
     main, side, play, eps, a = belt
     root = np.sqrt(1.0 - a * a)
-    d = 1.0 + a * BELT[0, k]
-    cosine = (a + BELT[0, k]) / d
-    normal = plus(times(cosine, main), times(root * BELT[1, k] / d, side))
-    shear, squeeze = belt_film(c, play * (1.0 - eps * cosine))
-    step = 2.0 * np.pi * c.film_viscosity * c.ball_radius * root / (belt_places(c) * d)
+    d = 1.0 + a * POCKET_FILM_DIRECTIONS[0, k]
+    cosine = (a + POCKET_FILM_DIRECTIONS[0, k]) / d
+    normal = plus(times(cosine, main), times(root * POCKET_FILM_DIRECTIONS[1, k] / d, side))
+    shear, squeeze = pocket_film_integrals(c, play * (1.0 - eps * cosine))
+    step = 2.0 * np.pi * c.film_viscosity * c.ball_radius * root / (pocket_film_points(c) * d)
     return normal, step * shear, 6.0 * c.ball_radius * step * squeeze
 
 
@@ -85,13 +85,13 @@ def pocket_film(c, frame, play, place, velocity, turn):
     place: of the ball around and along the axis; velocity, turn: relative to the pocket. Where the
     middle plane is a mirror, half of the places do.
     """
-    belt = belt_of(c, frame, play, place)
+    belt = pocket_film_circle(c, frame, play, place)
     axis = frame[2]
     force = (0.0, 0.0, 0.0)
     moment = (0.0, 0.0, 0.0)
     power = 0.0
-    for k in range(belt_places(c)):
-        normal, pull, squeeze = belt_place(c, belt, k)
+    for k in range(pocket_film_points(c)):
+        normal, pull, squeeze = pocket_film_point(c, belt, k)
         slide = plus(velocity, times(c.ball_radius, cross(turn, normal)))
         rate = dot(velocity, normal)
         slide = minus(slide, times(rate, normal))
@@ -111,11 +111,11 @@ def film_matrix(c, frame, play, place, velocity, film):
     comes nearer now; with the gap that it is of.
     """
     film[:] = 0.0
-    film[GAP] = max(belt_gap(play, place), c.film_least)
-    belt = belt_of(c, frame, play, place)
+    film[GAP] = max(pocket_film_gap(play, place), c.film_least)
+    belt = pocket_film_circle(c, frame, play, place)
     matrix = film[MATRIX:].reshape((6, 6))
-    for k in range(belt_places(c)):
-        normal, pull, squeeze = belt_place(c, belt, k)
+    for k in range(pocket_film_points(c)):
+        normal, pull, squeeze = pocket_film_point(c, belt, k)
         push = squeeze if dot(velocity, normal) > 0.0 else 0.0
         arm = c.ball_radius * pull
         if c.mirrored:
@@ -154,7 +154,7 @@ def straight_place(matrix, normal, pull, push, radius):
 
 
 @compiled
-def film_holds(c, film, gap):
+def film_matrix_is_valid(c, film, gap):
     """Whether a matrix is there, of about a gap."""
     change = abs(max(gap, c.film_least) - film[GAP])
     return film[GAP] > 0.0 and change <= GAP_CHANGE * film[GAP]

@@ -18,7 +18,7 @@ from ..arrays import (
     WORK,
 )
 from ..layout import CAGE_ROTATION, RING
-from ._belt_kernels import belt_gap, film_by_matrix, film_holds, pocket_film
+from ._belt_kernels import film_by_matrix, film_matrix_is_valid, pocket_film, pocket_film_gap
 from ._kernels import add_load, elastic_force, land_film, normal_force, point_velocity, ramped
 
 
@@ -85,7 +85,7 @@ def film_now(p, film, frame, play, motion):
     motion: place, velocity and turn of the ball in its pocket.
     """
     place, velocity, turn = motion
-    if film_holds(p.constants, film, belt_gap(play, place)):
+    if film_matrix_is_valid(p.constants, film, pocket_film_gap(play, place)):
         force, moment, lost = film_by_matrix(p.constants, film, velocity, turn)
     else:
         force, moment, lost = pocket_film(p.constants, frame, play, place, velocity, turn)
@@ -108,7 +108,7 @@ def ball_in_pocket(p, ball, memory, body, turned, y, j):
     play = ball.pocket_play
     forces = ball.forces
     out = ball.pocket_out
-    frame = pocket_frame(c, body, ball.pocket_place, turned)
+    frame = pocket_frame(c, body, ball.pocket_direction, turned)
     normal, distance, place = pocket_motion(c, body, frame, position)
     relative = minus(velocity, point_velocity(body, position))
     spin = minus(turn, body.turn)

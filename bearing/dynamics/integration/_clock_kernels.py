@@ -1,7 +1,7 @@
 """The slower clock of friction: when a step asks the law again, compiled.
 
 Between its calls friction is linear in the sliding (`contact._friction_kernels`). A contact is
-asked again after 1, 2, 4 or 8 steps: less often where its slopes foretold the friction, sooner
+asked again after 1, 2, 4 or 8 steps: less often where its slopes predicted the friction, sooner
 where they did not, at once where its load has doubled or halved.
 """
 
@@ -11,7 +11,13 @@ from ehl.oil._elementary_kernels import copy
 from .._kernels import place_bodies
 from .._state_kernels import ball_motion, minus, norm
 from ..arrays import CONTACT, FRICTIONLESS, INNER, INNER_SPEED, LINEAR, OIL_VISCOSITY, OUTER_SPEED
-from ..contact._belt_kernels import INTERVAL, belt_gap, film_by_matrix, film_holds, film_matrix
+from ..contact._belt_kernels import (
+    INTERVAL,
+    film_by_matrix,
+    film_matrix,
+    film_matrix_is_valid,
+    pocket_film_gap,
+)
 from ..contact._cage_kernels import cage_direction, pocket_frame, pocket_motion
 from ..contact._friction_kernels import (
     FORCES,
@@ -51,12 +57,12 @@ def friction_error(c, linear, friction, time, speed):
 
 
 @compiled
-def renew_contact(c, data, load, motion, linear, foretold, friction, time, speed):
+def renew_contact(c, data, load, motion, linear, predicted_friction, friction, time, speed):
     """Friction of one contact from its law, and after how many steps again."""
     held = slopes_hold(linear, load, motion)
     if held:
         friction_by_slopes(c.mirrored, linear, load, motion, friction)
-        copy(friction[:FORCES], foretold)
+        copy(friction[:FORCES], predicted_friction)
     motions = (motion.slide_x, motion.slide_y, motion.spin)
     friction_law(
         c.mirrored, data.coefficient, data.table, load, motion.entrainment, motions, friction
@@ -64,7 +70,7 @@ def renew_contact(c, data, load, motion, linear, foretold, friction, time, speed
     error = 0.0
     interval = linear[LINEAR.interval]
     if held:
-        error = friction_error(c, foretold, friction, interval * time, speed)
+        error = friction_error(c, predicted_friction, friction, interval * time, speed)
     changed = abs(load - linear[LINEAR.load]) > 0.2 * load
     set_friction(linear, load, motion, friction)
     if not held or error > STEEP or changed:
@@ -115,7 +121,9 @@ def renew_friction(data, y, step, time, speed):
             some = True
             motion = motion_of(c, race, body, y, j)
             law = data.friction_inner if race == INNER else data.friction_outer
-            renew_contact(c, law, load, motion, linear, p.foretold, p.friction, time, speed)
+            renew_contact(
+                c, law, load, motion, linear, p.predicted_friction, p.friction, time, speed
+            )
     return some
 
 
@@ -126,7 +134,7 @@ def renew_pocket(c, frame, play, motion, film, time, speed):
     """
     place, velocity, turn = motion
     error = 0.0
-    held = film_holds(c, film, belt_gap(play, place))
+    held = film_matrix_is_valid(c, film, pocket_film_gap(play, place))
     interval = film[INTERVAL]
     if held:
         force, moment, _ = film_by_matrix(c, film, velocity, turn)
@@ -157,11 +165,11 @@ def renew_pockets(p, balls, y, step, time, speed):
         film = ball.pocket_films
         due = step % int(film[INTERVAL]) == 0
         # in a round pocket the film's gap is wider by what the ball is off along the pocket's axis
-        if not due and film_holds(c, film, -ball.pocket_out[CONTACT.approach]):
+        if not due and film_matrix_is_valid(c, film, -ball.pocket_out[CONTACT.approach]):
             continue
         some = True
         position, velocity, turn = ball_motion(y, c.balls, j)
-        frame = pocket_frame(c, body, ball.pocket_place, turned)
+        frame = pocket_frame(c, body, ball.pocket_direction, turned)
         place = pocket_motion(c, body, frame, position)[2]
         relative = minus(velocity, point_velocity(body, position))
         motion = (place, relative, minus(turn, body.turn))

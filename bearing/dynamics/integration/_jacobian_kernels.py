@@ -40,7 +40,7 @@ def ball_of(balls, place):
 @compiled
 def balls_act_alone(c):
     """Whether no ball acts on another but through ring and cage, and each stands for itself."""
-    return c.copies == 1 and c.cage_mass > 0.0
+    return c.symmetric_copies == 1 and c.cage_mass > 0.0
 
 
 @compiled

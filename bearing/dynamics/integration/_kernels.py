@@ -186,7 +186,7 @@ def add_film_work(p, balls, y):
             load = elastic_force(p.normal[race], out[CONTACT.approach])
             change = out[CONTACT.film] - film[STEP_FILM]
             taken = -0.5 * (load + film[STEP_LOAD]) * change
-            y[place] += p.constants.copies * taken
+            y[place] += p.constants.symmetric_copies * taken
     mark_films(p, balls)
 
 

@@ -60,7 +60,7 @@ def advance_explicit(
         stages, np.zeros(y.size), history, state.counters, record,
     )  # fmt: skip
     motion.finish(state, y, history)
-    return int(status), first_rows(motion.whole_record(record), rows)
+    return int(status), first_rows(motion.full_record(record), rows)
 
 
 @dataclass(slots=True)
@@ -121,7 +121,7 @@ def advance_implicit(
             _kernels.sample(y, motion.data.kernel, history, record, row)
             reached = row + 1
     motion.finish(state, y, history)
-    record = first_rows(motion.whole_record(record), reached)
+    record = first_rows(motion.full_record(record), reached)
     return (DONE if reached == times.size else TOO_SMALL), record
 
 

@@ -36,7 +36,7 @@ def transient(
 
     Steps are kept in DIR_steps while it runs; the same command goes on with them.
     """
-    from ehl.transient.run import NoStart
+    from ehl.transient.run import StartError
 
     from ...format.case import ContactCase, load_case
     from ...runs.studies.transient import Interrupted, run_transient
@@ -55,7 +55,7 @@ def transient(
                 hurry = Event()
                 write = _writer(results, movie, hurry.is_set)
                 save_with(write, directory, hurry.set)
-    except NoStart as problem:
+    except StartError as problem:
         print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
         return NOT_CONVERGED
     except Interrupted as stop:
@@ -80,7 +80,7 @@ def _steps_folder(directory: Path) -> Path:
 
 
 def _writer(
-    results: TransientResults, movie: bool, hurried: Callable[[], bool]
+    results: TransientResults, movie: bool, is_interrupted: Callable[[], bool]
 ) -> Callable[[Path], tuple[str, ...]]:
     """Writes all files of a run into a folder; movie and fields for ParaView unless `hurried`."""
 
@@ -88,12 +88,12 @@ def _writer(
         from postprocess.contact.transient_write import write_transient
         from postprocess.scene.transient import MOVIE_FILE, write_movie, write_transient_series
 
-        problems = write_transient(results, folder, hurried)
+        problems = write_transient(results, folder, is_interrupted)
         try:
-            if not hurried():
-                write_transient_series(results.solution, folder, hurried)
-            if movie and not hurried():
-                write_movie(results.solution, folder / MOVIE_FILE, results.title, hurried)
+            if not is_interrupted():
+                write_transient_series(results.solution, folder, is_interrupted)
+            if movie and not is_interrupted():
+                write_movie(results.solution, folder / MOVIE_FILE, results.title, is_interrupted)
         except (OSError, ValueError, RuntimeError) as error:
             if is_disk_failure(error):
                 raise

@@ -137,7 +137,7 @@ def _restore(run: TransientRun, state: dict[str, Any], frames: list[Frame]) -> N
     ]
     if state["content"].shape != (2, *run.stepper.level.P.shape) or len(steps) < 2:
         raise ValueError("of another grid")
-    run.go_on_from(
+    run.resume_from(
         Past(
             content=(state["content"][0], state["content"][1]),
             pressure=(state["pressure"][0], state["pressure"][1]),

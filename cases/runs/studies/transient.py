@@ -53,7 +53,7 @@ def run_transient(
     ------
     CaseError
         If the case has no [transient].
-    NoStart
+    StartError
         If the steady film at its start does not converge.
     Interrupted
         With what there is so far, on Ctrl-C.

@@ -10,7 +10,7 @@ from bearing.contacts.contacts import contact_conditions
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.vibration.assembly import assembled
 from bearing.vibration.inputs import Direction
-from bearing.vibration.laws import FilmsNotSolvedError, film_shares
+from bearing.vibration.laws import FilmsNotSolvedError, film_load_fractions
 from bearing.vibration.simulation import VibrationRun, pieces, vibration_run
 from ehl.multigrid.bordered import LinearSolverError
 from postprocess.vibration.results import VibrationResults
@@ -69,8 +69,8 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
         if case.friction is not None and case.friction.asperities is not None:
             supply = case.friction.scarce if case.inlet_layer is not None else None
             asperities = case.friction.asperities
-            shares = film_shares(contacts, asperities, supply, case.bearing.balls)
-            model = replace(model, film_shares=shares)
+            shares = film_load_fractions(contacts, asperities, supply, case.bearing.balls)
+            model = replace(model, film_load_fractions=shares)
         equations = interruptible(partial(assembled, state, contacts, model))
         run = vibration_run(state, model, equations)
     except InvalidKeyError as error:

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from ...grid import unfolded
 from ...oil._kernels import dowson_higginson
 from ...oil.lubricant import density
-from ...scaling import ScaledContact, contact_shares, scale_contact
+from ...scaling import ScaledContact, contact_starvation_factors, scale_contact
 from ...solution import ContactSolution, OilSupply
 from ..cycle import log_viscosity
 from ..levels import Multigrid
@@ -69,7 +69,7 @@ def _density(P: float, contact: ScaledContact) -> float:
     return float(ratio)
 
 
-def turned_round(levels: Multigrid) -> str:
+def reverse_flow_message(levels: Multigrid) -> str:
     """Explain why a contact is not solved behind an inlet film: oil runs against the entrainment.
 
     Parameters
@@ -139,7 +139,7 @@ def oil_supply(
         inlet_ratio=ratio,
         meniscus=_meniscus(starved, film_content.empty[0 if grid.symmetric else grid.ny // 2]),
         rolling_moment_ratio=_moment(starved, levels) / _moment(flooded, levels),
-        damping=contact_shares(along, ratio).damping,
+        damping=contact_starvation_factors(along, ratio).damping,
         flooded_fft_equivalents=flooded.record.fft_equivalents * flooded.P.size / starved.P.size,
         outlet_layer=outlet,
         filled=filled.T,

@@ -7,14 +7,14 @@ import numpy as np
 
 from ...closed_form.starvation import ReductionFactor
 from ...conditions import ContactConditions, MoesConditions
-from ...scaling import ScaledContact, contact_shares
+from ...scaling import ScaledContact, contact_starvation_factors
 from ...solution import Array, ContactSolution, FilmValue, OilSupply
 from .oil_supply import inlet_ratio, pressure_moment
 
 RATIO_STEP = 1e-3  # of ln r, for the slope of a share
 
 
-def behind_layer(
+def with_inlet_film_by_law(
     flooded: ContactSolution,
     conditions: ContactConditions | MoesConditions,
     frames: tuple[ScaledContact, ScaledContact],
@@ -51,8 +51,8 @@ def behind_layer(
             / (inlet_film_thickness * flooded.film_scale)
             * ratio
         )
-    fractions = contact_shares(along, ratio, ample)
-    less = contact_shares(along, ratio * exp(-RATIO_STEP), ample)
+    fractions = contact_starvation_factors(along, ratio, ample)
+    less = contact_starvation_factors(along, ratio * exp(-RATIO_STEP), ample)
     thick = flooded.film_central_dimensionless
     thin = flooded.film_minimum_dimensionless
     # a thicker flooded film finds less of a layer: little oil passes, whatever that film is

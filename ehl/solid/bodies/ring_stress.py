@@ -68,12 +68,12 @@ class RingStress:
     ring: SubsurfaceStress
 
     @property
-    def von_mises_share(self) -> float:
+    def von_mises_change(self) -> float:
         """Change of the largest equivalent stress of von Mises over it [-]."""
         return float(self.ring.von_mises.max() / self.half_space.von_mises.max()) - 1.0
 
     @property
-    def orthogonal_shear_share(self) -> float:
+    def orthogonal_shear_change(self) -> float:
         """Change of the amplitude of the shear in rolling over it [-]."""
         ring, flat = (np.abs(body.stress[5]).max() for body in (self.ring, self.half_space))
         return float(ring / flat) - 1.0

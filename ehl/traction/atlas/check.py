@@ -9,7 +9,7 @@ from .films import AtlasValue, NotInAtlasError, atlas_films
 Pair = tuple[str, FilmValue, AtlasValue]
 
 
-def beyond_both_bars(solution: ContactSolution) -> Iterator[Pair]:
+def atlas_disagreements(solution: ContactSolution) -> Iterator[Pair]:
     """List films of a contact that differ from those of the atlas by more than both error bars.
 
     None is listed where the film is not resolved, was solved with shear or heat or in a prescribed

@@ -23,7 +23,7 @@ from ...arrays import Array
 from ...conditions import ContactConditions
 from ...oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
 from ...scaling import scale_contact
-from ..film_quadrature import HIGH_PRESSURE, LINES, node_shares
+from ..film_quadrature import HIGH_PRESSURE, LINES, line_quadrature
 from .films import NotInAtlasError, atlas_load, require_covered, require_range, skewed
 from .table import oil_features, radial, trend_terms
 
@@ -94,7 +94,7 @@ class Layout(NamedTuple):
 
 def layout() -> Layout:
     """Parts of a vector."""
-    nodes = HALF * node_shares()[0].size
+    nodes = HALF * line_quadrature()[0].size
     sizes = (1, HALF, HALF, nodes, nodes, CELL_ROWS * CELLS, 1, 1, 1)
     ends = np.cumsum((0, *sizes))
     return Layout(*(slice(int(a), int(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)))
@@ -140,8 +140,10 @@ def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Arr
         covariance, shape (m, n) [-]
     """
     radial_terms = radial(x, y, scales)
-    with_line = 1.0 + ((x - CENTRE) / SPREAD) @ ((y - CENTRE) / SPREAD).T
-    return DEVIATION**2 * radial_terms + OIL**2 * (oils @ others.T) * (with_line + radial_terms)
+    with_linear_terms = 1.0 + ((x - CENTRE) / SPREAD) @ ((y - CENTRE) / SPREAD).T
+    return DEVIATION**2 * radial_terms + OIL**2 * (oils @ others.T) * (
+        with_linear_terms + radial_terms
+    )
 
 
 def amplitudes(x: Array, alpha: Array, z: Array, tabulated: FieldTable) -> Array:
@@ -213,7 +215,7 @@ def carried_load_fraction(vector: Array) -> float:
         fraction [-]
     """
     parts = layout()
-    _, weights = node_shares()
+    _, weights = line_quadrature()
     span = (vector[parts.last] - vector[parts.first])[:, None]
     p = vector[parts.pressure].reshape(HALF, -1)
     width = 2.0 * float(vector[parts.half_width][0]) / LINES
@@ -328,7 +330,7 @@ def fields_of_vector(vector: Array, conditions: ContactConditions) -> ContactFie
     assert contact.semi_axis_x is not None and contact.film_scale is not None
     load = atlas_load(contact)
     parts = layout()
-    fractions, weights = node_shares()
+    fractions, weights = line_quadrature()
     a = contact.semi_axis_x
     film_unit = contact.film_scale / load
     b = a * contact.semi_axis_ratio

@@ -23,7 +23,7 @@ import scipy
 
 from ...arrays import Array, lagrange_weights
 from ...conditions import ContactConditions
-from ..film_quadrature import HIGH_PRESSURE, LINES, PANELS, node_shares
+from ..film_quadrature import HIGH_PRESSURE, LINES, PANELS, line_quadrature
 from .fields import CELL_ROWS, CELLS, FILE, HALF, LIGHT_FILE, amplitudes, field_table, layout
 from .films import oil_numbers
 from .oils import inlet_oil
@@ -72,7 +72,7 @@ SHAPES = (
 SIZES = tuple(prod(shape) for shape in SHAPES)
 
 
-def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Array:
+def shape_coordinates(contacts: Sequence[ContactConditions], semi_axes: Array) -> Array:
     """Locate contacts of one oil in the table of shapes.
 
     Parameters
@@ -112,7 +112,7 @@ def film_shapes(places: Array, central: Array) -> FilmShapes:
     Parameters
     ----------
     places : Array
-        columns of `shape_places`, shape (n, 6)
+        columns of `shape_coordinates`, shape (n, 6)
     central : Array
         central films over a^2/Rx, shape (n,) [-]
 
@@ -265,7 +265,7 @@ def _along_weights() -> Array:
     """Interpolate the table's nodes to the few of a line, by the polynomials of its panels, shape
     (PLACES, n) [-].
     """
-    table_nodes, wanted = node_shares()[0], _gauss()[0]
+    table_nodes, wanted = line_quadrature()[0], _gauss()[0]
     weights = np.zeros((wanted.size, table_nodes.size))
     start = 0
     for low, high, count in PANELS:

@@ -19,8 +19,8 @@ from ...closed_form.hertz import hertz_coefficients
 from ...conditions import ContactConditions, MoesConditions
 from ...oil.lubricant import Lubricant
 from ...scaling import ScaledContact, scale_contact
-from ..kapitza import moment_lost_by_circles
-from .oils import LIGHT_DENSITY, by_density, density_excess, law_error, with_inlet_oil
+from ..kapitza import circles_moment_loss
+from .oils import LIGHT_DENSITY, density_correction, density_excess, law_error, with_inlet_oil
 from .skewed import MIXED, SKEW_RANGE, Along, along_entrainment, mixed_functions, skew_bars
 from .table import BASE_ALPHA, BASE_Z, LIGHT, error_bars, functions
 from .turning import ROTATION, rotation_effect, rotation_law
@@ -118,13 +118,13 @@ def atlas_films(
     >>> f"{films.central.value * 1e9:.0f} nm, {films.minimum.value * 1e9:.0f} nm"
     '318 nm, 215 nm'
     """
-    (result,) = atlas_films_of([conditions], inlet_film_thickness)
+    (result,) = atlas_films_of_contacts([conditions], inlet_film_thickness)
     if isinstance(result, NotInAtlasError):
         raise result
     return result
 
 
-def atlas_films_of(
+def atlas_films_of_contacts(
     contacts: Sequence[ContactConditions | MoesConditions],
     inlet_film_thickness: float | None = None,
 ) -> list[AtlasFilms | NotInAtlasError]:
@@ -283,7 +283,9 @@ def _functions(contacts: Sequence[_Position]) -> Array:
         result[mixed, MIXED - 1] += turned[mixed]
     result = result.reshape(-1, 3, 6)
     for n, contact in enumerate(contacts):
-        added = by_density(contact.actual_oil, contact.scaled.hertz_pressure, contact.along.load)
+        added = density_correction(
+            contact.actual_oil, contact.scaled.hertz_pressure, contact.along.load
+        )
         if added.any():
             result[n] = _with_density(result[n], x[3 * n : 3 * n + 3], added)
     return result
@@ -370,7 +372,7 @@ def _of_circles(
     """
     assert contact.semi_axis_x is not None
     axes = (contact.semi_axis_x, contact.semi_axis_x * contact.semi_axis_ratio)
-    lost = moment_lost_by_circles(conditions, axes, *films)
+    lost = circles_moment_loss(conditions, axes, *films)
     return AtlasValue(moment.value - lost, moment.uncertainty + CIRCLES * abs(lost))
 
 

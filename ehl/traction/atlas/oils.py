@@ -131,7 +131,7 @@ def with_inlet_oil(
     return replace(conditions, lubricant=roelands, lubricant_parameter=thick)
 
 
-def by_density(oil: Lubricant, hertz_pressure: float, load: float) -> Array:
+def density_correction(oil: Lubricant, hertz_pressure: float, load: float) -> Array:
     """Evaluate the change of the six functions by the density of an oil.
 
     The reference is an oil after Dowson and Higginson, or an isoviscous, incompressible one.

@@ -273,7 +273,7 @@ def oil_features(x: Array, alpha: Array, z: Array) -> Array:
     return np.asarray(0.25 * x[:, 1:2] * terms)
 
 
-def with_line(features: Array, x: Array) -> Array:
+def with_linear_terms(features: Array, x: Array) -> Array:
     """Multiply features by {1, x_j}.
 
     Parameters

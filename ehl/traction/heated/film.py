@@ -22,7 +22,7 @@ from ..film_quadrature import (
     node_rows,
     on_strips,
     sliding_forces,
-    strip_places,
+    strip_positions,
     transverse_axis,
 )
 from ..shear import (
@@ -89,7 +89,7 @@ class HeatedLines:
         """Rows of `FilmQuadrature.nodes` at the nodes of each strip, shape (strips, 8, N)."""
         x, y, _, film, eta, pressure, temperature = np.moveaxis(self.lines[..., :7], -1, 0)
         size, width = np.sqrt(12.0 * np.moveaxis(self.lines[..., 9:11], -1, 0))
-        y, width = strip_places(y, width)
+        y, width = strip_positions(y, width)
         smooth_fields = (x, np.log(film), np.log(eta), pressure, temperature, size)
         x, film, eta, pressure, temperature, size = (on_strips(values) for values in smooth_fields)
         limit = limiting_stress(np.maximum(pressure, 0.0), self.rheology, temperature)

@@ -15,7 +15,7 @@ from ...multigrid.newton import MAX_NODES
 from ...options import SolverOptions
 from ...scaling import scale_contact
 from ...solution import ContactSolution
-from ...solver import solve_attempts, solve_behind_layer, solve_nested
+from ...solver import solve_attempts, solve_nested, solve_with_inlet_film
 from .linear import LinearContact, SlowResponse, linear_contact
 
 POINTS = (257, 513)  # the first that resolves the film, and half of them
@@ -100,7 +100,7 @@ def normal_response(
         raise ValueError(f"frequencies: above 0 and at most {limit:.4g} Hz, got {wrong[0]}")
     given = options or SolverOptions()
     fixed = given.points is not None
-    finest = (max(given.most_points, COARSEST),) if fixed else POINTS
+    finest = (max(given.max_points, COARSEST),) if fixed else POINTS
     counts = [max((finest[0] + 1) // 2, COARSEST), *finest]
     plain = replace(given, tolerance=None, certify=False)
     options_of = [replace(plain, points=points) for points in dict.fromkeys(counts)]
@@ -215,7 +215,7 @@ def _solved(conditions: ContactConditions, meshes: Sequence[SolverOptions]) -> I
     """The contact on one mesh after the other, behind a layer each by itself."""
     if conditions.inlet_layer is None:
         return solve_nested(conditions, meshes)
-    return (solve_behind_layer(conditions, options) for options in meshes)
+    return (solve_with_inlet_film(conditions, options) for options in meshes)
 
 
 def _mesh(

@@ -23,7 +23,7 @@ from .film import FilmSample, film_sample
 from .packing import mirrored, stored_values
 from .responses import Place, log_responses, response_nodes
 from .splines import leave_one_out_error, spline_coefficients
-from .table import TableContact, TableError, TableRange, TractionTable, load_place
+from .table import TableContact, TableError, TableRange, TractionTable, load_coordinate
 from .values import grid_values
 
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin, of films without and with
@@ -235,8 +235,8 @@ def _solve(study: _Study, wanted: list[tuple[Place, bool]]) -> list[FilmSample]:
 def _axes(study: _Study) -> Array:
     """Start, nodes per unit, nodes of the five axes."""
     limits = study.range
-    first = np.array([load_place(limits.load[0]), log(limits.speed[0]), -1.0, 0.0, -1.0])
-    last = np.array([load_place(limits.load[1]), log(limits.speed[1]), 1.0, 1.0, 1.0])
+    first = np.array([load_coordinate(limits.load[0]), log(limits.speed[0]), -1.0, 0.0, -1.0])
+    last = np.array([load_coordinate(limits.load[1]), log(limits.speed[1]), 1.0, 1.0, 1.0])
     nodes = np.array(study.counts, dtype=np.float64)
     return np.stack([first, (nodes - 1.0) / (last - first), nodes], axis=1)
 

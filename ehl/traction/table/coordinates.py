@@ -197,10 +197,10 @@ def linear_term(size: Array | float) -> Array:
     return np.asarray(size)
 
 
-PLACE_PARTS = (standstill_term, linear_term, no_further_term)  # of slide_x, slide_y and spin
+COORDINATE_TERMS = (standstill_term, linear_term, no_further_term)  # of slide_x, slide_y and spin
 
 
-def place_of(
+def motion_coordinate(
     motion: Array, scale: Array | float, limit: float, further_term: FurtherTerm
 ) -> Array:
     """Evaluate the coordinate X of a motion on its axis.
@@ -234,7 +234,7 @@ def place_of(
 def motion_at(
     place: Array, scale: Array | float, limit: float, further_term: FurtherTerm
 ) -> Array:
-    """Invert `place_of`.
+    """Invert `motion_coordinate`.
 
     In asinh(S/(u s)), over which the coordinate is nearly a line, by the secant through two values
     on either side, of which one that stays twice counts half.
@@ -267,7 +267,8 @@ def motion_at(
         last = at
         at = ends[0] + fraction * (ends[1] - ends[0])
         result = (
-            place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, further_term) - wanted
+            motion_coordinate(np.minimum(scale * np.sinh(at), limit), scale, limit, further_term)
+            - wanted
         )
         if np.all((np.abs(result) <= INVERTED) | (np.abs(at - last) <= INVERTED * at)):
             break

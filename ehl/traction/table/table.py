@@ -185,7 +185,7 @@ class TractionTable:
     contact: TableContact  # bodies, oil and temperature
     range: TableRange  # of load, speed and motion
     points: int  # of the films along x
-    # start, nodes per unit, nodes of load_place(load), ln(speed), and the scaled motions, of
+    # start, nodes per unit, nodes of load_coordinate(load), ln(speed), and the scaled motions, of
     # slide_y the half above zero; shape (5, 3)
     axes: Array
     scalars: Array  # shape (nQ + 2, nU + 2, 10)
@@ -288,13 +288,13 @@ class TractionTable:
             units of force [N] and of the moments about n and y [N m], shape (3,)
         """
         scalars = self.scalars
-        for axis, place in zip(self.axes, (load_place(load), log(speed)), strict=False):
+        for axis, place in zip(self.axes, (load_coordinate(load), log(speed)), strict=False):
             first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))
             scalars = np.tensordot(weights, scalars[first : first + 4], axes=1)
         return np.exp(scalars[_kernels.LARGEST_FORCE : _kernels.LARGEST_ROLLING + 1])
 
 
-def load_place(load: float) -> float:
+def load_coordinate(load: float) -> float:
     """Evaluate the coordinate of a load on its axis.
 
     Parameters

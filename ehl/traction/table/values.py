@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Array, lagrange_weights
 from ...multigrid.threads import film_threads
-from .coordinates import PLACE_PARTS, from_vertex, motion_at, spinning_scales, vertex_slide
+from .coordinates import COORDINATE_TERMS, from_vertex, motion_at, spinning_scales, vertex_slide
 from .film import FilmSample, relative_forces
 from .splines import SMALLEST, along_axis, spline_matrix, spline_weights
 from .table import TableContact, TableRange
@@ -174,9 +174,9 @@ def table_motions(
     """
     x, y, n = places
     bounds = limits.motions
-    spin = motion_at(n, film.scales[2], bounds[2], PLACE_PARTS[2])
+    spin = motion_at(n, film.scales[2], bounds[2], COORDINATE_TERMS[2])
     scale_x, scale_y = spinning_scales(film.scales[:2], spin, contact, film.load)
-    top = motion_at(x, scale_x, bounds[0], PLACE_PARTS[0])
+    top = motion_at(x, scale_x, bounds[0], COORDINATE_TERMS[0])
     slide_x = from_vertex(top, vertex_slide(spin, contact, film.load), bounds[0])
-    slide_y = motion_at(y, scale_y, bounds[1], PLACE_PARTS[1])
+    slide_y = motion_at(y, scale_y, bounds[1], COORDINATE_TERMS[1])
     return [part.ravel() for part in np.broadcast_arrays(slide_x, slide_y, spin)]

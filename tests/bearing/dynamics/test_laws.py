@@ -13,7 +13,7 @@ from bearing.dynamics.arrays import Constants
 from bearing.dynamics.assembly import constants
 from bearing.dynamics.choices import NormalLaw
 from bearing.dynamics.contact import _belt_kernels, _kernels
-from bearing.dynamics.contact._belt_kernels import film_by_matrix, film_holds, film_matrix, pocket_film
+from bearing.dynamics.contact._belt_kernels import film_by_matrix, film_matrix, film_matrix_is_valid, pocket_film
 from bearing.dynamics.inputs import NormalContact, Schedule
 from bearing.dynamics.laws import damping_factor, drag_of_force, drag_of_mixture, planar_stiffness, vibration_frequency
 
@@ -179,12 +179,12 @@ def test_the_film_of_a_pocket_as_a_matrix_is_the_film(eccentricity):
     place = (0.6 * eccentricity * play, 0.8 * eccentricity * play)
     film = np.zeros(38)
     velocity, turn = (0.3, -0.1, 0.2), (50.0, -900.0, 30.0)
-    assert not film_holds(c, film, (1.0 - eccentricity) * play)
+    assert not film_matrix_is_valid(c, film, (1.0 - eccentricity) * play)
     film_matrix(c, frame, play, place, velocity, film)
-    assert film_holds(c, film, (1.0 - eccentricity) * play)
-    assert not film_holds(c, film, 0.05 * play)
+    assert film_matrix_is_valid(c, film, (1.0 - eccentricity) * play)
+    assert not film_matrix_is_valid(c, film, 0.05 * play)
     film_matrix(c, frame, play, (0.0, play), velocity, film)  # pressed: the least film, however deep
-    assert film_holds(c, film, -0.01 * play)
+    assert film_matrix_is_valid(c, film, -0.01 * play)
     film_matrix(c, frame, play, place, velocity, film)
     for factor in (1.0, 2.5):  # the same direction: the same places are squeezed
         motion = tuple(factor * v for v in velocity), tuple(factor * v for v in turn)

@@ -12,11 +12,11 @@ from scipy.interpolate import PchipInterpolator
 
 from bearing import Operation
 from bearing.dynamics import _kernels
-from bearing.dynamics.arrays import GIVEN_PLACE, GIVEN_RATE, OIL_VISCOSITY
+from bearing.dynamics.arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
 from bearing.dynamics.bodies import load_type, symmetric_until
 from bearing.dynamics.choices import Guidance, LoadType, Start
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Schedule, given_values
+from bearing.dynamics.inputs import Schedule, prescribed_values
 from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
 from bearing.friction.sources import CoefficientTraction
@@ -49,7 +49,7 @@ def held(axes="x", at=(0.0,) * 5, load=0.0, rpm=5000.0):
 
 
 def moved(operation, times, places, viscosity=None):
-    tables = {GIVEN_PLACE: [(t, *row) for t, row in zip(times, places, strict=True)]}
+    tables = {PRESCRIBED_DISPLACEMENT: [(t, *row) for t, row in zip(times, places, strict=True)]}
     if viscosity is not None:
         tables[OIL_VISCOSITY] = list(zip(times, viscosity, strict=True))
     return Schedule.from_tables(operation, tables)
@@ -171,7 +171,7 @@ def test_oil_that_thins_is_a_thinner_oil(setup, guidance):
     bearing = setup.bearing_7008(5)
     operation = setup.operation(5000.0, 80.0, 30.0)
     given = {"equations": LoadType.GENERAL, "cage_options": guidance}
-    schedule = Schedule(time=(0.0, 0.01), values=(given_values(operation),) * 2, viscosity=(2.0, 0.5))
+    schedule = Schedule(time=(0.0, 0.01), values=(prescribed_values(operation),) * 2, viscosity=(2.0, 0.5))
     thinning = simulation(bearing, operation, setup.model(bearing, schedule=schedule, film_viscosity=0.04, **given))
     thin = simulation(bearing, operation, setup.model(bearing, film_viscosity=0.05, **given))
     y = thin.state.y + np.random.default_rng(7321).normal(0.0, 1e-6, thin.state.y.size)
@@ -188,7 +188,7 @@ def test_tables_at_other_times_leave_the_path_of_the_ring(setup):
         (0.0, 2e-3, 5e-3, 9e-3),
         [(0.0, 0, 0, 0, 0), (3e-5, 0, 0, 1e-3, 0), (2e-5,) + (0.0,) * 4, (4e-5,) + (0.0,) * 4],
     )
-    tables = {GIVEN_PLACE: [(t, *row) for t, row in zip(times, places, strict=True)]}
+    tables = {PRESCRIBED_DISPLACEMENT: [(t, *row) for t, row in zip(times, places, strict=True)]}
     tables[3] = [(0.0, 0.0), (1e-3, 5.0), (7e-3, 9.0), (0.02, 1.0)]
     schedule = Schedule.from_tables(operation, tables)
     bearing = setup.bearing_7008(5)
@@ -196,9 +196,13 @@ def test_tables_at_other_times_leave_the_path_of_the_ring(setup):
     step = 1e-7
     for t in np.random.default_rng(515).uniform(0.0, 0.012, 50):
         _kernels.schedule_at(data.times, data.schedule, t, data.given)
-        assert_allclose(data.given[GIVEN_PLACE:GIVEN_RATE], wanted_places(times, places, min(t, 9e-3)), atol=1e-18)
+        assert_allclose(
+            data.given[PRESCRIBED_DISPLACEMENT:PRESCRIBED_RATE], wanted_places(times, places, min(t, 9e-3)), atol=1e-18
+        )
         before, after = (wanted_places(times, places, min(t + s, 9e-3)) for s in (-step, step))
-        assert_allclose(data.given[GIVEN_RATE:OIL_VISCOSITY], (after - before) / (2.0 * step), rtol=1e-3, atol=1e-6)
+        assert_allclose(
+            data.given[PRESCRIBED_RATE:OIL_VISCOSITY], (after - before) / (2.0 * step), rtol=1e-3, atol=1e-6
+        )
 
 
 def test_a_schedule_checks_what_it_is_given():

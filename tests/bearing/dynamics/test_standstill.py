@@ -12,7 +12,7 @@ import pytest
 
 from bearing.dynamics.assembly import REST_BAND, REST_SHARE, rest_band
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Schedule, given_values
+from bearing.dynamics.inputs import Schedule, prescribed_values
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from bearing.friction.sources import CoefficientTraction
@@ -28,7 +28,7 @@ def moved(setup, load, speeds, outer=0.0, **options):
     bearing = setup.bearing_7008(6)
     friction = race_friction(CoefficientTraction(LAW), bearing, (radians(15.0),) * 2)
     first, last = (replace(setup.operation(n, *LOADS[load]), outer_speed=outer) for n in speeds)
-    schedule = Schedule(time=(0.0, 3e-3), values=(given_values(first), given_values(last)))
+    schedule = Schedule(time=(0.0, 3e-3), values=(prescribed_values(first), prescribed_values(last)))
     given = {"end_time": 5e-3, "sample_interval": 1e-4} | options
     model = setup.model(bearing, friction, schedule=None if first == last else schedule, **given)
     sim, running = simulation(bearing, first, model), RunningStatistics(6)

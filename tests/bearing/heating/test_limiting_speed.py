@@ -74,7 +74,7 @@ def cold(problem):
 def resistance(problem):
     """Of the films' rise over the heat of friction [K/W]: the network is linear."""
     state = cold(problem)
-    return (state.found_temperature - AMBIENT) / state.friction.power
+    return (state.resulting_temperature - AMBIENT) / state.friction.power
 
 
 @pytest.mark.parametrize("rise", [0.02, 0.035])
@@ -85,7 +85,7 @@ def test_the_branch_turns_where_the_closed_form_does(problem, rise):
     assert found.limited_by is SpeedLimit.RUNAWAY
     top = found.fastest
     # R of that speed: centrifugal force spreads the loads over the halves of the outer ring
-    own = (top.state.found_temperature - AMBIENT) / top.state.friction.power
+    own = (top.state.resulting_temperature - AMBIENT) / top.state.friction.power
     assert found.limit == pytest.approx(SPEED / (own * HEAT * rise * e), rel=1e-3)
     assert top.state.film_temperature - AMBIENT == pytest.approx(1.0 / rise, rel=0.03)  # flat there
     at = at_speed(study, top.factor)
@@ -104,7 +104,7 @@ def test_every_balance_is_one(problem):
     temperatures = [balance.state.film_temperature for balance in found.balances]
     assert temperatures == sorted(temperatures)
     for balance in found.balances:
-        assert balance.state.found_temperature == pytest.approx(balance.state.film_temperature, abs=0.011)
+        assert balance.state.resulting_temperature == pytest.approx(balance.state.film_temperature, abs=0.011)
         theta = balance.state.film_temperature - AMBIENT
         speed = SPEED * theta * exp(-0.03 * theta) / (resistance(study) * HEAT)
         assert balance.speed == pytest.approx(speed, rel=2e-3)

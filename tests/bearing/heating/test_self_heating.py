@@ -76,7 +76,7 @@ def test_self_heating_balances_friction_and_cooling(bearing):
     assert found.converged
     state = found.state
     assert found.balance.temperature > 303.0
-    assert state.found_temperature == pytest.approx(state.film_temperature, abs=1e-4)
+    assert state.resulting_temperature == pytest.approx(state.film_temperature, abs=1e-4)
     assert state.clearance == pytest.approx(study.clearance(state.temperatures), abs=1e-10)
     assert state.friction.power == pytest.approx(state.network.removed(state.temperatures), rel=1e-9)
     assert state.sources.sum() == pytest.approx(state.friction.power, rel=1e-12)

@@ -20,7 +20,7 @@ from bearing.library.bearings import catalogue_name, published_bearings, warn_of
 from bearing.library.catalogue import boundary_dimensions, clearance_class, nearest_series
 from bearing.library.designation import read_designation, why_unknown
 from bearing.library.names import matching_name, plain_name
-from bearing.library.typical_geometry import ball_sizes, most_balls
+from bearing.library.typical_geometry import ball_sizes, full_complement
 from bearing.rating.geometry_estimate import _bearing, _pair
 from bearing.rating.load_rating import dynamic_rating, static_rating
 
@@ -147,7 +147,7 @@ def encloses_its_balls(entry):
     ball = entry["ball_diameter_mm"]
     pitch = entry["pitch_diameter_mm"]
     inside = entry["bore_mm"] < pitch - ball and pitch + ball < entry["outside_diameter_mm"]
-    return inside and entry["balls"] <= most_balls(ball, pitch)
+    return inside and entry["balls"] <= full_complement(ball, pitch)
 
 
 def test_boundary_dimensions_enclose_the_balls():

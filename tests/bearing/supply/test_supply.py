@@ -13,11 +13,11 @@ from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.films.asperities import Asperities, asperity_share
 from bearing.films.formula import formula_values
 from bearing.films.operating import OilAtInlets, film_heat, least_lambda, mean_fraction, of_driven_balls, supplied_films
-from bearing.heating.heat_balance import HIGHEST_TEMPERATURE, Cooling, heat_balance
+from bearing.heating.heat_balance import HIGHEST_TEMPERATURE
 from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
 from bearing.supply.track import Track, steady_share
 from ehl import Lubricant, ViscosityLaw
-from ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_shares, starved_share
+from ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_factors, starved_film_factor
 from ehl.conditions import moes_groups
 
 from ...reference.heat_balance import Cooling, heat_balance
@@ -27,7 +27,7 @@ ML_MIN = 1e-6 / 60.0  # [m^3/s]
 
 
 def law_of(exponent):
-    return dict.fromkeys(("share", "passing"), partial(starved_share, exponent=exponent))
+    return dict.fromkeys(("share", "passing"), partial(starved_film_factor, exponent=exponent))
 
 
 def test_starved_film():
@@ -35,11 +35,11 @@ def test_starved_film():
     assert starvation_exponent(1.0) == pytest.approx(3.0)
     assert starvation_exponent(10.0) == pytest.approx(15.0)
     assert 3.0 < starvation_exponent(3.0) < 15.0
-    assert starved_share(0.01, 3.0) == pytest.approx(0.01, rel=1e-5)
-    assert starved_share(1e9, 3.0) == starved_share(1e6, 15.0) == 1.0
-    assert starved_share(2.0, 3.0) == pytest.approx(2.0 / 9.0 ** (1 / 3), rel=1e-14)
-    assert starved_share(1.0, 3.0) == pytest.approx(2.0 ** (-1 / 3))
-    assert starved_share(1.0, 15.0) == pytest.approx(2.0 ** (-1 / 15))
+    assert starved_film_factor(0.01, 3.0) == pytest.approx(0.01, rel=1e-5)
+    assert starved_film_factor(1e9, 3.0) == starved_film_factor(1e6, 15.0) == 1.0
+    assert starved_film_factor(2.0, 3.0) == pytest.approx(2.0 / 9.0 ** (1 / 3), rel=1e-14)
+    assert starved_film_factor(1.0, 3.0) == pytest.approx(2.0 ** (-1 / 3))
+    assert starved_film_factor(1.0, 15.0) == pytest.approx(2.0 ** (-1 / 15))
 
 
 @pytest.mark.parametrize("exponent", [3.0, 5.0, 15.0])
@@ -49,9 +49,9 @@ def test_steady_film_is_where_many_balls_lead(exponent, loss):
     for added in (0.003, 0.05, 0.4, 3.0):
         layer = 5.0
         for _ in range(20000):
-            layer = (1.0 - loss) * starved_share(layer, exponent) + added
+            layer = (1.0 - loss) * starved_film_factor(layer, exponent) + added
         found = steady_share(Track(**law_of(exponent), loss=loss), added)
-        assert found == pytest.approx(starved_share(layer, exponent), rel=1e-6)
+        assert found == pytest.approx(starved_film_factor(layer, exponent), rel=1e-6)
 
 
 @pytest.mark.parametrize("exponent", [3.0, 5.0, 15.0])
@@ -104,7 +104,7 @@ def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
         hertz = contacts[i].hertz
         flooded = formula_values(own, (hertz.semi_axis_y, hertz.semi_axis_x)).central
         packed = compression(hertz.pressure, OIL)
-        shares = starvation_shares(*moes_groups(own), own.radius_x / own.radius_y, 0.3e-6 / (packed * flooded))
+        shares = starvation_factors(*moes_groups(own), own.radius_x / own.radius_y, 0.3e-6 / (packed * flooded))
         assert films[i].supply.central == pytest.approx(shares.central.value, rel=1e-3)
         assert films[i].supply.rolling_moment == pytest.approx(shares.rolling_moment.value, abs=2e-3)
         heat = film_heat(contacts[i]).value

@@ -16,7 +16,7 @@ from bearing.supply.side_flow import barus_integral, side_flow, side_flow_integr
 from bearing.supply.solved_track import TrackPasses, solved_passes
 from bearing.supply.track import Track, added_layer, after_passes, steady_layer, steady_share
 from ehl import InletLayer, Lubricant, SolverOptions, ViscosityLaw, solve_contact
-from ehl.closed_form.starvation import starved_share
+from ehl.closed_form.starvation import starved_film_factor
 from ehl.conditions import MoesConditions
 
 EXPONENTS = (3.0, 5.0, 15.0)
@@ -24,7 +24,7 @@ EXPONENTS = (3.0, 5.0, 15.0)
 
 def law(exponent: float):
     """Of film and layer."""
-    return dict.fromkeys(("share", "passing"), partial(starved_share, exponent=exponent))
+    return dict.fromkeys(("share", "passing"), partial(starved_film_factor, exponent=exponent))
 
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
@@ -50,7 +50,7 @@ def test_the_larger_of_two_losses_counts_and_never_their_sum(exponent):
     track = Track(**law(exponent), side_flow=side)
     layers = np.concatenate([[2.0], after_passes(track, 2.0, 3000)])
     for before, after in zip(layers[:-1], layers[1:], strict=True):
-        by_law, by_side = starved_share(before, exponent), (before**-2 + side) ** -0.5
+        by_law, by_side = starved_film_factor(before, exponent), (before**-2 + side) ** -0.5
         assert after == pytest.approx(min(by_law, by_side), rel=1e-12) or before > 1.0
         assert after <= by_law
     late = np.diff(layers[-3:] ** -2.0)
@@ -61,7 +61,7 @@ def test_ample_oil_floods_whatever_the_side_flow():
     """The side flow of a light contact, d above 1, does not keep it from its flooded film."""
     for side in (0.0, 0.5, 9.0, 1e6):
         track = Track(**law(5.0), side_flow=side)
-        assert track.left(1e4) == starved_share(1e4, 5.0)
+        assert track.left(1e4) == starved_film_factor(1e4, 5.0)
         assert steady_share(track, 1e9) == 1.0
         layers = np.geomspace(1e-6, 1e3, 400)
         left = np.array([track.left(layer) for layer in layers])

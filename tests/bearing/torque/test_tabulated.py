@@ -22,7 +22,7 @@ from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.rheology import Rheology
 from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
 from ehl.traction.laws import ContactShape, EllipseLaw
-from ehl.traction.table.table import TableContact, TableError, TableRange, TractionTable, load_place
+from ehl.traction.table.table import TableContact, TableError, TableRange, TractionTable, load_coordinate
 
 OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
 MU = 0.08
@@ -116,8 +116,8 @@ def random_table(rng):
     )  # fmt: skip
     limits = TableRange(load=(1.0, 1000.0), speed=(0.5, 20.0))
     nodes = (4, 4, 7, 5, 6)
-    starts = (load_place(1.0), np.log(0.5), -1.0, 0.0, -1.0)
-    ends = (load_place(1000.0), np.log(20.0), 1.0, 1.0, 1.0)
+    starts = (load_coordinate(1.0), np.log(0.5), -1.0, 0.0, -1.0)
+    ends = (load_coordinate(1000.0), np.log(20.0), 1.0, 1.0, 1.0)
     axes = np.array([[a, (n - 1) / (b - a), n] for a, b, n in zip(starts, ends, nodes, strict=True)])
     scalars = rng.normal(scale=0.1, size=(6, 6, 10)) + np.log([0.01, 0.01, 0.1, 5e-7, 1e-4, 1e8, 1e3, 5.0, 1e-3, 1e-3])
     error = TableError(

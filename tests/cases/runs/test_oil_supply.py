@@ -16,7 +16,7 @@ from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.contact import run_contact
 from cases.runs.heating import self_heated
-from ehl.closed_form.starvation import starvation_shares
+from ehl.closed_form.starvation import starvation_factors
 from postprocess import summary
 from postprocess.bearing.table import bearing_table
 
@@ -229,7 +229,7 @@ def test_a_single_contact_at_an_inlet_film():
     assert ample["film_central_um"] == flooded["film_central_um"]
     assert any("starved_film_... alone" in message for message in ample["messages"])
     even = contact(CONTACT + f"inlet_film_um = {packed(flooded)!r}\n")
-    shares = starvation_shares(flooded["moes_M"], flooded["moes_L"], 1.0, 1.0)
+    shares = starvation_factors(flooded["moes_M"], flooded["moes_L"], 1.0, 1.0)
     assert even["starved_film_share"] == pytest.approx(shares.central.value, rel=2e-3)
     left = shares.minimum.value * flooded["film_minimum_um"]
     assert even["starved_film_minimum_um"] == pytest.approx(left, rel=2e-3)
@@ -246,9 +246,9 @@ def test_the_law_is_taken_as_the_oil_meets_the_ellipse():
     wide = CONTACT.replace("radius_y_mm = 12.5", "radius_y_mm = 125.0") + "inlet_film_um = 0.1\n"
     along, across = (contact(text) for text in (wide, wide.replace("[ehl]", "entrainment_angle_deg = 90.0\n[ehl]")))
     m, l = along["moes_M"], along["moes_L"]
-    by_law = starvation_shares(m, l, 0.1, 0.1 / packed(along)).central.value
+    by_law = starvation_factors(m, l, 0.1, 0.1 / packed(along)).central.value
     assert along["starved_film_share"] == pytest.approx(by_law, rel=5e-3)
-    by_law = starvation_shares(m * 0.1**1.25, l * 0.1**0.25, 10.0, 0.1 / packed(across)).central.value
+    by_law = starvation_factors(m * 0.1**1.25, l * 0.1**0.25, 10.0, 0.1 / packed(across)).central.value
     assert across["starved_film_share"] == pytest.approx(by_law, rel=5e-3)
 
 

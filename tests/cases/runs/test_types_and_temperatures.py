@@ -10,7 +10,7 @@ import pytest
 from bearing.geometry import BearingType
 from cases import run_case
 from cases.format.case import case_from_text
-from cases.runs.heating import at_its_temperature
+from cases.runs.heating import with_temperature
 from postprocess import summary
 
 CASE = """
@@ -153,8 +153,8 @@ def test_no_balance_below_150_degrees_is_none():
 def test_without_a_balance_the_temperature_stays_and_one_message_says_so():
     own = CASE.replace("temperature_C = 70.0", 'temperature_C = 70.0\ntemperature = "self-heated"')
     hot = case((own + HEATED).replace("heat_transfer_W_K = 1.2", "heat_transfer_W_K = 0.001"))
-    once = at_its_temperature(hot)
-    assert at_its_temperature(once) is once
+    once = with_temperature(hot)
+    assert with_temperature(once) is once
     assert once.operation.temperature == pytest.approx(343.15)
     assert sum("operation.temperature: not self-heated" in note for note in once.warnings) == 1
 

@@ -9,7 +9,7 @@ import pytest
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.closed_form.hertz import hertz_contact
-from ehl.closed_form.inlet_heat import HeatShare, heat_loss, inlet_heat
+from ehl.closed_form.inlet_heat import ThermalReduction, heat_loss, inlet_heat
 from ehl.generalized.solver import solve_generalized
 from ehl.oil.lubricant import ThermalProperties
 from ehl.oil.rheology import Rheology
@@ -66,7 +66,7 @@ def test_a_light_contact_may_lose_all_or_nothing():
 
 
 def test_a_layer_takes_the_heat_with_the_moment():
-    whole = HeatShare(0.7, 0.6, 0.8)
+    whole = ThermalReduction(0.7, 0.6, 0.8)
     assert whole.at(1.0) is whole
     assert whole.at(0.0)[:3] == (1.0, 1.0, 1.0)
     assert whole.at(0.5).value == pytest.approx(0.7**0.5)

@@ -12,12 +12,12 @@ import pytest
 from ehl.closed_form.starvation import (
     DRY,
     FLOODED,
-    rolling_share_biboulet_houpert,
+    rolling_moment_factor_biboulet_houpert,
     starvation_exponent,
-    starvation_shares,
-    starved_share,
+    starvation_factors,
+    starved_film_factor,
 )
-from ehl.closed_form.starvation_table import FILE, place_of_contact
+from ehl.closed_form.starvation_table import FILE, contact_coordinates
 
 SOLVES = Path(__file__).parents[3] / "tools" / "starvation" / "solves.jsonl"
 DAMPING = SOLVES.with_name("damping.jsonl")
@@ -37,7 +37,7 @@ def held_back():
         for r, one in zip(entry["layers"], entry["fine"]["starved"], strict=True):
             if one["converged"] and one["resolved"]:
                 films = [s[0] / f[0] for s, f in zip(one["films"], flooded["films"], strict=True)]
-                law = starvation_shares(entry["M"], entry["L"], entry["ratio"], r)
+                law = starvation_factors(entry["M"], entry["L"], entry["ratio"], r)
                 yield law, (*films, one["moment by heat"] / flooded["moment by heat"]), r, flooded["films"][0][0]
 
 
@@ -63,14 +63,14 @@ def held_damping():
         if entry["kind"] == "held" and flooded is not None:
             for r, one in zip(entry["layers"], entry["fine"]["starved"], strict=False):
                 if one is not None:
-                    film = np.exp(place_of_contact(entry["M"], entry["L"], entry["ratio"])[0])
+                    film = np.exp(contact_coordinates(entry["M"], entry["L"], entry["ratio"])[0])
                     yield entry, r, one[1] / flooded[1], film
 
 
 def test_damping_beside_solves_that_it_was_not_fitted_to():
     """Within 0.02 half of the time and 0.1 nineteen times of twenty; most within their bars."""
     rows = [
-        (starvation_shares(e["M"], e["L"], e["ratio"], r).damping, solved)
+        (starvation_factors(e["M"], e["L"], e["ratio"], r).damping, solved)
         for e, r, solved, film in held_damping()
         if film < THICKEST_DAMPING
     ]
@@ -83,7 +83,7 @@ def test_damping_beside_solves_that_it_was_not_fitted_to():
 def test_damping_of_thick_films_has_wide_bars():
     """Thinner films damp more there, by several times: what the law does not know, it says."""
     rows = [
-        (starvation_shares(e["M"], e["L"], e["ratio"], r).damping, solved)
+        (starvation_factors(e["M"], e["L"], e["ratio"], r).damping, solved)
         for e, r, solved, film in held_damping()
         if film >= THICKEST_DAMPING
     ]
@@ -93,7 +93,7 @@ def test_damping_of_thick_films_has_wide_bars():
 
 @pytest.mark.parametrize("contact", CONTACTS)
 def test_damping_goes_from_nothing_to_all(contact):
-    shares = [starvation_shares(*contact, r).damping.value for r in (1e-3, 0.1, 1.0, 4.0, 1e4)]
+    shares = [starvation_factors(*contact, r).damping.value for r in (1e-3, 0.1, 1.0, 4.0, 1e4)]
     assert abs(shares[0]) < 1e-3 and shares[4] == pytest.approx(1.0, abs=1e-3)
     assert abs(shares[1]) < 0.1 and shares[1] < shares[2] < shares[3]
 
@@ -101,7 +101,7 @@ def test_damping_goes_from_nothing_to_all(contact):
 @pytest.mark.parametrize("contact", CONTACTS)
 def test_more_oil_leaves_more_and_never_more_than_there_is(contact):
     ratios = np.geomspace(1e-3, 1e4, 150)
-    shares = [starvation_shares(*contact, r) for r in ratios]
+    shares = [starvation_factors(*contact, r) for r in ratios]
     for name in NAMES[:3]:
         values = np.array([getattr(one, name).value for one in shares])
         assert np.diff(values).min() > -1e-4 and 0.0 <= values.min() and values.max() <= 1.0
@@ -112,32 +112,32 @@ def test_more_oil_leaves_more_and_never_more_than_there_is(contact):
 
 
 def test_the_minimum_keeps_more_than_the_centre_in_circles():
-    circle, wide = starvation_shares(20.0, 10.0, 1.0, 0.6), starvation_shares(200.0, 10.0, 0.1, 0.6)
+    circle, wide = starvation_factors(20.0, 10.0, 1.0, 0.6), starvation_factors(200.0, 10.0, 0.1, 0.6)
     assert circle.minimum.value > 1.1 * circle.central.value
     assert wide.minimum.value / wide.central.value < circle.minimum.value / circle.central.value
     assert circle.minimum_film(0.4e-6, 0.39e-6) == circle.central.value * 0.4e-6  # never above the central film
 
 
 def test_a_flooded_inlet_leaves_all_without_a_step():
-    assert starvation_shares(200.0, 10.0, 0.1, inf) is FLOODED is starvation_shares(200.0, 10.0, 0.1, 300.0, 300.0)
-    assert starvation_shares(200.0, 10.0, 0.1, 0.0) is DRY
-    below = starvation_shares(200.0, 10.0, 0.1, 300.0 * (1.0 - 1e-9), 300.0)
+    assert starvation_factors(200.0, 10.0, 0.1, inf) is FLOODED is starvation_factors(200.0, 10.0, 0.1, 300.0, 300.0)
+    assert starvation_factors(200.0, 10.0, 0.1, 0.0) is DRY
+    below = starvation_factors(200.0, 10.0, 0.1, 300.0 * (1.0 - 1e-9), 300.0)
     assert [getattr(below, name).value for name in NAMES] == pytest.approx([1.0] * 4, abs=1e-6)
     plain, made_up, ample = (
-        starvation_shares(200.0, 10.0, 0.1, *ratios) for ratios in ((5.0, inf), (5.0, 10.0), (10.0, inf))
+        starvation_factors(200.0, 10.0, 0.1, *ratios) for ratios in ((5.0, inf), (5.0, 10.0), (10.0, inf))
     )
     for name in NAMES:  # what is missing at the flooded ratio 10 is made up by a quarter at 5
         lack = 1.0 - getattr(ample, name).value
         assert lack > 1e-5
         assert getattr(made_up, name).value - getattr(plain, name).value == pytest.approx(0.25 * lack, rel=1e-6)
-    little = starvation_shares(200.0, 10.0, 0.1, 0.5, 300.0).central.value
-    assert little == pytest.approx(starvation_shares(200.0, 10.0, 0.1, 0.5).central.value, rel=1e-5)
+    little = starvation_factors(200.0, 10.0, 0.1, 0.5, 300.0).central.value
+    assert little == pytest.approx(starvation_factors(200.0, 10.0, 0.1, 0.5).central.value, rel=1e-5)
 
 
 @pytest.mark.parametrize("contact", [(1.0, 10.0, 0.1), (1e5, 10.0, 0.1), (200.0, 10.0, 0.005), (10000.0, 32.0, 1.0)])
 def test_beyond_the_solved_contacts_the_bars_are_wider(contact):
-    outside = starvation_shares(*contact, 1.0)
-    inside = starvation_shares(200.0, 10.0, 0.1, 1.0)
+    outside = starvation_factors(*contact, 1.0)
+    inside = starvation_factors(200.0, 10.0, 0.1, 1.0)
     assert inside.inside and not outside.inside
     assert outside.central.uncertainty > 2.0 * inside.central.uncertainty
 
@@ -147,7 +147,7 @@ def test_beyond_the_solved_contacts_the_bars_are_wider(contact):
 )
 def test_a_contact_has_positive_groups(given):
     with pytest.raises(ValueError, match="must be"):
-        starvation_shares(*given)
+        starvation_factors(*given)
 
 
 def test_the_table_is_small():
@@ -157,16 +157,18 @@ def test_the_table_is_small():
 def test_formula_of_chevalier():
     """Little oil: the film is the layer; much oil: flooded; r = 1: 2^(-1/g), g 3 for a circle, 15 for wide ellipses."""
     assert [starvation_exponent(k) for k in (1.0, 10.0)] == pytest.approx([3.0, 15.0])
-    assert starved_share(0.01, 3.0) == pytest.approx(0.01, rel=1e-5)
-    assert starved_share(1.0, 15.0) == pytest.approx(2.0 ** (-1 / 15))
+    assert starved_film_factor(0.01, 3.0) == pytest.approx(0.01, rel=1e-5)
+    assert starved_film_factor(1.0, 15.0) == pytest.approx(2.0 ** (-1 / 15))
 
 
 def test_rolling_moment_of_starved_line_contacts():
     """Biboulet and Houpert (2010): 0.20 at S 2, 0.37 at 5, 0.53 at 10, 0.79 at 50; points keep more of it."""
-    values = [rolling_share_biboulet_houpert(s) for s in (2.0, 5.0, 10.0, 50.0)]
+    values = [rolling_moment_factor_biboulet_houpert(s) for s in (2.0, 5.0, 10.0, 50.0)]
     assert values == pytest.approx([0.20, 0.37, 0.53, 0.79], abs=0.006)
-    assert rolling_share_biboulet_houpert(1e12) == pytest.approx(1.0)
-    assert rolling_share_biboulet_houpert(1.0) == pytest.approx(rolling_share_biboulet_houpert(1.0 + 1e-12))
+    assert rolling_moment_factor_biboulet_houpert(1e12) == pytest.approx(1.0)
+    assert rolling_moment_factor_biboulet_houpert(1.0) == pytest.approx(
+        rolling_moment_factor_biboulet_houpert(1.0 + 1e-12)
+    )
     for contact in CONTACTS[:3]:
-        ours = [starvation_shares(*contact, s).rolling_moment.value for s in (2.0, 5.0, 10.0)]
+        ours = [starvation_factors(*contact, s).rolling_moment.value for s in (2.0, 5.0, 10.0)]
         assert all(own > line for own, line in zip(ours, values, strict=False))

@@ -5,7 +5,7 @@ import pytest
 
 from ehl import ContactConditions, Lubricant
 from ehl.scaling import scale_contact
-from ehl.traction.kapitza import kapitza_moment, moment_lost_by_circles
+from ehl.traction.kapitza import circles_moment_loss, kapitza_moment
 
 from ...reference.ehl.kapitza import circles_loss_twin, kapitza_moment_twin
 
@@ -45,8 +45,8 @@ def test_what_circles_lose_agrees_with_its_twin(load, film, layer):
     )
     scaled = scale_contact(contact)
     axes = (scaled.semi_axis_x, scaled.semi_axis_x * scaled.semi_axis_ratio)
-    lost = moment_lost_by_circles(contact, axes, film, layer)
+    lost = circles_moment_loss(contact, axes, film, layer)
     assert lost == pytest.approx(circles_loss_twin(contact, axes, film, layer), rel=0.03)
     rigid = kapitza_moment(contact, film, layer, circles=False) - kapitza_moment(contact, film, layer)
     assert lost > 1.2 * rigid > 0.0
-    assert moment_lost_by_circles(contact, axes, 1e-4, 1e-4) == 0.0
+    assert circles_moment_loss(contact, axes, 1e-4, 1e-4) == 0.0

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from ehl import Lubricant, SolverOptions
-from ehl.closed_form.waviness import FlatFilm, amplitude_left, waviness_moving_with_body
+from ehl.closed_form.waviness import FlatFilm, waviness_amplitude_ratio, waviness_moving_with_body
 from ehl.multigrid.cycle import log_viscosity
 from ehl.oil.lubricant import DOWSON_HIGGINSON_DENOMINATOR, DOWSON_HIGGINSON_NUMERATOR
 from ehl.scaling import scale_contact
@@ -83,7 +83,7 @@ def test_two_schemes_a_linear_solve_and_finer_meshes_agree():
     assert_allclose(coarse, fine, rtol=0.02)
     assert_allclose(left(waves(1.0, points=257, scheme=Scheme.UPSTREAM)).ratio, fine, rtol=0.01)
     assert_allclose(linear(1.0, 257), fine, rtol=0.01)
-    assert_allclose(amplitude_left((1.0, np.inf), 100.0, 10.0), fine, rtol=0.2)
+    assert_allclose(waviness_amplitude_ratio((1.0, np.inf), 100.0, 10.0), fine, rtol=0.2)
 
 
 @pytest.mark.slow
@@ -257,7 +257,7 @@ def test_a_run_goes_on_where_it_stood():
     first, second = transient_run(conditions, options), transient_run(conditions, options)
     for _ in range(6):
         first.accept(first.advance())
-    second.go_on_from(first.past, (first.exterior, first.stepper.halvings), (first.steps, first.frames))
+    second.resume_from(first.past, (first.exterior, first.stepper.halvings), (first.steps, first.frames))
     for _ in second.complete():
         pass
     assert_array_equal(second.solution().series("film_central"), whole.solution().series("film_central"))

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ehl.oil.rheology import shear_stress
-from ehl.traction.film_quadrature import on_strips, strip_places
+from ehl.traction.film_quadrature import on_strips, strip_positions
 from ehl.traction.heated.nahme import nahme
 
 from .traction import mean_sliding, sliding_forces, summed_forces
@@ -76,7 +76,7 @@ def strip_lines(lines):
     columns = np.moveaxis(lines.lines, -1, 0).copy()
     positive = [3, 4, 7, 11]  # film, viscosity, softening, capacity
     columns[positive] = np.log(columns[positive])
-    y, width = strip_places(columns[1], np.sqrt(12.0 * columns[10]))
+    y, width = strip_positions(columns[1], np.sqrt(12.0 * columns[10]))
     size = on_strips(np.sqrt(12.0 * columns[9]))
     found = np.stack([on_strips(column) for column in columns])
     found[positive] = np.exp(found[positive])

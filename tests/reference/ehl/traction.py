@@ -8,10 +8,10 @@ import numpy as np
 
 from ehl.oil.rheology import limited, shear_stress
 from ehl.traction.coefficient_kernels import RampedCoulomb
-from ehl.traction.table.coordinates import PLACE_PARTS, at_vertex, place_of, spinning_scales, vertex_slide
+from ehl.traction.table.coordinates import COORDINATE_TERMS, at_vertex, motion_coordinate, spinning_scales, vertex_slide
 from ehl.traction.table.packing import whole_numbers
 from ehl.traction.table.splines import spline_weights
-from ehl.traction.table.table import load_place
+from ehl.traction.table.table import load_coordinate
 
 
 def sliding_forces(film, kinematics):
@@ -84,7 +84,7 @@ def table_forces(table, load, speed, slide_x, slide_y, spin, whole=True):
     if whole:
         numbers, unit = whole_numbers(table.values)
         values = unit * with_ends(with_ends(np.moveaxis(numbers, (3, 4), (0, 1)), 0), 1)
-    for axis, place in enumerate((load_place(load), log(speed))):
+    for axis, place in enumerate((load_coordinate(load), log(speed))):
         scalars, values = (along_first(part, place, table.axes[axis]) for part in (scalars, values))
     radius, difference, *limits = table.constants[:5]
     mirror = 1.0 if slide_y >= 0.0 else -1.0
@@ -95,7 +95,7 @@ def table_forces(table, load, speed, slide_x, slide_y, spin, whole=True):
     scales[:2] = spinning_scales(tuple(scales[:2]), np.asarray(turn), table.contact, load)
     motion = (top, abs(slide_y) / speed, turn)
     for axis, (part, scale, limit) in enumerate(zip(motion, scales, limits, strict=True)):
-        place = float(place_of(np.asarray(part), scale, limit, PLACE_PARTS[axis]))
+        place = float(motion_coordinate(np.asarray(part), scale, limit, COORDINATE_TERMS[axis]))
         values = along_first(values, place, table.axes[2 + axis])
     hydrodynamic = -exp(scalars[4])
     force = np.array([values[0], mirror * values[1]]) * exp(scalars[7])

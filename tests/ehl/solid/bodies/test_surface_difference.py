@@ -91,7 +91,7 @@ def test_a_ring_of_a_6208_whose_ellipse_touches_the_shoulder():
     inside = x[:, None] ** 2 + y[None, :] ** 2 < 0.8
     change = (box.ring.stress - box.half_space.stress)[:, inside, 0] / peak
     assert np.abs(change[[2, 4, 5]]).max() < 0.05
-    assert abs(box.orthogonal_shear_share) < 0.02
+    assert abs(box.orthogonal_shear_change) < 0.02
     closed = hertz_orthogonal_shear(PATCH.semi_axis_x, PATCH.semi_axis_y, peak)[0]
     assert np.abs(box.half_space.stress[5]).max() == pytest.approx(closed, rel=0.01)
     assert difference.constant == pytest.approx(-0.31e-6, abs=0.02e-6)

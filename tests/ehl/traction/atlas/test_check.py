@@ -9,7 +9,7 @@ import pytest
 
 import ehl
 from ehl.oil.inlet_layer import InletLayer
-from ehl.traction.atlas.check import beyond_both_bars
+from ehl.traction.atlas.check import atlas_disagreements
 from postprocess.contact.summary import solution_messages
 from verification.contacts import OIL, from_groups, moes
 
@@ -31,8 +31,8 @@ def wrong_by(solution, share):
 @pytest.mark.parametrize("conditions", [GROUPS, from_groups(GROUPS, modulus=226e11)], ids=["groups", "lengths"])
 def test_a_film_that_is_off_is_named(conditions):
     solution = solved(conditions)
-    assert not list(beyond_both_bars(solution)) and not list(solution_messages("film", solution))
-    ((name, own, other),) = beyond_both_bars(wrong_by(solution, 0.05))
+    assert not list(atlas_disagreements(solution)) and not list(solution_messages("film", solution))
+    ((name, own, other),) = atlas_disagreements(wrong_by(solution, 0.05))
     assert name == "central"
     assert own.value * (solution.film_scale or 1.0) == pytest.approx(1.05 * other.value, rel=0.01)
     (message,) = solution_messages("film", wrong_by(solution, -0.05))
@@ -42,7 +42,7 @@ def test_a_film_that_is_off_is_named(conditions):
 def test_behind_a_layer_the_flooded_film_is_compared():
     layer = InletLayer(thickness=(0.5 * solved(GROUPS).film_central_dimensionless.value,))
     starved = solved(replace(GROUPS, inlet_layer=layer))
-    assert not list(beyond_both_bars(starved))
+    assert not list(atlas_disagreements(starved))
     off = replace(starved, supply=replace(starved.supply, flooded=wrong_by(starved.supply.flooded, 0.1)))
     assert any("the flooded central film is +" in message for message in solution_messages("film", off))
 
@@ -53,4 +53,4 @@ def test_what_the_atlas_does_not_know_is_not_compared():
     boxed = replace(solution, options=replace(solution.options, domain=(-4.0, 1.5, 2.0)))
     light = replace(solution, conditions=moes(0.1, 10.0, 0.4, oil=OIL))
     for other in (boxed, light, replace(solution, resolved=False), replace(solution, converged=False)):
-        assert not list(beyond_both_bars(other))
+        assert not list(atlas_disagreements(other))

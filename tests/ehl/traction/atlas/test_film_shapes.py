@@ -16,7 +16,7 @@ from bearing.friction.films import MIN_SLIDING
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
 from ehl.solution import MEAN_PRESSURE_RATIO
 from ehl.traction.atlas.fields import contact_fields
-from ehl.traction.atlas.film_shapes import film_shapes, shape_places
+from ehl.traction.atlas.film_shapes import film_shapes, shape_coordinates
 from ehl.traction.atlas.films import atlas_films
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces, zone_quadrature
 
@@ -108,7 +108,7 @@ def test_nearly_rigid_contacts_are_alike(load):
 
 def places_of(contacts):
     axes = np.array([hertz_size(own)[0] for own in contacts])
-    return shape_places(contacts, axes)
+    return shape_coordinates(contacts, axes)
 
 
 def test_pressure_carries_the_load():

@@ -15,9 +15,9 @@ import ehl
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
 from ehl.solid.coating import Coating
-from ehl.traction.atlas.films import NotInAtlasError, atlas_films_of
+from ehl.traction.atlas.films import NotInAtlasError, atlas_films_of_contacts
 from ehl.traction.atlas.nearest import nearest_covered
-from ehl.traction.kapitza import moment_lost_by_circles
+from ehl.traction.kapitza import circles_moment_loss
 from ehl.traction.rolling_moment import rolling_moment
 from verification.contacts import OIL, from_groups, moes
 
@@ -163,7 +163,7 @@ def test_the_moment_ends_in_the_gap_of_circles(layer):
     assert moment.uncertainty < 0.05 * moment.value
     scaled = scale_contact(contact)
     axes = (scaled.semi_axis_x, scaled.semi_axis_x * scaled.semi_axis_ratio)
-    lost = moment_lost_by_circles(contact, axes, ehl.atlas_films(contact).central.value, layer)
+    lost = circles_moment_loss(contact, axes, ehl.atlas_films(contact).central.value, layer)
     assert lost > 0.02 * moment.value
 
 
@@ -280,14 +280,14 @@ def test_films_of_many_contacts_are_those_of_each():
     """Also at an angle, and with one that is refused among them."""
     base = ball_and_race()
     many = [base, replace(base, load=1e9), replace(base, entrainment_angle=0.3), replace(base, load=2.0 * base.load)]
-    found = atlas_films_of(many)
+    found = atlas_films_of_contacts(many)
     assert isinstance(found[1], NotInAtlasError)
     for conditions, films in zip(many, found, strict=True):
         if not isinstance(films, NotInAtlasError):
             alone = ehl.atlas_films(conditions)
             assert films.central.value == pytest.approx(alone.central.value, rel=1e-12)
             assert films.stiffness.value == pytest.approx(alone.stiffness.value, rel=1e-9)
-    assert atlas_films_of([]) == []
+    assert atlas_films_of_contacts([]) == []
 
 
 @pytest.mark.parametrize(("ratio", "L"), [(0.02, 20.0), (3.0, 20.0)])

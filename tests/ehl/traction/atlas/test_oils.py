@@ -11,7 +11,7 @@ import ehl
 from bearing.library.lubricants import library_lubricant
 from ehl import DensityLaw, ViscosityLaw
 from ehl.oil.lubricant import log_viscosity_ratio
-from ehl.traction.atlas.oils import by_density, inlet_oil, with_inlet_oil
+from ehl.traction.atlas.oils import density_correction, inlet_oil, with_inlet_oil
 from verification.contacts import OIL, from_groups, moes
 
 
@@ -54,9 +54,9 @@ def test_another_reference_pressure_is_not_overlooked():
 
 
 def test_density_of_the_table_adds_nothing():
-    assert not by_density(OIL, 1e9, 50.0).any()
+    assert not density_correction(OIL, 1e9, 50.0).any()
     incompressible = replace(OIL, density_law=DensityLaw.INCOMPRESSIBLE)
-    added = by_density(incompressible, 1e9, 50.0)
+    added = density_correction(incompressible, 1e9, 50.0)
     assert 0.1 < added[0] < 0.2  # the centre of a film that cannot be compressed is thicker
     light = from_groups(moes(12.0, 8.0, oil=incompressible), modulus=226e11)
     with pytest.raises(ValueError, match=r"density_law.*light contacts.*solve_contact"):

@@ -15,7 +15,7 @@ from ehl.grid import Grid
 from ehl.multigrid.cycle import cycle, start_level
 from ehl.multigrid.starved_jacobian import StarvedFlux, flux_change
 from ehl.oil.inlet_layer import InletLayer
-from ehl.solver import solve_attempts, solve_behind_layer
+from ehl.solver import solve_attempts, solve_with_inlet_film
 from ehl.traction import normal_response
 from ehl.traction.response.linear import _Right, linear_contact
 from verification.contacts import moes as groups
@@ -35,7 +35,7 @@ def behind(ratio, share, points=65):
     """Levels behind a layer of so many flooded central films; not cached, as tests change them."""
     film = flooded(ratio)[0].film_central_dimensionless.value
     conditions = replace(CONTACTS[ratio], inlet_layer=InletLayer(thickness=(share * film,)))
-    solution, levels = solve_behind_layer(conditions, SolverOptions(points=points, domain=BOX[ratio]))
+    solution, levels = solve_with_inlet_film(conditions, SolverOptions(points=points, domain=BOX[ratio]))
     assert solution.converged
     return levels
 

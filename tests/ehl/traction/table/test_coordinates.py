@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.traction.table.coordinates import PLACE_PARTS, at_vertex, from_vertex, motion_at, place_of
+from ehl.traction.table.coordinates import COORDINATE_TERMS, at_vertex, from_vertex, motion_at, motion_coordinate
 
 
 @pytest.mark.parametrize("limit", [0.05, 0.5, 2.0, 3.0])
@@ -21,10 +21,10 @@ def test_slides_go_there_and_back(limit, shift):
 
 
 @pytest.mark.parametrize("limit", [0.05, 0.5, 2.0, 3.0])
-@pytest.mark.parametrize("part", PLACE_PARTS)
+@pytest.mark.parametrize("part", COORDINATE_TERMS)
 def test_places_go_there_and_back(limit, part):
     motions = np.linspace(-limit, limit, 1001)
-    places = place_of(motions, 1e-3 * limit, limit, part)
+    places = motion_coordinate(motions, 1e-3 * limit, limit, part)
     assert np.all(np.diff(places) > 0.0)
     assert_allclose(places[[0, 500, -1]], [-1.0, 0.0, 1.0], atol=1e-12)
     assert_allclose(motion_at(places, 1e-3 * limit, limit, part), motions, atol=1e-9 * limit)
@@ -38,8 +38,8 @@ def test_places_are_dense_where_a_body_stands_still():
     slides = np.array([1.0, 1.89, 1.9, 1.99, 2.0])
     rest = [np.sqrt(1.005) - np.sqrt(1.005 - 0.5 * slide) for slide in (slides, 2.0)]
     wanted = 0.9 * np.arcsinh(slides / 1e-3) / np.arcsinh(2.0 / 1e-3) + 0.1 * rest[0] / rest[1]
-    places = place_of(slides, 1e-3, 2.0, PLACE_PARTS[0])
+    places = motion_coordinate(slides, 1e-3, 2.0, COORDINATE_TERMS[0])
     assert_allclose(places, wanted, rtol=1e-12)
     assert places[4] - places[3] > 2.0 * (places[2] - places[1])
-    wider = place_of(np.array([1.99, 2.0, 2.01]), 1e-3, 3.0, PLACE_PARTS[0])
+    wider = motion_coordinate(np.array([1.99, 2.0, 2.01]), 1e-3, 3.0, COORDINATE_TERMS[0])
     assert wider[1] - wider[0] > 3.0 * (wider[2] - wider[1])

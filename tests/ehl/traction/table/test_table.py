@@ -31,7 +31,7 @@ from ehl.traction.table.check import spin_free_motions
 from ehl.traction.table.packing import VALUE_STEP, compressed, decompressed, stored_values, whole_numbers
 from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
-from ehl.traction.table.table import FullSolve, TableContact, TableRange, load_place
+from ehl.traction.table.table import FullSolve, TableContact, TableRange, load_coordinate
 
 from ....reference.ehl import traction as reference
 
@@ -170,7 +170,7 @@ def test_check_draws_films_where_the_splines_bend_most(table):
     values[3, 1, ..., 0] = 0.5  # coefficients stand one before the nodes
     values[4, 4, ..., 2] = 0.5
     found = check.adaptive_check_points(replace(table, values=values, scalars=np.zeros_like(table.scalars)))
-    counted = [[load_place(np.exp(q)), u] for q, u in found]
+    counted = [[load_coordinate(np.exp(q)), u] for q, u in found]
     places = (np.array(counted) - table.axes[:2, 0]) * table.axes[:2, 1]
     slow, fast = places[0], places[-1]
     assert slow[0] % 1.0 == pytest.approx(0.5) and 1.0 < slow[0] < 3.0 and slow[1] == pytest.approx(0.5)
