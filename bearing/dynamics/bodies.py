@@ -221,8 +221,8 @@ def cage_body(
     )
 
 
-# values that a load type needs at zero besides gravity: columns of `prescribed_values`, coordinates of
-# the ring
+# values that a load type needs at zero besides gravity: columns of `prescribed_values`,
+# coordinates of the ring
 ACROSS = slice(PRESCRIBED_FORCE + 1, None)
 ALONG = (PRESCRIBED_FORCE, PRESCRIBED_MOMENT, PRESCRIBED_MOMENT + 1)
 # the same of `prescribed_displacements`
