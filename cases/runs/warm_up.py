@@ -78,7 +78,10 @@ def _motion() -> None:
     angles = (case.bearing.free_contact_angle,) * 2
     point = StartingPoint(kind=LoadType.GENERAL, angles=angles, equilibrium=None, messages=())
     data = assemble(case.bearing, case.operation, model, point).kernel
-    p, balls, y, dy = data.bearing, data.balls, data.whole, data.rates
+    p = data.bearing
+    balls = data.balls
+    y = data.whole
+    dy = data.rates
     inner, outer, cage = _kernels.place_bodies(case.bearing.balls, y, 1.0, 0.0)
     renew_pockets(p, balls, y, 1, 1e-6, 1.0)
     renew_friction(data, y, 1, 1e-6, 1.0)
