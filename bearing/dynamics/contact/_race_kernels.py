@@ -236,7 +236,8 @@ def ball_on_race(p, ball, data, memory, race, body, y, j):
     power[WORK.race_damping] += (push - elastic) * rate
     # 3. loads on ball and ring
     force = times(-push, motion.normal)
-    load, forces = p.loads[race], ball.forces
+    load = p.loads[race]
+    forces = ball.forces
     add_load(load, body, motion.point, times(-1.0, force))
     accumulate(forces, FORCE, force)
     add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces, load)
