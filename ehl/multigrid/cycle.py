@@ -173,9 +173,7 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     across = (level.flow_y, level.slope_y) if lateral else (None, None)
     stored = level.storage.size > 0
     reversing = True if stored or level.factors.couette_x is not None else None
-    oil = (None, None, None)
-    if fill is not None:
-        oil = (fill.residual, fill.empty, fill.share)
+    content = None if fill is None else (fill.residual, fill.empty, fill.share)
     return partial(
         _relaxation_kernels.relax_lines,
         level.P,
@@ -191,7 +189,7 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
         grid.hx,
         grid.hy,
         grid.symmetric,
-        *oil,
+        *(content or (None, None, None)),
         damping.gauss_seidel,
         damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5,
         level.kinds,
