@@ -59,7 +59,7 @@ class _Compilations(event.Listener):
         )
 
     def on_end(self, event: event.Event) -> None:
-        """Nothing."""
+        """After it was compiled: nothing to do."""
 
 
 @cache

@@ -235,9 +235,13 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     across = (level.flow_y, level.slope_y) if lateral else (None, None)
     stored = level.storage.size > 0
     reversing = True if stored or level.factors.couette_x is not None else None
+<<<<<<< HEAD
     oil = (None, None, None)
     if film_content is not None:
         oil = (film_content.residual, film_content.empty, film_content.fraction_along)
+=======
+    content = None if fill is None else (fill.residual, fill.empty, fill.share)
+>>>>>>> h/numba
     return partial(
         _relaxation_kernels.relax_lines,
         level.P,
@@ -253,7 +257,7 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
         grid.hx,
         grid.hy,
         grid.symmetric,
-        *oil,
+        *(content or (None, None, None)),
         damping.gauss_seidel,
         damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5,
         level.node_types,
