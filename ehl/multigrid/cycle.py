@@ -230,18 +230,14 @@ def relax(state: Multigrid, index: int) -> None:
 def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     """Relaxation of every second line of a range, the changes left to `spread_changes`."""
     grid = level.grid
-    film_content = level.film_content
     lateral = level.factors.couette_y is not None
     across = (level.flow_y, level.slope_y) if lateral else (None, None)
     stored = level.storage.size > 0
     reversing = True if stored or level.factors.couette_x is not None else None
-<<<<<<< HEAD
-    oil = (None, None, None)
-    if film_content is not None:
-        oil = (film_content.residual, film_content.empty, film_content.fraction_along)
-=======
-    content = None if fill is None else (fill.residual, fill.empty, fill.share)
->>>>>>> h/numba
+    content = level.film_content
+    layer = (None, None, None)
+    if content is not None:
+        layer = (content.residual, content.empty, content.fraction_along)
     return partial(
         _relaxation_kernels.relax_lines,
         level.P,
@@ -257,7 +253,7 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
         grid.hx,
         grid.hy,
         grid.symmetric,
-        *(content or (None, None, None)),
+        *layer,
         damping.gauss_seidel,
         damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5,
         level.node_types,
