@@ -45,7 +45,8 @@ def unsheared(monkeypatch):
         lambda _case, _state, contacts, _films, _balanced: (None,) * len(contacts),
     )
     monkeypatch.setattr("cases.runs.bearing._torque", lambda *_: None)
-    monkeypatch.setattr("cases.runs.bearing._running", lambda *_: None)
+    monkeypatch.setattr("cases.runs.bearing._operating", lambda *_: None)
+    monkeypatch.setattr("cases.runs.bearing.solved_films", lambda contacts, _solutions: (None,) * len(contacts))
     monkeypatch.setattr("cases.runs.contact._contact_traction", lambda *_: None)
 
 
