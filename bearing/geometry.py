@@ -12,11 +12,10 @@ from enum import Enum
 from math import acos, asin, cos, isfinite, pi, radians, sqrt
 
 import numpy as np
-from numpy.typing import NDArray
+
+from ehl.arrays import Array
 
 from .material import Material, reduced_modulus
-
-Array = NDArray[np.float64]
 
 # free contact angle above which a bearing of no given type counts as one of angular contact [rad]:
 # deep groove bearings with a normal clearance have up to 13.5 degrees, nominal ones begin at 15

@@ -4,9 +4,8 @@ from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from .arrays import Array
 
 
 def unfolded(values: Array, axis: int = 0, sign: float = 1.0) -> Array:

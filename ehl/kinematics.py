@@ -21,11 +21,9 @@ from dataclasses import dataclass, fields
 from math import cos, inf, isfinite, sin
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .arrays import Array
 from .conditions import ContactConditions
-
-Array = NDArray[np.float64]
 
 MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
 

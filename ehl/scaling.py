@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from math import atan2, cos, inf, pi, sin, sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .arrays import Array
 from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
 from .closed_form.starvation import StarvationFactors, starvation_factors
@@ -25,8 +25,6 @@ from .oil.lubricant import (
     ViscosityLaw,
 )
 from .solid.coating import ScaledCoating, scaled_coating
-
-Array = NDArray[np.float64]
 
 # s [(1 + q P)^z - 1]
 CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)

@@ -4,17 +4,13 @@ from dataclasses import dataclass, replace
 from math import inf, isfinite
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from .arrays import Array
 from .closed_form.hertz import MEAN_PRESSURE_RATIO
 from .closed_form.starvation import ReductionFactor, StarvationFactors
 from .conditions import ContactConditions, MoesConditions
 from .oil.film_state import FilmState
 from .options import SolverOptions
 from .units import notebook_html
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

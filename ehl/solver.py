@@ -5,9 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import log2, sqrt
 
-import numpy as np
-from numpy.typing import NDArray
-
+from .arrays import Array
 from .closed_form.film import MAX_FILM_OVER_RADIUS
 from .conditions import ContactConditions, MoesConditions
 from .grid import Grid, unfolded
@@ -47,8 +45,6 @@ from .multigrid.verdict import (
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord
-
-Array = NDArray[np.float64]
 
 FLOODED_ONLY = "inlet_layer: films with shear or heat are solved flooded only"
 CAUTIOUS_LEVEL = "finer mesh with damping halved, less Gauss-Seidel"

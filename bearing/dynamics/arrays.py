@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ehl.arrays import Array
+
 Vector = tuple[float, float, float]
 
 # rows of `normal` and, times the number of balls, first places in `memory`

@@ -25,8 +25,8 @@ from math import inf, log, pi
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ehl.arrays import Array
 from ehl.closed_form.starvation import starvation_exponent
 
 from ..contacts.contact import BearingContact
@@ -35,8 +35,6 @@ from ..supply.supply import InletFilm, Supply, contact_track, inlet_layer
 from ..supply.track import Track
 from .film import Films
 from .operating import of_driven_balls
-
-Array = NDArray[np.float64]
 
 POINTS = 600  # layers from the start to the end [-]
 FIRST_TIME = 1e-4  # of results [s]

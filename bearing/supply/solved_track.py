@@ -15,11 +15,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ehl import ContactConditions, ContactSolution, InletLayer, MoesConditions, SolverOptions
+from ehl.arrays import Array
 
-Array = NDArray[np.float64]
 Solve = Callable[[ContactConditions | MoesConditions, SolverOptions], ContactSolution]
 
 DRY = 1.0e-4  # of the mean layer: a place with less counts as having so much [-]

@@ -28,9 +28,9 @@ from math import exp, isfinite, log
 
 import numpy as np
 import scipy
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ehl.arrays import Array
+
 Law = Callable[[float], float]  # R(r), K(r)
 
 FLOODED_RATIO = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]

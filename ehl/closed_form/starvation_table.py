@@ -25,12 +25,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from .film import moes_film_nijenbanning
 from .hertz import hertz_coefficients
-
-Array = NDArray[np.float64]
 
 FILE = Path(__file__).parent / "starvation_law.npz"
 DAMPING_FILE = Path(__file__).parent / "starvation_damping.npz"

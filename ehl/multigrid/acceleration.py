@@ -9,9 +9,8 @@ Ni, 2011): GMRES on the linearised equations with the cycle as preconditioner, w
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..arrays import Array
 
 DEPTH = 6  # cycles in the combination
 CONDITION = 1e-8  # relative singular value below which a direction is dropped

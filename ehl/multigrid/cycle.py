@@ -17,8 +17,8 @@ from functools import partial
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..grid import Grid
 from ..oil import _kernels as properties
 from ..oil.lubricant import log_viscosity_ratio, oil_numbers
@@ -36,8 +36,6 @@ from .starved import (
     restrict_flux,
 )
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
-
-Array = NDArray[np.float64]
 
 COARSEST_SWEEPS = 10
 SWEEPS = (2, 1)  # on every other level before and after the coarser ones

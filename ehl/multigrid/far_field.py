@@ -25,10 +25,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve_banded
 
+from ..arrays import Array
 from ..grid import Grid
 from ..scaling import ALIGNMENT_TOLERANCE, ScaledContact
 
-Array = NDArray[np.float64]
 # directions of the profile s and of the quadrature of the exterior load, and of the first search
 # for the position at which the oil breaks begins
 DIRECTIONS = 720

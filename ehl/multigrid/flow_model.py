@@ -21,13 +21,11 @@ from dataclasses import dataclass, fields
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..grid import Grid
 from ..scaling import ScaledContact
 from .transfer import inject
-
-Array = NDArray[np.float64]
 
 NOTHING: Array = np.empty((0, 0))  # in place of a field, for kernels
 

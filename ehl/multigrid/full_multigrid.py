@@ -5,9 +5,6 @@ attempts with other settings where one fails.
 from dataclasses import dataclass, field, replace
 from math import ceil, inf, sqrt
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ..grid import grid_hierarchy
 from ..options import SolverOptions
 from ..scaling import ScaledContact
@@ -21,8 +18,6 @@ from .newton import MAX_NODES, certify
 from .settling import Progress, iterate_level
 from .threads import Threads
 from .transfer import interpolate_cubic, interpolate_linear
-
-Array = NDArray[np.float64]
 
 # along x on the coarsest grid, which may be far too coarse for the film: it only balances the load
 COARSEST_CELLS = 16

@@ -7,13 +7,11 @@ from itertools import pairwise
 from math import inf, isfinite
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..grid import Grid
 from .cycle import load_error, relative_residual
 from .levels import Multigrid
-
-Array = NDArray[np.float64]
 
 CENTRAL = 0  # places of the central and of the minimum film
 MINIMUM = 1

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..grid import Grid
 from ..scaling import ScaledContact
 from ..solid.deformation import DeflectionKernel, deflection_kernel
@@ -13,8 +14,6 @@ from .far_field import EdgeField, FarField, edge_field
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
 from .starved import FilmContent, make_film_content
 from .threads import Threads
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

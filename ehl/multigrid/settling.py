@@ -7,14 +7,12 @@ from dataclasses import dataclass, field
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from .acceleration import Acceleration
 from .cycle import cycle, refresh_factors, relative_residual, update_film
 from .history import CONVERGED, LevelHistory, start_history
 from .levels import Multigrid
-
-Array = NDArray[np.float64]
 
 MORE_CYCLES = 3  # times those allowed, on a finest level that is nearing its solution then
 LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve

@@ -23,13 +23,12 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..grid import Grid
 from ..oil.inlet_layer import InletLayer
 from .kernels import _starved_kernels
 from .threads import Threads
 from .transfer import inject
-
-Array = NDArray[np.float64]
 
 
 @dataclass(slots=True, kw_only=True)

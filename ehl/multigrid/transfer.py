@@ -1,9 +1,8 @@
 """Transfers between a grid and the one with doubled mesh size; arrays of shape (ny, nx)."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..arrays import Array
 
 
 def inject(fine: Array) -> Array:

@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...grid import unfolded
 from ...oil._kernels import dowson_higginson
 from ...oil.lubricant import density
@@ -10,8 +11,6 @@ from ...scaling import ScaledContact, contact_starvation_factors, scale_contact
 from ...solution import ContactSolution, OilSupply
 from ..cycle import log_viscosity
 from ..levels import Multigrid
-
-Array = NDArray[np.float64]
 
 
 def starved_film_guess(flooded: float, ratio: float) -> float:
