@@ -1,7 +1,8 @@
 from .catalogue import load_bearing
 from .contacts.contact import BearingContact
 from .contacts.contacts import contact_conditions
-from .contacts.stress import ContactStress, Truncation, contact_stress
+from .contacts.shoulder import Truncation
+from .contacts.stress import ContactStress, contact_stress
 from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
 from .friction.equilibrium import solve_traction_equilibrium
 from .friction.law import BallTraction

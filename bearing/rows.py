@@ -13,7 +13,9 @@ from math import isfinite
 
 import numpy as np
 
-from .geometry import Array, Bearing
+from ehl.arrays import Array
+
+from .geometry import Bearing
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,7 +15,7 @@ import numpy as np
 
 import ehl.solver
 from ehl import SolverOptions
-from ehl.multigrid.open_box import BOX_ERROR, BOX_ERROR_ROTATION, choose_domain
+from ehl.multigrid.full_multigrid import BOX_ERROR, BOX_ERROR_ROTATION, choose_domain
 from ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`

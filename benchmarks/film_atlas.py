@@ -10,8 +10,8 @@ import time
 import numpy as np
 
 import ehl
+from ehl.atlas.films import RANGE
 from ehl.closed_form.hertz import hertz_coefficients
-from ehl.traction.atlas.films import RANGE
 
 NUMBER = 200_000
 SINGLE = 500

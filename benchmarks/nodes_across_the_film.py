@@ -11,7 +11,7 @@ from __future__ import annotations
 from unittest.mock import patch
 
 from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw
-from ehl.generalized import section, solver
+from ehl.generalized import film_heat, solver
 from ehl.oil.lubricant import DensityLaw, ThermalProperties
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
@@ -35,7 +35,7 @@ def contact(viscosity: float, speed: float) -> ContactConditions:
 
 
 def film(conditions: ContactConditions, nodes: int) -> solver.GeneralizedSolution:
-    with patch.object(section.film_section, "__defaults__", (nodes,)):
+    with patch.object(film_heat.film_section, "__defaults__", (nodes,)):
         options = SolverOptions(points=129)
         return solver.solve_generalized(conditions, EYRING, solids=(STEEL, STEEL), options=options)
 
@@ -44,16 +44,16 @@ def main() -> None:
     for viscosity in (0.0126, 0.03):
         for speed in (10.0, 20.0, 38.0, 46.0):
             conditions = contact(viscosity, speed)
-            found = film(conditions, section.NODES).contact
+            found = film(conditions, film_heat.NODES).contact
             with patch.object(solver, "SECTION_ERROR", 0.0), patch.object(solver, "SECTION_FRACTION", 0.0):
-                finer = film(conditions, 3 * section.NODES).contact
-                without = film(conditions, section.NODES).contact
+                finer = film(conditions, 3 * film_heat.NODES).contact
+                without = film(conditions, film_heat.NODES).contact
             own = found.film_central_dimensionless
             thicker = own.finest / finer.film_central_dimensionless.finest - 1.0
             bar = (own.uncertainty - without.film_central_dimensionless.uncertainty) / own.finest
             print(
                 f"{1e3 * viscosity:.1f} mPa s, {speed:.0f} m/s:",
-                f"{thicker:.2%} thicker than on {3 * section.NODES} nodes,",
+                f"{thicker:.2%} thicker than on {3 * film_heat.NODES} nodes,",
                 f"{bar:.2%} in the error bar; converged {found.converged}, {finer.converged}",
             )
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from unittest.mock import patch
 
 from ehl import MoesConditions, SolverOptions, solve_contact
-from ehl.multigrid import open_box
+from ehl.multigrid import full_multigrid
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
@@ -38,7 +38,7 @@ def film(contact):
 
 def main():
     """Print one line per constant: halved and doubled for each contact, the box not widened by the load outside."""
-    with patch.object(open_box, "EXTERIOR_FRACTION", 1e9):
+    with patch.object(full_multigrid, "EXTERIOR_FRACTION", 1e9):
         base = [film(contact) for contact in CONTACTS]
         print(f"{'':12}" + "".join(f"{contact!s:>26}" for contact in CONTACTS))
         print(f"{'bar':12}" + "".join(f"{value.relative_uncertainty:26.2%}" for value in base))
@@ -46,9 +46,9 @@ def main():
             cells = []
             for contact, own in zip(CONTACTS, base, strict=True):
                 for factor in (0.5, 2.0):
-                    numbers = list(getattr(open_box, name))
+                    numbers = list(getattr(full_multigrid, name))
                     numbers[place] *= factor
-                    with patch.object(open_box, name, tuple(numbers)):
+                    with patch.object(full_multigrid, name, tuple(numbers)):
                         cells.append(f"{film(contact).value / own.value - 1.0:+13.2%}")
             print(f"{name} {place:<5}" + "".join(cells), flush=True)
 

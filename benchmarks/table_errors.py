@@ -11,9 +11,8 @@ from time import process_time
 from bearing import solve_quasistatic
 from bearing.friction.race_tables import build_race_tables
 from cases import load_case
-from ehl.traction.table.atlas_film import atlas_sampler
-from ehl.traction.table.build import TableOptions, check_table
-from ehl.traction.table.film import film_sample
+from ehl.traction_table.build import TableOptions, atlas_sampler, check_table
+from ehl.traction_table.film import film_sample
 
 SEED = 261127
 

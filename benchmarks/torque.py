@@ -21,8 +21,8 @@ from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.integrated import law_torque
 from cases import Case, load_case, run_case
 from cases.format.case import case_of_document
-from ehl.traction.table.build import TableOptions
-from ehl.traction.table.table import TractionTable
+from ehl.traction_table.build import TableOptions
+from ehl.traction_table.table import TractionTable
 from postprocess import summary
 
 REPEATS = 40

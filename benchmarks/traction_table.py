@@ -16,9 +16,9 @@ from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction._kernels import table_lookup
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
-from ehl.traction.table.build import HEATED_START, START
-from ehl.traction.table.packing import VALUE_STEP
-from ehl.traction.table.table import load_coordinate
+from ehl.traction_table.build import HEATED_START, START
+from ehl.traction_table.compression import VALUE_STEP
+from ehl.traction_table.table import load_coordinate
 
 Array = NDArray[np.float64]
 

@@ -21,11 +21,10 @@ from bearing.friction._kernels import film_frictions
 from bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.closed_form.hertz import hertz_coefficients
+from ehl.atlas.films import atlas_load
+from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_coefficients
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
 from ehl.scaling import scale_contact
-from ehl.solution import MEAN_PRESSURE_RATIO
-from ehl.traction.atlas.films import atlas_load
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`

@@ -19,7 +19,7 @@ from scipy import fft
 from ehl import SolverOptions, solve_contact
 from ehl.grid import Grid
 from ehl.multigrid import cycle as multigrid
-from ehl.multigrid.flow_model import entrainment_factors
+from ehl.multigrid.levels import entrainment_factors
 from ehl.solid.deformation import deflect, deflection_kernel, unit_deflections
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`

@@ -1,23 +1,22 @@
 """Lubricated contacts: Hertz, Reynolds, elastic deflection; no bearings here.
 
 arrays         - the type of the arrays of numbers
+atlas          - films of flooded contacts from a table of solved ones
 closed_form    - closed-form references: Hertz contact and stress, film formulas
 compiled       - how kernels are compiled, and when they count as out of date
 conditions     - operating conditions of one lubricated contact
 finite_element - independent finite-element solution of the lubricated contact
 generalized    - generalized Reynolds equation of Yang and Wen (1990), with heat
 grid           - rectangular grids of the contact solver and their hierarchy
-kernel_sources - which files make up the compiled kernels of this program
-kinematics     - velocities of two surfaces over their contact: rolling, sliding, spin
 multigrid      - multigrid solution of the Reynolds and film equations
 oil            - the oil: density, viscosity, rheology and their numbers for compiled kernels
 options        - options of the contact solver
-ranges         - ranges of input values; an error names the field
 scaling        - the one bridge between SI and the solver's dimensionless form
 solid          - the bodies: elastic deflection, coatings, heat conduction
 solution       - result of one contact solve
 solver         - one lubricated contact solved: box, fields, film values
 traction       - traction of a lubricated contact
+traction_table - traction tables
 transient      - one lubricated contact over time: load, speed, features of the surfaces
 units          - units of named numbers: the last words of a key say its unit
 """

@@ -1,12 +1,11 @@
-from .closed_form.film_formula import film_formula
+from .atlas.arrays import ContactArrays, FilmArrays, atlas_arrays
+from .atlas.film_formula import film_formula
+from .atlas.films import AtlasFilms, AtlasValue, atlas_films
 from .conditions import ContactConditions, MoesConditions
-from .oil.inlet_layer import InletLayer
-from .oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
+from .oil.lubricant import DensityLaw, InletLayer, Lubricant, ViscosityLaw
 from .options import SolverOptions
 from .solution import ContactSolution, ConvergenceRecord, FilmValue, OilSupply
 from .solver import solve_contact
-from .traction.atlas.arrays import ContactArrays, FilmArrays, atlas_arrays
-from .traction.atlas.films import AtlasFilms, AtlasValue, atlas_films
 
 __all__ = [
     "AtlasFilms",

@@ -16,15 +16,15 @@ from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
 from .closed_form.starvation import StarvationFactors, starvation_factors
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
-from .oil.inlet_layer import InletLayer
 from .oil.lubricant import (
     DOWSON_HIGGINSON_DENOMINATOR,
     DOWSON_HIGGINSON_NUMERATOR,
     DensityLaw,
+    InletLayer,
     Lubricant,
     ViscosityLaw,
 )
-from .solid.coating import ScaledCoating, scaled_coating
+from .solid.layered import ScaledCoating, scaled_coating
 
 # s [(1 + q P)^z - 1]
 CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)

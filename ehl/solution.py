@@ -8,7 +8,7 @@ from .arrays import Array
 from .closed_form.hertz import MEAN_PRESSURE_RATIO
 from .closed_form.starvation import ReductionFactor, StarvationFactors
 from .conditions import ContactConditions, MoesConditions
-from .oil.film_state import FilmState
+from .oil.rheology import FilmState
 from .options import SolverOptions
 from .units import notebook_html
 

@@ -9,29 +9,7 @@ from .arrays import Array
 from .closed_form.film import MAX_FILM_OVER_RADIUS
 from .conditions import ContactConditions, MoesConditions
 from .grid import Grid, unfolded
-from .multigrid.flow_model import FlowModel
-from .multigrid.full_multigrid import (
-    ACCEPTED_ERROR,
-    ATTEMPTS,
-    CAUTIOUS,
-    Attempt,
-    AttemptResult,
-    add_level,
-    solve_with_fallbacks,
-)
-from .multigrid.history import CENTRAL, MINIMUM
-from .multigrid.levels import Multigrid
-from .multigrid.newton import certify
-from .multigrid.open_box import choose_domain
-from .multigrid.settling import Progress
-from .multigrid.supply.oil_supply import (
-    inlet_ratio,
-    oil_supply,
-    reverse_flow_message,
-    starved_film_guess,
-)
-from .multigrid.supply.starvation_law import with_inlet_film_by_law
-from .multigrid.verdict import (
+from .multigrid.film_values import (
     approach_value,
     film_error_by_box,
     film_over_radius,
@@ -42,6 +20,27 @@ from .multigrid.verdict import (
     with_status,
     with_tolerance_status,
 )
+from .multigrid.full_multigrid import (
+    ACCEPTED_ERROR,
+    ATTEMPTS,
+    CAUTIOUS,
+    Attempt,
+    AttemptResult,
+    Progress,
+    add_level,
+    choose_domain,
+    solve_with_fallbacks,
+)
+from .multigrid.history import CENTRAL, MINIMUM
+from .multigrid.levels import FlowModel, Multigrid
+from .multigrid.newton import certify
+from .multigrid.supply.oil_supply import (
+    inlet_ratio,
+    oil_supply,
+    reverse_flow_message,
+    starved_film_guess,
+)
+from .multigrid.supply.starvation_law import with_inlet_film_by_law
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord

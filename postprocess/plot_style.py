@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from bearing.files import write_bytes
-from ehl.solution import Array
+from ehl.arrays import Array
 
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200

@@ -3,8 +3,6 @@
 from math import isfinite
 from typing import Any, TypeGuard
 
-from ehl.units import value_with_error as value_with_error
-
 NOTHING = "–"
 MOST_LISTED = 8  # balls are listed one by one up to this number
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.oil._elementary_kernels import copy
+from ehl.oil._kernels import copy
 
 
 @compiled

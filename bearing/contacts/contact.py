@@ -7,10 +7,11 @@ ai, cos ai e_r).
 
 from dataclasses import dataclass
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import HertzContact
 from ehl.conditions import ContactConditions
 
-from ..geometry import Array, Race
+from ..geometry import Race
 
 RACES = (Race.INNER, Race.OUTER)  # order of the contacts of a ball
 

@@ -5,12 +5,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.closed_form.film import MAX_FILM_OVER_RADIUS, film_nijenbanning_central
 from ehl.closed_form.hertz import HertzContact
 from ehl.conditions import ContactConditions
 from ehl.oil.lubricant import Lubricant
 
-from ..geometry import Array, Race, contact_modulus, reduced_radii
+from ..geometry import Race, contact_modulus, reduced_radii
 from ..operation import BallKinematics, Curvature
 from ..quasistatic.solution import QuasistaticSolution
 from ..rows import row_directions

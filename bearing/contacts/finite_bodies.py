@@ -12,10 +12,9 @@ from dataclasses import dataclass, replace
 from ehl.closed_form.film import film_nijenbanning_central
 from ehl.closed_form.hertz import HertzContact, hertz_contact
 from ehl.conditions import ContactConditions
-from ehl.solid.bodies.ring_difference import ring_difference
+from ehl.solid.bodies.finite_body_correction import ball_difference, ring_difference
+from ehl.solid.bodies.ring import RingStress, ring_stress
 from ehl.solid.bodies.ring_profile import RingProfile, Seat
-from ehl.solid.bodies.ring_stress import RingStress, ring_stress
-from ehl.solid.bodies.sphere import ball_difference
 from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, groove_gap
 
 from ..geometry import Bearing, Race, ring_material

@@ -5,9 +5,8 @@ tenth of the time.
 import numpy as np
 from scipy.special import elliprd, elliprf
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import HertzContact
-
-from ..geometry import Array
 
 NEWTON_STEPS = 60
 STEP_TOLERANCE = 1.0e-14  # of ln k, relative, at which Newton's method has converged [-]

@@ -5,7 +5,7 @@ velocity w = (w_x, w_r, w_t) along e_x, e_r, e_t and the race (Omega - w_m) e_x.
 centre the ball's surface moves by w x n D/2, the race's by (Omega - w_m) R e_t with the radius R
 of the track, R = d_m/2 -+ D/2 cos(angle) (inner, outer). Both bodies' motions are resolved along
 the contact's axes x, y, n as k = (velocity x, velocity y, angular speed about n, about y); the
-ball's less the race's is (S_x, S_y, spin, rolling) of `ehl.kinematics.ContactKinematics`.
+ball's less the race's is (S_x, S_y, spin, rolling) of `ehl.conditions.ContactKinematics`.
 `MotionMap` is this linear map, and every other kinematics of ball on race an evaluation of it.
 """
 
@@ -16,9 +16,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.kinematics import ContactKinematics
+from ehl.arrays import Array
+from ehl.conditions import ContactKinematics
 
-from ..geometry import Array, Bearing, Race
+from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact
 from .shape import groove_curvature_radius

@@ -7,10 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import hertz_contact
-from ehl.traction.laws import ContactShape
+from ehl.traction.shear import ContactShape
 
-from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
+from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from .contact import RACES, BearingContact
 
 UNLOADED = 1e-6  # semi-axis of a contact without load [m]

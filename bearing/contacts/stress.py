@@ -12,10 +12,11 @@ from math import pi
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import HertzContact
 from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_shear
 
-from ..geometry import Array, Race, ring_material
+from ..geometry import Race, ring_material
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import largest_sliding_speeds
 from .contact import BearingContact

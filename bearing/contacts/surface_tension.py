@@ -14,12 +14,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ehl import ContactSolution
+from ehl.arrays import Array
 from ehl.closed_form.hertz_stress import hertz_edge_tension
 from ehl.oil.rheology import Rheology
-from ehl.solid.surface_stress import SurfaceStress, surface_stress, surface_stresses
+from ehl.solid.subsurface import SurfaceStress, surface_stress, surface_stresses
 from ehl.traction.shear import shear_fields
 
-from ..geometry import Array, Bearing, Race, ring_material
+from ..geometry import Bearing, Race, ring_material
 from .contact import BearingContact
 from .traction import ContactTraction
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ehl.kinematics import ContactKinematics
+from ehl.conditions import ContactKinematics
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment

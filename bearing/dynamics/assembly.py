@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import contact_stiffness
-from ehl.traction.coefficient_kernels import RampedCoulomb
+from ehl.traction.coefficients import RampedCoulomb
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import reduced_modulus
@@ -27,7 +28,6 @@ from .arrays import (
     RACE_COLUMNS,
     STIFFNESS,
     TABLE,
-    Array,
     Constants,
     EquationData,
     FrictionData,

@@ -5,11 +5,11 @@ from math import inf
 
 import numpy as np
 
-from ehl.traction._kernels import LEAST_SPEED
+from ehl.arrays import Array
+from ehl.traction._kernels import LEAST_SPEED, LOAD_POWER
 from ehl.traction.law import TractionLaw
-from ehl.traction.laws import EllipseLaw
-from ehl.traction.quadrature import EllipseRule, ellipse_nodes
-from ehl.traction.table.table import LOAD_POWER, TractionTable
+from ehl.traction.shear import EllipseLaw, EllipseRule, ellipse_nodes
+from ehl.traction_table.table import TractionTable
 
 from ..friction.sources import RaceTraction
 from ..geometry import Bearing, Race
@@ -19,7 +19,6 @@ from .arrays import (
     FRICTIONLESS,
     STIFFNESS,
     TABLE,
-    Array,
     CoefficientData,
     FrictionData,
     TableData,

@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from ehl.arrays import Array
+
 from ..geometry import Bearing
 from ..operation import Operation
 from ..quasistatic.kinematics import centrifugal_force
@@ -20,7 +22,6 @@ from .arrays import (
     OUTER_SPEED,
     PRESCRIBED_FORCE,
     STIFFNESS,
-    Array,
     EquationData,
 )
 from .bodies import free_coordinates, load_type

@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from ehl.ranges import require_positive
+from ehl.arrays import Array
+from ehl.options import require_positive
 
 from ..operation import Operation
-from .arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE, Array
+from .arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
 from .choices import Guidance, LoadType, NormalLaw, Start
 from .friction import RaceFriction
 

@@ -6,7 +6,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Array
+from ehl.arrays import Array
+
+from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS
 from .choices import LoadType
 from .layout import Layout
 

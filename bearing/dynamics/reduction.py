@@ -13,10 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.traction.quadrature import STRAIGHT_NODES, unit_gauss
+from ehl.arrays import Array
+from ehl.traction.shear import STRAIGHT_NODES, unit_gauss
 
 from ._kernels import solved_derivative
-from .arrays import LOAD_COLUMNS, Array, EquationData, FrictionData, changed_data
+from .arrays import LOAD_COLUMNS, EquationData, FrictionData, changed_data
 from .choices import LoadType
 from .layout import BODIES, FREE_TURN, Layout
 from .record import ContactHistory, Record, SimulationState

@@ -7,6 +7,8 @@ from time import perf_counter
 
 import numpy as np
 
+from ehl.arrays import Array
+
 from ..geometry import Bearing
 from ..operation import Operation
 from ._kernels import energies
@@ -18,7 +20,6 @@ from .arrays import (
     PRESCRIBED_FORCE,
     PRESCRIBED_MOMENT,
     STIFFNESS,
-    Array,
     EquationData,
 )
 from .assembly import assemble, scales, with_equations

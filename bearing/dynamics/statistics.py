@@ -5,8 +5,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
+
 from ..rating.frequencies import kinematic_cage_speed
-from .arrays import CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Array
+from .arrays import CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK
 from .layout import CAGE_ROTATION, Layout
 from .record import Record
 from .simulation import Simulation

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ehl.closed_form.inlet_heat import ThermalReduction
+from ehl.closed_form.film import ThermalReduction
 from ehl.conditions import ContactConditions
 from ehl.solution import ContactSolution, FilmValue
 

@@ -20,24 +20,29 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ehl.arrays import Array
+from ehl.atlas.films import (
+    AtlasFilms,
+    NotInAtlasError,
+    atlas_films_of_contacts,
+    nearest_covered,
+    skewed,
+)
 from ehl.closed_form.film import (
     MAX_FILM_OVER_RADIUS,
     film_chittenden_central,
     film_hamrock_dowson_central,
     film_hamrock_dowson_minimum,
     film_nijenbanning_central,
+    inlet_heat,
 )
 from ehl.closed_form.hertz import HertzContact, ellipse_ratio, hertz_coefficients, hertz_deflection
-from ehl.closed_form.inlet_heat import inlet_heat
 from ehl.conditions import ContactConditions
 from ehl.scaling import ScaledContact, scale_contact
 from ehl.solution import ContactSolution, FilmValue
-from ehl.traction.atlas.films import AtlasFilms, NotInAtlasError, atlas_films_of_contacts, skewed
-from ehl.traction.atlas.nearest import nearest_covered
 from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
-from ..geometry import Array
 from .film import (
     CONTACT_PRESSURE,
     ContactFilm,

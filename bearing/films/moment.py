@@ -17,7 +17,7 @@ from math import pi, sqrt
 import scipy
 
 from ehl.conditions import ContactConditions
-from ehl.traction.kapitza import kapitza_moment
+from ehl.traction.rolling_moment import kapitza_moment
 
 # s and t over Rx/Ry, linear [-]: fitted to the film atlas at 400 contacts, M 1 to 3000, L 5 to 29,
 # Rx/Ry 0.02 to 1, layers of 50, 100 and 400 um (`tools/atlas/moment_formula.py`); w to solved

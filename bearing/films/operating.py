@@ -12,7 +12,7 @@ from math import inf
 
 import numpy as np
 
-from ehl.closed_form.inlet_heat import ThermalReduction, inlet_heat
+from ehl.closed_form.film import ThermalReduction, inlet_heat
 from ehl.closed_form.starvation import FLOODED as FLOODED_SHARES
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment

@@ -27,7 +27,9 @@ from math import expm1, gamma, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import Array, Bearing, Race, ring_material
+from ehl.arrays import Array
+
+from ..geometry import Bearing, Race, ring_material
 from ..material import Material
 from ..operation import Operation
 from .clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget, groove_diameters

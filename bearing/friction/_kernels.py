@@ -9,11 +9,11 @@ tests/reference.
 import numpy as np
 
 from ehl.compiled import compiled, summing
-from ehl.oil._elementary_kernels import copy
-from ehl.oil._rheology_kernels import (
+from ehl.oil._kernels import (
     FAR_BELOW,
     NEWTONIAN,
     REE_EYRING,
+    copy,
     eyring_slope,
     limited_slope,
     shear_stress_slope,

@@ -6,7 +6,7 @@ Arrays of all balls and the places `at` of those that are looked at; twins are i
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.oil._elementary_kernels import copy, copy_rows
+from ehl.oil._kernels import copy, copy_rows
 
 TINY = 1.0e-300  # as `law.TINY`
 NOISE = 1.0e-13  # of the power that rounding leaves [-]

@@ -15,12 +15,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import unique_rows
+from ehl.arrays import Array, unique_rows
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map
 from ..contacts.shape import dry_contacts
-from ..geometry import Array
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from .cage import (

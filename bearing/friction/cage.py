@@ -8,8 +8,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
+
 from ..contacts.motion import ball_speeds
-from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from .law import TINY
 from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, solve_with_couple_steps

@@ -1,7 +1,7 @@
 r"""Coulomb friction of ball and race over the Hertz ellipse, a potential of their relative motion.
 
 With the motion k = (S_x, S_y, Omega, omega) of ball against race
-(`ehl.kinematics.ContactKinematics`) the ball slides at
+(`ehl.conditions.ContactKinematics`) the ball slides at
 
     s_x = S_x - Omega y - omega y^2/(2 R),      s_y = S_y + Omega x,
 
@@ -22,11 +22,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.traction.quadrature import EllipseRule, ellipse_nodes
+from ehl.arrays import Array
+from ehl.traction.shear import EllipseRule, ellipse_nodes
 
 from ..contacts.contact import BearingContact
 from ..contacts.shape import dry_contacts
-from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
 from .balance import BalancedFriction, balance_balls, curvature_slip

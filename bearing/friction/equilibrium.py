@@ -18,10 +18,12 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
+
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions
 from ..contacts.motion import contact_frames
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..operation import HYPOTHESES, BallKinematics, Operation, QuasistaticModel
 from ..quasistatic.kinematics import PrescribedBalls, ball_mass
 from ..quasistatic.solution import QuasistaticSolution

@@ -8,9 +8,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import unique_rows
+from ehl.arrays import Array, unique_rows
+from ehl.atlas.fields import PLACE, film_shapes, shape_coordinates
 from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
-from ehl.kinematics import curvature_height
+from ehl.conditions import curvature_height
 from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import (
     KernelRheology,
@@ -20,7 +21,6 @@ from ehl.oil.rheology import (
     kernel_rheology,
     limiting_stress,
 )
-from ehl.traction.atlas.film_shapes import PLACE, film_shapes, shape_coordinates
 from ehl.traction.shear import (
     Cavitation,
     bounded_viscosity,
@@ -37,7 +37,7 @@ from ..contacts.contact import BearingContact
 from ..contacts.shape import groove_curvature_radius
 from ..contacts.traction import TRACTION_POINTS
 from ..films.film import ContactFilm, Films, first_same
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import thin_sums
 from .law import TINY

@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
 from ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
 from ..films.film import Films
-from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import film_frictions
 from .balance import (

@@ -6,7 +6,7 @@ motion k = (S_x, S_y, Omega, omega) of ball against race (`contacts.motion`). Th
 contact is an `ehl.traction.law.TractionLaw`. A `FrictionSource` is prepared about an equilibrium
 (`refresh`: only films have to be solved) and bound to its contacts (`at`), which gives their
 `ContactFriction`. A coefficient by the local sliding is added in
-`ehl.traction.coefficient_kernels`, for the equations of motion too; any other source is one class
+`ehl.traction.coefficients`, for the equations of motion too; any other source is one class
 like those in `sources`.
 """
 
@@ -18,10 +18,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
 from ehl.oil.lubricant import Lubricant
 
 from ..contacts.contact import BearingContact
-from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from .resistance import NO_RESISTANCE, Resistance
 

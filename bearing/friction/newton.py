@@ -5,7 +5,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from ._newton_kernels import accept_steps, damped_steps, left_on_balls, motions
 from .law import TINY, ContactFriction
 

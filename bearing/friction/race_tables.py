@@ -11,9 +11,9 @@ from collections.abc import Callable, Sequence
 from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 from ehl.solid.heat import SolidThermal
-from ehl.traction.table.build import TableOptions, build_table
-from ehl.traction.table.table import TableContact, TableRange, TractionTable
-from ehl.traction.table.temperature import TemperatureTable, build_temperature_table
+from ehl.traction_table.build import TableOptions, build_table
+from ehl.traction_table.table import TableContact, TableRange, TractionTable
+from ehl.traction_table.temperature import TemperatureTable, build_temperature_table
 
 from ..contacts.contacts import contact_conditions
 from ..contacts.motion import bearing_kinematics

@@ -8,9 +8,11 @@ from math import cos, pi
 
 import numpy as np
 
+from ehl.arrays import Array
+
 from ..contacts.contact import BearingContact
 from ..films.moment import heavy_moment
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution
 
 # C_D of a smooth sphere, 1e3 < Re < 2e5 (Hoerner, 1965); not verified for balls behind each other

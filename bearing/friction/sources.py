@@ -11,10 +11,10 @@ import numpy as np
 from ehl.conditions import ContactConditions
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
-from ehl.traction.coefficient_kernels import Coefficient
+from ehl.traction.coefficients import Coefficient
 from ehl.traction.law import TractionLaw
-from ehl.traction.laws import EllipseLaw
-from ehl.traction.table.table import TractionTable
+from ehl.traction.shear import EllipseLaw
+from ehl.traction_table.table import TractionTable
 
 from ..contacts.contact import BearingContact
 from ..contacts.shape import contact_shape

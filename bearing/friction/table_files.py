@@ -7,9 +7,9 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from ehl.traction.table.storage import read_table, write_table
-from ehl.traction.table.table import TableError, TractionTable
-from ehl.traction.table.temperature import TemperatureTable
+from ehl.traction_table.storage import read_table, write_table
+from ehl.traction_table.table import TableError, TractionTable
+from ehl.traction_table.temperature import TemperatureTable
 
 from ..files import write_bytes
 from ..geometry import Race

@@ -5,13 +5,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
 from ehl.traction.law import TractionLaw
-from ehl.traction.laws import EllipseLaw
-from ehl.traction.table.table import TractionTable
+from ehl.traction.shear import EllipseLaw
+from ehl.traction_table.table import TractionTable
 
 from ..contacts.contact import BearingContact
 from ..films.film import first_same
-from ..geometry import Array
 from . import _kernels
 from .law import REFERENCE_TRACTION, ContactFriction, Dissipation
 

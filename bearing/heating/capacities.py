@@ -2,9 +2,10 @@
 
 from math import pi
 
+from ehl.arrays import Array
 from ehl.oil.lubricant import Lubricant
 
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..material import Material
 from ..supply.supply import cavity_volume
 from .friction_heat import solid_thermal

@@ -5,21 +5,21 @@ from functools import cache
 
 import numpy as np
 
-from ehl.arrays import unique_rows
+from ehl.arrays import Array, unique_rows
 from ehl.closed_form.hertz import HertzContact
 from ehl.oil.lubricant import Lubricant, heat_properties
-from ehl.solid.film_conductance import (
+from ehl.solid.heat import (
+    SolidThermal,
     history_rate,
     marched_conductance,
     marched_flux,
     moving_speed,
 )
-from ehl.solid.heat import SolidThermal
 from ehl.traction.shear import dimensional_conditions, dimensional_grid
 
 from ..contacts.contact import BearingContact
 from ..films.film import CONTACT_PRESSURE, ContactFilm, Films, first_same
-from ..geometry import Array, Bearing, Race
+from ..geometry import Bearing, Race
 from .friction_heat import solid_thermal
 
 POINTS = 129  # of a solved film along rolling, at most, that a contact is marched on [-]

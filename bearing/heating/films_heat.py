@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 
@@ -13,7 +14,6 @@ from ..films.film import Films
 from ..films.formula import formula_films
 from ..friction.balance import BalancedFriction
 from ..friction.films import film_balance
-from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from ..torque.inlet import InletFactors
 from ..torque.inputs import FrictionInput

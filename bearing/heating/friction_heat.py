@@ -5,9 +5,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.solid.heat import SolidThermal
 
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..material import Material
 from ..quasistatic.solution import QuasistaticSolution
 from .conductances import Conductance

@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.oil.lubricant import Lubricant
 
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions, with_oil
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..operation import Operation, QuasistaticModel
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic

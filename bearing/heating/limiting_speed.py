@@ -18,7 +18,8 @@ from math import exp, log
 
 import numpy as np
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 
 STEP = 8.0  # of the film temperature along the branch [K]

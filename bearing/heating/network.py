@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from .conductances import Conductance
 
 NODES = (

@@ -14,10 +14,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy
 
-from ehl.arrays import lagrange_weights
+from ehl.arrays import Array, lagrange_weights
 from ehl.units import ZERO_CELSIUS
 
-from ..geometry import Array
 from .capacities import heat_capacities
 from .friction_heat import UndrivenBallsError
 from .heat_balance import HeatBalance

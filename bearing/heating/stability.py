@@ -15,7 +15,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from .heat_state import HeatState, SelfHeatingProblem
 from .network import NODES
 

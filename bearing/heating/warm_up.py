@@ -20,7 +20,8 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from .capacities import heat_capacities
 from .heat_state import HeatState, SelfHeatingProblem, heat_state
 from .network import NODES

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from ehl.oil.free_volume import pressure_viscosity_doolittle, relative_volume
-from ehl.oil.heat_properties import VolumeHeat, volume_heat
 from ehl.oil.lubricant import (
     ROELANDS_LOG_OFFSET,
     ROELANDS_TEMPERATURE,
@@ -18,11 +17,11 @@ from ehl.oil.lubricant import (
     Lubricant,
     ThermalProperties,
     ViscosityLaw,
-)
-from ehl.oil.pressure_laws import (
+    VolumeHeat,
     log_viscosity_scaled,
     pressure_viscosity_modulus,
     pressure_viscosity_scaled,
+    volume_heat,
 )
 from ehl.units import UNITS, ZERO_CELSIUS
 

@@ -4,8 +4,7 @@ from math import exp
 from typing import Any
 
 from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume
-from ehl.oil.heat_properties import FittedHeat, VolumeHeat
-from ehl.oil.pressure_laws import PressureModulus, ScaledVolume
+from ehl.oil.lubricant import FittedHeat, PressureModulus, ScaledVolume, VolumeHeat
 from ehl.units import GIGAPASCAL, ZERO_CELSIUS
 
 from .names import library_data

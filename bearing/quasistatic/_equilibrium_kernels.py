@@ -5,7 +5,7 @@ twin, of all balls together, is `solve_balls_twin` of tests/reference.
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.oil._elementary_kernels import copy, copy_rows
+from ehl.oil._kernels import copy, copy_rows
 
 from ._ball_kernels import balance, pressed_load
 from .limits import ROUND_OFF

@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from ..operation import BallKinematics
 from ._ball_kernels import INNER_CONTROL, MEAN_ANGLE, OUTER_CONTROL
 from ._equilibrium_kernels import balanced_balls

@@ -19,7 +19,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..geometry import Array, Bearing, Race
+from ehl.arrays import Array
+
+from ..geometry import Bearing, Race
 from ..operation import BallKinematics, QuasistaticModel
 from .contact_stiffness import stiffness_at, stiffness_series
 from .kinematics import (

@@ -13,9 +13,10 @@ from math import acos, cos, log, pi
 import numpy as np
 from numpy.polynomial import chebyshev
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import contact_stiffness
 
-from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
+from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..operation import Curvature
 from .kinematics import Numbers
 

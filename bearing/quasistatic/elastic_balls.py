@@ -11,7 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from ..rings.compliance import RingCompliance
 from .ball_equilibrium import BallsEquilibrium, solve_balls
 from .balls import BallProblem

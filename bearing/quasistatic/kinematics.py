@@ -20,7 +20,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from ..operation import BallKinematics
 
 Numbers = NDArray[Any]  # float64 or, under a complex step, complex128

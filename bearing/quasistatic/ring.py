@@ -13,7 +13,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import Array, Bearing
+from ehl.arrays import Array
+
+from ..geometry import Bearing
 from ..operation import Operation
 from ..rings.compliance import RingCompliance, ring_compliance
 from ..rings.elastic_ring import ElasticRings

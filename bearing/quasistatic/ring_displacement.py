@@ -5,9 +5,10 @@ from math import cos, sin
 
 import numpy as np
 
-from ehl.solid.bodies.ring_field import RingField, ring_field
+from ehl.arrays import Array
+from ehl.solid.bodies.ring import RingField, ring_field
 
-from ..geometry import Array, Race
+from ..geometry import Race
 from ..rings.compliance import response_of, ring_compliance
 from .solution import QuasistaticSolution
 

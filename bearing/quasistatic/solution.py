@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
 from ehl.units import from_si, notebook_html
 
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..operation import Operation, QuasistaticModel
 from ..rows import Row
 

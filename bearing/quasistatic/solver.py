@@ -12,9 +12,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import hertz_contact
 
-from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
+from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Operation, QuasistaticModel
 from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
 from .ball_equilibrium import BallsEquilibrium

@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import root
 
-from ..geometry import Array, Bearing
+from ehl.arrays import Array
+
+from ..geometry import Bearing
 from ..operation import Operation, QuasistaticModel
 from ..rows import SINGLE
 from .balls import BallProblem, ball_problem

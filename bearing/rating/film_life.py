@@ -18,10 +18,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.units import MILLION
 
 from ..contacts.contacts import NEGLIGIBLE_LOAD
-from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from .life import SMALLEST_KAPPA, LifeRating, life_factor, time_of
 from .load_rating import ball_ratings, dynamic_rating

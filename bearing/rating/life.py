@@ -14,11 +14,12 @@ from math import degrees, hypot, pi, radians
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.lubricant import Lubricant
 from ehl.units import MILLIMETRE, MILLION, RPM
 
-from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
+from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import MaterialKind
 from ..operation import RatingInput
 from ..quasistatic.solution import QuasistaticSolution

@@ -22,9 +22,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.solid import bodies
 
-from ..geometry import Array
 from .elastic_ring import ElasticRing, ElasticRings
 from .seat_places import SeatSupports, seat_supports
 

@@ -20,9 +20,8 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 
-from ehl.solid.bodies.seat_places import SeatResponse
-
-from ..geometry import Array
+from ehl.arrays import Array
+from ehl.solid.bodies.compliance import SeatResponse
 
 CENTRING = 1e-3  # of a force to the compliance of the seat: epsilon S [-]
 

@@ -18,10 +18,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
-from ehl.ranges import require_positive
+from ehl.arrays import Array
+from ehl.options import require_positive
 from ehl.units import MILLIMETRE, RPM
 
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..operation import Operation, QuasistaticModel
 from ..quasistatic.balls import ball_problem
 from ..quasistatic.solution import QuasistaticSolution

@@ -10,9 +10,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import Array
 from ehl.units import RPM
 
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 from ..operation import Operation, QuasistaticModel
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic

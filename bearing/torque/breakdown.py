@@ -14,9 +14,9 @@ from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import Supply
 from .inlet import InletFactors
+from .inputs import FrictionInput
 from .models import (
     ROUND_OFF,
-    FrictionInput,
     ModelTorque,
     coulomb_coefficient,
     coulomb_model,

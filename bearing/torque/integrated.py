@@ -14,6 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 
@@ -28,7 +29,6 @@ from ..friction.film_nodes import film_nodes
 from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
 from ..friction.law import ContactFriction
 from ..friction.resistance import NO_RESISTANCE, Resistance
-from ..geometry import Array
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
 from .inlet import InletFactors

@@ -9,13 +9,14 @@ from math import hypot
 import numpy as np
 
 from ehl import Lubricant
+from ehl.arrays import Array
 from ehl.units import MILLIMETRE, MILLION, RPM, from_si
 
 from ..contacts.contact import BearingContact
 from ..friction.balance import BalancedFriction
 from ..friction.coulomb import balanced_friction
 from ..friction.resistance import churning_power, land_power, pocket_power
-from ..geometry import Array, Bearing, Race
+from ..geometry import Bearing, Race
 from ..material import MaterialKind, load_material
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.load_rating import dynamic_rating, static_equivalent_load, static_rating

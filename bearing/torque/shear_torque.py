@@ -6,11 +6,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ehl.arrays import Array
+
 from ..contacts.traction import ContactTraction
 from ..films.film import Films
 from ..friction.balance import BalancedFriction
 from ..friction.resistance import NOTHING_RESISTED, ResistedPower
-from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 
 # rings' power less heat and drag over the heat up to which balls count as balanced [-]

@@ -14,7 +14,7 @@ Fourth-order Runge-Kutta steps; works are integrated along with them.
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.oil._elementary_kernels import copy
+from ehl.oil._kernels import copy
 
 from .arrays import (
     BALLS,

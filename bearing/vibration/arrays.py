@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from ..geometry import Array
+from ehl.arrays import Array
 
 # first index of a body's coordinates in the state
 INNER = 0  # x, y, z, tilt y, tilt z of the inner ring

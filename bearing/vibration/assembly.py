@@ -6,11 +6,12 @@ from math import pi, sqrt
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.options import SolverOptions
 
 from ..contacts.contact import BearingContact
 from ..dynamics.bodies import ring_body
-from ..geometry import Array, Bearing, Race, reduced_radii
+from ..geometry import Bearing, Race, reduced_radii
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from .arrays import BALLS, INNER, OUTER, SENSOR, ContactLawTable, VibrationArrays

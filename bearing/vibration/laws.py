@@ -5,15 +5,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ehl.arrays import Array
 from ehl.closed_form.hertz import contact_stiffness
 from ehl.conditions import ContactConditions
 from ehl.options import SolverOptions
-from ehl.traction.response.normal import NormalResponse, highest_frequency, normal_response
+from ehl.traction.linear_response import NormalResponse, highest_frequency, normal_response
 
 from ..contacts.contact import BearingContact
 from ..films.asperities import Asperities
 from ..films.operating import OilAtInlets, supplied_films
-from ..geometry import Array, Race, contact_modulus, reduced_radii
+from ..geometry import Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import AMPLE, InletFilm, Supply
 from .arrays import ContactLawTable

@@ -6,7 +6,8 @@ from math import ceil, pi, sqrt
 
 import numpy as np
 
-from ..geometry import Array
+from ehl.arrays import Array
+
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import advance
 from .arrays import BALLS, INNER, OUTER, SENSOR, STORED

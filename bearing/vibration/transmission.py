@@ -20,11 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from ehl.arrays import Array
 from ehl.conditions import ContactConditions
 from ehl.options import SolverOptions
-from ehl.traction.response.normal import wave_transmission
-
-from ..geometry import Array
+from ehl.traction.linear_response import wave_transmission
 
 STEP = 0.8  # of k a at most, between waves that are solved; splines between them
 LEAST = 3  # waves that are solved at least

@@ -21,7 +21,7 @@ from .progress import progress_bar
 from .terminal import enter_context, guarded
 
 if TYPE_CHECKING:
-    from ehl.traction.table.build import FilmSampler
+    from ehl.traction_table.build import FilmSampler
 
 TableFile = Annotated[
     Path | None,
@@ -54,7 +54,7 @@ def run(
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
         loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'", heated=False)
         directory = results_directory(case, output, as_json)
-        from ehl.multigrid.threads import cores
+        from ehl.multigrid.starved import cores
         from postprocess import summary
         from postprocess.bearing.table import bearing_table
 
@@ -96,7 +96,7 @@ def contact(
         if not isinstance(loaded, ContactCase):
             raise CaseError(f"{case}: is a bearing; run it with 'oilfilm run {case}'")
         directory = results_directory(case, output, as_json)
-        from ehl.multigrid.threads import cores
+        from ehl.multigrid.starved import cores
         from postprocess import summary
         from postprocess.contact.table import contact_table
 
@@ -147,7 +147,7 @@ def slip(
     """Map gross slip of the balls after Hirano, and the minimum preload, from a [slip] table."""
     loaded = load_bearing(case, "slip maps need a bearing")
     directory = results_directory(case, output, as_json)
-    from ehl.multigrid.threads import cores
+    from ehl.multigrid.starved import cores
 
     from ..runs.slip import run_slip
 
@@ -298,7 +298,7 @@ def table(
         )
     if path is not None:
         lock_output_file(path)
-    from ehl.multigrid.threads import cores
+    from ehl.multigrid.starved import cores
 
     from ..runs import traction_table as runs
 
@@ -329,7 +329,7 @@ def table(
 @contextmanager
 def _film_sampler(path: Path | None) -> Iterator[FilmSampler]:
     """Solves films and keeps them beside the table until that is complete."""
-    from ehl.traction.table.film import film_sample
+    from ehl.traction_table.film import film_sample
 
     from ..batch.shared.table_films import remove_films, stored_film_sampler
 

@@ -21,7 +21,7 @@ def main() -> None:
     from ..runs.processes import COLLECTED
 
     gc.set_threshold(COLLECTED)
-    from .main import app
+    from .app import app
     from .streams import output_is_written, prepare_streams
     from .terminal import exit_code
 

@@ -12,7 +12,7 @@ from bearing.supply.solved_track import TrackPasses
 from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions
 from ehl.conditions import surface_motion
 from ehl.options import GENERALIZED_POINTS, TOLERANCE
-from ehl.solid.coating import Coating
+from ehl.solid.layered import Coating
 
 from .fields import (
     FORCE_MAXIMUM,

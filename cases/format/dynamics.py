@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
 from bearing.friction.resistance import Cage
 from bearing.geometry import Race
-from ehl.traction.coefficient_kernels import COEFFICIENTS
+from ehl.traction.coefficients import COEFFICIENTS
 from ehl.units import from_si
 
 from .fields import (

@@ -9,7 +9,7 @@ from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOption
 from ehl.generalized.solver import solve_generalized
 from ehl.oil.rheology import Rheology
 from ehl.solid.heat import SolidThermal
-from ehl.traction.response.normal import highest_frequency
+from ehl.traction.linear_response import highest_frequency
 
 from .contact import ContactEhlTable, FilmModel, GridTable, Starvation
 from .problems import InvalidKeyError, shown

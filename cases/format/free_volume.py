@@ -15,8 +15,11 @@ from ehl.oil.free_volume import (
     pressure_viscosity_doolittle,
     pressure_viscosity_yasutomi,
 )
-from ehl.oil.lubricant import PRESSURE_VISCOSITY_TOLERANCE
-from ehl.oil.pressure_laws import pressure_viscosity_modulus, pressure_viscosity_scaled
+from ehl.oil.lubricant import (
+    PRESSURE_VISCOSITY_TOLERANCE,
+    pressure_viscosity_modulus,
+    pressure_viscosity_scaled,
+)
 from ehl.units import GIGAPASCAL, ZERO_CELSIUS, to_si
 
 from .fields import name_in_si

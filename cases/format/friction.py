@@ -19,7 +19,7 @@ from bearing.torque.inputs import FrictionInput
 from bearing.torque.skf import Lubrication, series_of
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.traction.coefficient_kernels import COEFFICIENTS, Constant
+from ehl.traction.coefficients import COEFFICIENTS, Constant
 from ehl.units import to_si
 
 from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum

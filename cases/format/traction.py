@@ -20,9 +20,9 @@ from bearing.torque.inlet import InletFactors
 from bearing.torque.inputs import FrictionInput
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
-from ehl.traction.coefficient_kernels import COEFFICIENTS
-from ehl.traction.table.table import TractionTable
-from ehl.traction.table.temperature import TemperatureTable
+from ehl.traction.coefficients import COEFFICIENTS
+from ehl.traction_table.table import TractionTable
+from ehl.traction_table.temperature import TemperatureTable
 
 from .film_model import CaseFilms, FilmPhysics
 from .friction import FrictionTable, made_by

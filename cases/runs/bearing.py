@@ -13,7 +13,6 @@ from bearing.films.film import ContactFilm, Films
 from bearing.films.formula import formula_film
 from bearing.films.operating import solved_films
 from bearing.friction.sources import FilmTraction, LawTraction
-from bearing.geometry import Array
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
@@ -23,6 +22,7 @@ from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdo
 from bearing.torque.integrated import bearing_films, films_torque, law_torque
 from bearing.torque.shear_torque import SolvedShear
 from ehl import ContactSolution
+from ehl.arrays import Array
 from postprocess.bearing.results import BearingResults
 
 from ..format.case import Case

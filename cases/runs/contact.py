@@ -6,8 +6,8 @@ from time import perf_counter
 
 from bearing.supply.solved_track import SolvedPass, solved_passes
 from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
+from ehl.conditions import contact_kinematics
 from ehl.finite_element.solver import solve_contact_finite_element
-from ehl.kinematics import contact_kinematics
 from ehl.traction import NormalResponse, normal_response
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import TractionResult, integrate_traction

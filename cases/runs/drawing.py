@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import postprocess
-from ehl.multigrid.threads import cores
+from ehl.multigrid.starved import cores
 from postprocess.files import attempt
 from postprocess.results import FILMS, OTHERS, PARAVIEW
 

@@ -32,7 +32,7 @@ from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics
 from bearing.friction.sources import CoefficientTraction
 from bearing.geometry import Race
 from bearing.library.lubricants import dynamic_viscosity
-from ehl.traction.coefficient_kernels import COEFFICIENTS, RampedCoulomb
+from ehl.traction.coefficients import COEFFICIENTS, RampedCoulomb
 from ehl.units import from_si
 from postprocess.dynamics.history import HistoryWriter
 from postprocess.dynamics.results import DynamicsResults

@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 from ehl import ContactConditions
-from ehl.solid.coating import Coating
+from ehl.solid.layered import Coating
 from postprocess.netcdf.reader import open_results
 from postprocess.scene.export import export_results
 

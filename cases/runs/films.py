@@ -17,8 +17,8 @@ from bearing.films.formula import (
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.supply.supply import Supply, inlet_layer
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
-from ehl.multigrid.threads import cores, film_threads
-from ehl.oil.inlet_layer import InletLayer
+from ehl.multigrid.starved import cores, film_threads
+from ehl.oil.lubricant import InletLayer
 
 from ..format.case import Case
 from ..format.contact import FilmModel

@@ -11,7 +11,6 @@ import numpy as np
 from bearing.contacts.contact import BearingContact
 from bearing.films.film import Films
 from bearing.friction.balance import BalancedFriction
-from bearing.geometry import Array
 from bearing.heating.films_heat import (
     FilmsHeat,
     OperatingState,
@@ -27,6 +26,7 @@ from bearing.rows import SINGLE
 from bearing.torque.breakdown import INTEGRATED, model_torque
 from bearing.torque.inlet import InletFactors, inlet_factors
 from ehl import Lubricant
+from ehl.arrays import Array
 from ehl.units import ZERO_CELSIUS, from_si
 
 from ..format.case import Case, case_of_file

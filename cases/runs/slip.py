@@ -21,7 +21,7 @@ from bearing.studies.slip import (
     minimum_radial_load_skf,
     slip_surface,
 )
-from ehl.multigrid.threads import cores
+from ehl.multigrid.starved import cores
 from postprocess.slip.results import MinimumLoads, SlipResults
 
 from ..format.case import Case

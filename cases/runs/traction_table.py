@@ -9,13 +9,12 @@ from time import perf_counter
 
 from bearing.friction.race_tables import build_race_tables, build_temperature_tables, race_progress
 from ehl import Lubricant, SolverOptions
-from ehl.multigrid.threads import cores
+from ehl.multigrid.starved import cores
 from ehl.oil.rheology import Rheology
-from ehl.traction.table.atlas_film import atlas_sampler
-from ehl.traction.table.build import FilmSampler, TableOptions
-from ehl.traction.table.film import film_sample
-from ehl.traction.table.full_solves import full_solves
-from ehl.traction.table.table import TableRange
+from ehl.traction_table.build import FilmSampler, TableOptions, atlas_sampler
+from ehl.traction_table.film import film_sample
+from ehl.traction_table.full_solves import full_solves
+from ehl.traction_table.table import TableRange
 from ehl.units import ZERO_CELSIUS
 from postprocess.traction.results import TractionResults
 

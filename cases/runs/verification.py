@@ -24,7 +24,7 @@ from ehl import (
 )
 from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients, hertz_contact
 from ehl.grid import Grid
-from ehl.multigrid.threads import cores, film_threads
+from ehl.multigrid.starved import cores, film_threads
 from ehl.scaling import scale_contact
 from ehl.solid.deformation import deflect, deflection_kernel
 

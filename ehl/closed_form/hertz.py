@@ -19,7 +19,7 @@ from math import cbrt, exp, log, pi, sqrt
 
 import scipy
 
-from ..ranges import require_positive
+from ..options import require_positive
 
 # Rx/Ry and its inverse, ellipticity about 1e5; beyond lies the line contact
 RADIUS_RATIO_LIMIT = 1.0e8

@@ -13,8 +13,8 @@ from scipy import sparse
 
 from ..arrays import Array
 from ..grid import Grid
-from ..multigrid.bordered import Border, LinearSolverError, factor_bordered, solve_bordered
 from ..multigrid.far_field import FarField, exterior_load
+from ..multigrid.newton import Border, LinearSolverError, factor_bordered, solve_bordered
 from ..scaling import ScaledContact
 from ..solid.compliance import Compliance
 from .reynolds import (

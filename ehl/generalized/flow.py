@@ -29,19 +29,24 @@ from math import inf
 import numpy as np
 
 from ..arrays import Array
-from ..conditions import ContactConditions
+from ..conditions import ContactConditions, contact_kinematics
 from ..grid import Grid
-from ..kinematics import contact_kinematics
 from ..multigrid.cycle import log_viscosity
-from ..multigrid.flow_model import FlowFactors, entrainment_factors
-from ..multigrid.transfer import interpolate_linear
+from ..multigrid.levels import FlowFactors, entrainment_factors
+from ..multigrid.starved import interpolate_linear
 from ..oil.lubricant import log_viscosity_ratio, oil_numbers, viscosity
 from ..oil.rheology import Rheology, divide_stresses, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact
 from . import _kernels
-from ._stress_kernels import LIMIT_EXCESS, ROWS
-from .film_heat import SMALLEST_PENDING_CHANGE, FilmHeat, HeatState
-from .section import FilmFields, Section, film_section
+from ._kernels import LIMIT_EXCESS, ROWS
+from .film_heat import (
+    SMALLEST_PENDING_CHANGE,
+    FilmFields,
+    FilmHeat,
+    HeatState,
+    Section,
+    film_section,
+)
 
 # change of ln(eta) by pressure, for a difference quotient
 STEP = 0.02

@@ -24,18 +24,22 @@ from ..oil import _kernels as properties
 from ..oil.lubricant import log_viscosity_ratio, oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import deflect
+from . import _reynolds_kernels
+from . import _reynolds_kernels as _relaxation_kernels
 from .far_field import edge_pressure, exterior_load
-from .kernels import _kernels, _relaxation_kernels
 from .levels import Damping, Level, Multigrid, TimeStep
 from .starved import (
     Fields,
     flux_operator,
+    full_weighting,
+    inject,
+    interpolate_cubic,
+    interpolate_linear,
     march_all_film_content,
     march_film_content,
     oil_imbalance,
     restrict_flux,
 )
-from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 COARSEST_SWEEPS = 10
 SWEEPS = (2, 1)  # on every other level before and after the coarser ones
@@ -163,7 +167,7 @@ def _oil(state: Multigrid, level: Level) -> None:
     if c.oil is None:
         viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
         density = (c.density_numerator, c.density_denominator)
-        law = partial(_kernels.flow_properties, level.P, level.H, *viscosity, *density)
+        law = partial(_reynolds_kernels.flow_properties, level.P, level.H, *viscosity, *density)
     else:
         numbers = oil_numbers(c.oil)
         law = partial(properties.flow_properties, level.P, level.H, c.hertz_pressure, numbers)
@@ -279,7 +283,7 @@ def reynolds_operator(level: Level) -> Array:
     """
     grid = level.grid
     couette = (level.flow_x, _flow_across(level))
-    _kernels.reynolds_operator(
+    _reynolds_kernels.reynolds_operator(
         level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch
     )
     if level.storage.size:
@@ -342,7 +346,7 @@ def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
     level = state.levels[index]
     residual = reynolds_residual(state, index)
     couette = (level.flow_x, _flow_across(level))
-    size, balance, divergence = _kernels.residual_sums(
+    size, balance, divergence = _reynolds_kernels.residual_sums(
         level.P, level.H, residual, *couette, level.grid.hx, level.grid.hy
     )
     if not divergence > 0.0:

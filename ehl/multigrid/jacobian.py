@@ -24,12 +24,11 @@ from scipy import sparse
 from ..arrays import Array
 from ..grid import Grid
 from ..solid.deformation import deflect
+from . import _reynolds_kernels
 from .cycle import flow, inlet_film_at_centre, log_viscosity, reynolds_operator, reynolds_residual
 from .far_field import edge_pressure, exterior_load
-from .flow_model import FlowFactors
-from .kernels import _kernels
-from .levels import Level, Multigrid
-from .starved_jacobian import StarvedFlux, flux_change, starved_flux
+from .levels import FlowFactors, Level, Multigrid
+from .starved import StarvedFlux, flux_change, starved_flux
 
 Integers = NDArray[np.intp]
 
@@ -310,8 +309,8 @@ def poiseuille_change(
     standing = (still, None)
     couette = standing if content is None else lin.couette
     carried = still if content is None else content
-    _kernels.reynolds_operator(change, still, lin.eps, *standing, *lin.mesh, by_pressure)
-    _kernels.reynolds_operator(lin.P, carried, eps, *couette, *lin.mesh, by_flow)
+    _reynolds_kernels.reynolds_operator(change, still, lin.eps, *standing, *lin.mesh, by_pressure)
+    _reynolds_kernels.reynolds_operator(lin.P, carried, eps, *couette, *lin.mesh, by_flow)
     return by_pressure + by_flow
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arrays import Array
-from ..ranges import require_finite, require_positive
+from ..options import require_finite, require_positive
 from . import _kernels
 
 

@@ -1,14 +1,24 @@
-"""Lubricant: density and viscosity over pressure, and over temperature with thermal data."""
+"""Lubricant: density and viscosity over pressure, and over temperature with thermal data.
+
+Layer of oil that both surfaces together carry into a contact.
+
+Conductivity and heat capacity of an oil under pressure and temperature, over those at ambient
+pressure and the temperature of operation.
+
+Viscosity under pressure by a modulus that grows with it, and by thermodynamic scaling. The
+constants belong to one oil and come with a source: none has a default.
+"""
 
 from dataclasses import astuple, dataclass
 from enum import Enum
-from math import log
+from itertools import pairwise
+from math import isfinite, log
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arrays import Array
-from ..ranges import require_not_negative, require_positive
+from ..options import require_finite, require_not_negative, require_positive
 from . import _kernels
 from .free_volume import (
     DoolittleFreeVolume,
@@ -16,15 +26,273 @@ from .free_volume import (
     YasutomiGlass,
     pressure_viscosity_doolittle,
     pressure_viscosity_yasutomi,
+    relative_volume,
     yasutomi_constants,
 )
-from .heat_properties import CAPACITY_POWER, FittedHeat, VolumeHeat, volume_heat
-from .pressure_laws import (
-    PressureModulus,
-    ScaledVolume,
-    pressure_viscosity_modulus,
-    pressure_viscosity_scaled,
-)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InletLayer:
+    """Thickness of the inlet layer at ambient density over positions across the track.
+
+    Both are in [m], or in the units of the solver [-]; beyond its ends the thickness is constant.
+
+    Raises
+    ------
+    ValueError
+        If positions do not rise, a thickness is not positive, or their numbers differ. A dry track
+        has no film.
+    """
+
+    thickness: tuple[float, ...]  # one for all positions, or one for each
+    y: tuple[float, ...] = (0.0,)  # rising
+
+    def __post_init__(self) -> None:
+        if len(self.y) != len(self.thickness) or not self.y:
+            raise ValueError("inlet layer: as many positions y as thicknesses, one at least")
+        if not all(a < b for a, b in pairwise(self.y)):
+            raise ValueError("inlet layer: positions y must rise")
+        if not all(isfinite(h) and h > 0.0 for h in self.thickness):
+            raise ValueError("inlet layer: every thickness must be positive and finite")
+
+    @property
+    def uniform(self) -> bool:
+        """The thickness is the same everywhere."""
+        return min(self.thickness) == max(self.thickness)
+
+    @property
+    def central(self) -> float:
+        """Thickness at y = 0."""
+        return float(np.interp(0.0, self.y, self.thickness))
+
+    def at(self, y: Array) -> Array:
+        """Thickness at positions across the track.
+
+        Parameters
+        ----------
+        y : Array
+            positions, any shape [unit of the layer's y]
+
+        Returns
+        -------
+        Array
+            thickness, shape of `y` [unit of the layer's thickness]
+        """
+        return np.interp(y, self.y, self.thickness)
+
+    def scaled(self, length: float, height: float) -> "InletLayer":
+        """The layer in units of a length along y and of a height.
+
+        Parameters
+        ----------
+        length : float
+            unit of the positions [m]
+        height : float
+            unit of the thickness [m]
+
+        Returns
+        -------
+        InletLayer
+            the dimensionless layer [-]
+        """
+        return InletLayer(
+            thickness=tuple(h / height for h in self.thickness),
+            y=tuple(position / length for position in self.y),
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FittedHeat:
+    """Constants of conductivity and heat capacity after Larsson and Andersson (2000).
+
+    k = k_0 [1 + c_1 p/(1 + c_2 p)], rho c = (rho
+    c)_0 [1 + a_1 p/(1 + a_2 p)] [1 + b (T - T_R)], b = b_0 (1 + b_1 p + b_2 p^2). Beyond the
+    largest pressure and temperature of their data the values stay.
+    """
+
+    conductivity_1: float  # c_1 [1/Pa]
+    conductivity_2: float  # c_2 [1/Pa]
+    capacity_1: float  # a_1 [1/Pa]
+    capacity_2: float  # a_2 [1/Pa]
+    temperature_0: float  # b_0 [1/K]
+    temperature_1: float  # b_1 [1/Pa]
+    temperature_2: float  # b_2 [1/Pa^2]
+    reference_temperature: float  # T_R [K]
+    largest_pressure: float  # [Pa]
+    largest_temperature: float  # [K]
+
+    def __post_init__(self) -> None:
+        require_positive(self, "conductivity_1", "conductivity_2", "capacity_1", "capacity_2")
+        require_positive(self, "reference_temperature", "largest_pressure", "largest_temperature")
+        require_finite(self, "temperature_0", "temperature_1", "temperature_2")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VolumeHeat:
+    """Constants of conductivity and heat capacity after Habchi and Bair.
+
+    k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], and
+    rho c = C_0 + m (T/T_R) (V/V_R)^-4, with the volume of the oil's Tait law.
+    """
+
+    conductivity_base: float  # B [W/(m K)]
+    conductivity_scale: float  # C [W/(m K)]
+    conductivity_exponent: float  # s [-]
+    scaling_factor: float  # A [-]
+    scaling_exponent: float  # q [-]
+    capacity_base: float  # C_0 [J/(m^3 K)]
+    capacity_scale: float  # m [J/(m^3 K)]
+
+    def __post_init__(self) -> None:
+        require_positive(self, "conductivity_base", "conductivity_scale", "capacity_base")
+
+
+CAPACITY_POWER = -4.0  # of the volume in rho c, Habchi and Bair [-]
+
+
+def volume_heat(
+    p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, law: VolumeHeat
+) -> tuple[Array, Array]:
+    """Conductivity and heat capacity rho c of an oil by its volume, Habchi and Bair.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+    tait : TaitVolume
+        constants of the volume
+    law : VolumeHeat
+        constants of conductivity and capacity
+
+    Returns
+    -------
+    conductivity
+        k, the common shape [W/(m K)]
+    capacity
+        rho c, the common shape [J/(m^3 K)]
+    """
+    volume = relative_volume(p, temperature, tait)
+    warm = np.asarray(temperature) / tait.reference_temperature
+    k = _kernels.volume_conductivity(
+        volume,
+        warm,
+        law.conductivity_base,
+        law.conductivity_scale,
+        law.conductivity_exponent,
+        law.scaling_factor,
+        law.scaling_exponent,
+    )
+    base, scale = law.capacity_base, law.capacity_scale
+    capacity = _kernels.volume_capacity(volume, warm, base, scale, CAPACITY_POWER)
+    return np.asarray(k), np.asarray(capacity)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PressureModulus:
+    """Constants of ln(eta/eta_0) = p/[a_1 + a_2 T + (b_1 + b_2 T) p], the modulus equation of
+    German gear research, as Arana et al. (2019) and Wingertszahn (2023) print it; T in [K].
+    """
+
+    a1: float  # [Pa]
+    a2: float  # [Pa/K]
+    b1: float  # [-]
+    b2: float  # [1/K]
+    # T_v of Vogel's law for eta_0, -d(ln eta_0)/dT ~ (T - T_v)^-2, below the temperature of
+    # operation [K]; None: exp[-beta (T - T_0)]
+    vogel_temperature: float | None = None
+
+    def __post_init__(self) -> None:
+        require_finite(self, "a1", "a2", "b1", "b2")
+        if self.vogel_temperature is not None:
+            require_positive(self, "vogel_temperature")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScaledVolume:
+    """Constants of thermodynamic scaling, eta = eta_inf exp[B phi_inf/(phi - phi_inf)], phi =
+    (T/T_R) (V/V_R)^g, Bair (2019), with Tait's volume; Habchi's form.
+    """
+
+    factor: float  # B [-]
+    limit: float  # phi_inf [-]
+    exponent: float  # g [-]
+
+    def __post_init__(self) -> None:
+        require_positive(self, "factor", "limit", "exponent")
+
+
+def log_viscosity_scaled(
+    p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, law: ScaledVolume
+) -> Array:
+    """ln(eta/eta_inf) = B phi_inf/(phi - phi_inf), phi = (T/T_R) (V/V_R)^g, Bair (2019).
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        T, a shape that broadcasts with `p` [K]
+    tait : TaitVolume
+        constants of the volume
+    law : ScaledVolume
+        constants of the viscosity
+
+    Returns
+    -------
+    Array
+        ln(eta/eta_inf), the common shape [-]; infinite where phi reaches phi_inf, the glass
+    """
+    t = np.asarray(temperature, dtype=np.float64)
+    volume = relative_volume(p, t, tait)
+    warm = t / tait.reference_temperature
+    with np.errstate(divide="ignore"):
+        ratio = _kernels.log_scaled(volume, warm, law.factor, law.limit, law.exponent)
+    return np.asarray(ratio)
+
+
+def pressure_viscosity_modulus(law: PressureModulus, temperature: float) -> float:
+    """d(ln eta)/dp at p = 0, 1/(a_1 + a_2 T).
+
+    Parameters
+    ----------
+    law : PressureModulus
+        constants of the oil
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
+    return 1.0 / (law.a1 + law.a2 * temperature)
+
+
+def pressure_viscosity_scaled(tait: TaitVolume, law: ScaledVolume, temperature: float) -> float:
+    """d(ln eta)/dp at p = 0, B phi_inf g phi/[(phi - phi_inf)^2 K_0(T)].
+
+    Parameters
+    ----------
+    tait : TaitVolume
+        constants of the volume
+    law : ScaledVolume
+        constants of the viscosity
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
+    above = temperature - tait.reference_temperature
+    modulus = tait.bulk_modulus * float(np.exp(-tait.bulk_modulus_temperature * above))
+    volume = float(relative_volume(0.0, temperature, tait))
+    phi = temperature / tait.reference_temperature * volume**law.exponent
+    return law.factor * law.limit * law.exponent * phi / ((phi - law.limit) ** 2 * modulus)
+
 
 ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
 # Layer at flooded inlets [m], assumed: the order of what a ball of a 6208 carries along against

@@ -18,6 +18,8 @@ a tenth. m is a choice of ours, not of an oil.
 Eyring's stress is a constant, or tau_0 = 2 Lambda_0/alpha(p, T) at the mean pressure of a contact
 and the temperature of its oil, alpha = ln(eta/eta_0)/p, as Arana et al. (2019) have it after Bair
 and Winer; `contact_rheology` puts its number in.
+
+Temperature and fluidity of a film that was solved with shear or heat.
 """
 
 from dataclasses import dataclass, replace
@@ -29,10 +31,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arrays import Array
-from ..ranges import require_finite, require_positive
-from . import _rheology_kernels
-from ._rheology_kernels import LARGEST_ARGUMENT
-from .lubricant import Lubricant, secant_pressure_viscosity
+from ..options import require_finite, require_positive
+from . import _kernels
+from ._kernels import LARGEST_ARGUMENT
+from .lubricant import Lubricant, log_viscosity_ratio, secant_pressure_viscosity
 
 SMALLEST_ARGUMENT = 1e-6  # of sinh(b)/b, which is 1 from there on to round-off
 
@@ -46,9 +48,9 @@ class ShearLaw(Enum):
 
 
 LAW_CODES = {
-    ShearLaw.NEWTONIAN: _rheology_kernels.NEWTONIAN,
-    ShearLaw.REE_EYRING: _rheology_kernels.REE_EYRING,
-    ShearLaw.CARREAU_YASUDA: _rheology_kernels.CARREAU_YASUDA,
+    ShearLaw.NEWTONIAN: _kernels.NEWTONIAN,
+    ShearLaw.REE_EYRING: _kernels.REE_EYRING,
+    ShearLaw.CARREAU_YASUDA: _kernels.CARREAU_YASUDA,
 }
 
 
@@ -283,7 +285,7 @@ def limiting_stress(
     numbers = _limit_numbers(rheology)
     now = rheology.reference_temperature if temperature is None else np.asarray(temperature)
     with np.errstate(divide="ignore", invalid="ignore"):
-        limit: Array = _rheology_kernels.limiting_stress(p, now, *numbers)
+        limit: Array = _kernels.limiting_stress(p, now, *numbers)
     return limit
 
 
@@ -326,7 +328,7 @@ def shear_stress(
     rates, viscosities, limits = _broadcast(np.abs(rate), viscosity, limit)
     stress = np.empty(rates.shape)
     flat = rates.ravel(), viscosities.ravel(), limits.ravel()
-    _rheology_kernels.shear_stresses(*flat, *numbers[:4], stress.reshape(-1))
+    _kernels.shear_stresses(*flat, *numbers[:4], stress.reshape(-1))
     return np.copysign(stress, rate)
 
 
@@ -355,7 +357,7 @@ def limited(stress: ArrayLike, limit: ArrayLike, law: ShearLaw) -> Array:
     stresses, limits = _broadcast(stress, limit)
     result = np.empty(stresses.shape)
     flat = stresses.ravel(), limits.ravel()
-    _rheology_kernels.limited_stresses(*flat, LAW_CODES[law], result.reshape(-1))
+    _kernels.limited_stresses(*flat, LAW_CODES[law], result.reshape(-1))
     return result
 
 
@@ -419,3 +421,88 @@ def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
     _require_constant_stress(rheology)
     b = np.clip(0.5 * np.abs(rise) / rheology.eyring_stress, SMALLEST_ARGUMENT, LARGEST_ARGUMENT)
     return np.asarray(np.sinh(b) / b, dtype=np.float64)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmState:
+    """State of the oil in a film, on the grid of its contact; arrays of shape (nx, ny)."""
+
+    temperature: Array | None  # mean over the film [K]; None: solved without heat
+    # ln of the mean fluidity over that of the unsheared oil at the mean temperature, by the
+    # profile of the temperature and by the stress of the pressure gradient [-]
+    log_fluidity: Array
+
+    def thinned(self, step: int) -> "FilmState":
+        """The state at every `step`-th node of the grid.
+
+        Parameters
+        ----------
+        step : int
+            distance of the nodes that stay
+
+        Returns
+        -------
+        FilmState
+            the state on fewer nodes
+        """
+        t = self.temperature
+        return FilmState(
+            temperature=None if t is None else t[::step, ::step],
+            log_fluidity=self.log_fluidity[::step, ::step],
+        )
+
+
+def log_mean_fluidity(
+    temperature: Array, weights: Array, pressure: Array, oil: Lubricant
+) -> tuple[Array, Array]:
+    """Mean temperature across a film, and ln of the mean fluidity over the fluidity at that mean.
+
+    Parameters
+    ----------
+    temperature : Array
+        at the nodes across the film, shape (nx, ny, n) [K]
+    weights : Array
+        of the integral across the film, shape (n,) [-]
+    pressure : Array
+        shape (nx, ny) [Pa]
+    oil : Lubricant
+        the lubricant
+
+    Returns
+    -------
+    mean
+        mean temperature, shape (nx, ny) [K]
+    log_fluidity
+        shape (nx, ny) [-]
+    """
+    mean = temperature @ weights
+    thinner = log_viscosity_ratio(pressure, oil, mean)[..., None]
+    thinner = thinner - log_viscosity_ratio(pressure[..., None], oil, temperature)
+    return mean, np.log(np.exp(thinner) @ weights)
+
+
+def log_gradient_thinning(
+    x: Array, y: Array, pressure: Array, film: Array, rheology: Rheology
+) -> Array:
+    """ln of `rheology.thinning_by_gradient` over a contact.
+
+    Parameters
+    ----------
+    x : Array
+        nodes along x, shape (nx,) [m]
+    y : Array
+        nodes along y, shape (ny,) [m]
+    pressure : Array
+        shape (nx, ny) [Pa]
+    film : Array
+        thickness, shape (nx, ny) [m]
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    Array
+        shape (nx, ny) [-]
+    """
+    slopes = np.gradient(pressure, x, axis=0), np.gradient(pressure, y, axis=1)
+    return np.log(thinning_by_gradient(np.maximum(film, 0.0) * np.hypot(*slopes), rheology))

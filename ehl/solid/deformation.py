@@ -7,8 +7,7 @@ from scipy import fft
 
 from ..arrays import Array
 from ..grid import Grid
-from .coating import ScaledCoating
-from .layered import patch_compliance
+from .layered import ScaledCoating, patch_compliance
 
 # part of the kernel that the line relaxation uses
 NEAR_LINES = 4

@@ -1,15 +1,208 @@
-"""Compliance of a coated contact: 1/r, and a smooth correction from finite elements."""
+r"""Compliance of a coated contact: 1/r, and a smooth correction from finite elements.
+
+A coated body: its compliance is that of a half space of the coating and a smooth correction.
+
+Surface compliance of a coated half space by axisymmetric finite elements.
+
+The displacement under a point load is that of a half space of the coating, Boussinesq's (1885)
+u_B, and a smooth rest w
+
+.. math:: \int C(z) \varepsilon(w) : \varepsilon(v)\, r\,dr\,dz
+          = -\int_{z > t} (C_s - C_c)\, \varepsilon(u_B) : \varepsilon(v)\, r\,dr\,dz
+
+that has no singularity, since the source lies in the substrate only. Far away w is the difference
+of Boussinesq's solutions for substrate and coating, which is set on the outer edge.
+"""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil
+from typing import Any
 
 import numpy as np
 import scipy
+from numpy.typing import NDArray
+from skfem import (
+    Basis,
+    BilinearForm,
+    ElementQuad2,
+    ElementVector,
+    LinearForm,
+    MeshQuad,
+    asm,
+    condense,
+    solve,
+)
+from skfem.helpers import ddot, grad, sym_grad
 
 from ..arrays import Array
-from .coating import ScaledCoating
-from .layered_fem import correction
+from ..options import require_positive
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Coating:
+    """Coating of one body; the contact's E' is that of the coating against the other body."""
+
+    thickness: float  # t [m]
+    youngs_modulus: float  # [Pa]
+    poisson_ratio: float  # [-]
+    substrate_youngs_modulus: float  # [Pa]; a thousand times the coating's is a rigid substrate
+    substrate_poisson_ratio: float  # [-]
+
+    def __post_init__(self) -> None:
+        for field in ("thickness", "youngs_modulus", "substrate_youngs_modulus"):
+            require_positive({f"coating {field}": getattr(self, field)})
+        for field in ("poisson_ratio", "substrate_poisson_ratio"):
+            value = getattr(self, field)
+            if not 0.0 <= value < 0.49:
+                raise ValueError(f"coating {field} must lie in [0, 0.49), got {value!r}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScaledCoating:
+    """Compliance 1/r + f c(r/t)/t of both bodies together, lengths in units of a [-]."""
+
+    thickness: float  # t/a
+    fraction: float  # f, of the coated body in the compliance of the contact
+    ratio: float  # E of the substrate over that of the coating
+    poisson: tuple[float, float]  # of coating and substrate
+
+
+def scaled_coating(coating: Coating, reduced_modulus: float, semi_axis: float) -> ScaledCoating:
+    """Dimensionless form of a coating.
+
+    Parameters
+    ----------
+    coating : Coating
+        thickness and elastic constants
+    reduced_modulus : float
+        E' of the coating against the other body [Pa]
+    semi_axis : float
+        a [m]
+
+    Returns
+    -------
+    ScaledCoating
+        the coating in units of a
+
+    Raises
+    ------
+    ValueError
+        if E' is larger than the coating alone allows
+    """
+    fraction = 0.5 * reduced_modulus * (1.0 - coating.poisson_ratio**2) / coating.youngs_modulus
+    if fraction > 1.0 + 1e-9:
+        raise ValueError("reduced_modulus exceeds that of the coating against a rigid body")
+    return ScaledCoating(
+        thickness=coating.thickness / semi_axis,
+        fraction=fraction,
+        ratio=coating.substrate_youngs_modulus / coating.youngs_modulus,
+        poisson=(coating.poisson_ratio, coating.substrate_poisson_ratio),
+    )
+
+
+REACH = 150.0  # outer edge in thicknesses
+FINEST = 0.08  # cell at the load in thicknesses
+GROWTH = 1.14  # and the growth of cells away from it
+LAYER_CELLS = 10  # across the coating
+
+
+def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array]:
+    """Correction c(r/t) of the surface displacement (1 - nu_c^2)/(pi E_c) [1/r + c(r/t)/t].
+
+    Parameters
+    ----------
+    ratio : float
+        Young's modulus of the substrate over that of the coating [-]
+    poisson : tuple[float, float]
+        Poisson's ratios of coating and substrate [-]
+
+    Returns
+    -------
+    distance
+        r/t, shape (n,) [-]
+    correction
+        c, shape (n,) [-]
+    """
+    mesh = _mesh()
+    basis = Basis(mesh, ElementVector(ElementQuad2()), intorder=5)
+    below = np.nonzero(mesh.p[1][mesh.t].mean(axis=0) > 1.0)[0]
+    matrix = asm(_stiffness, basis, young=_by_cell(mesh, 1.0, ratio), nu=_by_cell(mesh, *poisson))
+    substrate = Basis(mesh, ElementVector(ElementQuad2()), intorder=5, elements=below)
+    nodes = np.where(basis.doflocs[1] >= 1.0 - 1e-9, _boussinesq(basis, 1.0, poisson[0]), 0.0)
+    field = substrate.interpolate(nodes)
+    load = -asm(_source, substrate, field=field, ratio=ratio, nu_c=poisson[0], nu_s=poisson[1])
+    edge = basis.get_dofs(lambda x: np.maximum(x[0], x[1]) > REACH * (1 - 1e-9)).all()
+    axis = basis.get_dofs(lambda x: x[0] < 1e-12).all("u^1")
+    far = _boussinesq(basis, ratio, poisson[1]) - _boussinesq(basis, 1.0, poisson[0])
+    prescribed = np.where(np.isin(np.arange(basis.N), edge), far, 0.0)
+    prescribed[axis] = 0.0
+    w = solve(*condense(matrix, load, x=prescribed, D=np.union1d(edge, axis)))
+    surface = basis.get_dofs(lambda x: x[1] < 1e-12).all("u^2")
+    surface = surface[np.argsort(basis.doflocs[0][surface])]
+    return basis.doflocs[0][surface], w[surface] * np.pi / (1.0 - poisson[0] ** 2)
+
+
+def layered_mesh() -> tuple[Array, NDArray[np.int64], NDArray[np.bool_]]:
+    """Nodes (r, z) in thicknesses, shape (n, 2), corners of the cells, shape (m, 4), and whether a
+    cell lies in the coating [-].
+    """
+    mesh = _mesh()
+    return mesh.p.T, mesh.t.T.astype(np.int64), _by_cell(mesh, 1.0, 0.0)[:, 0] > 0.5
+
+
+def _mesh() -> MeshQuad:
+    r = _graded(0.0, FINEST, REACH)
+    coating = np.linspace(0.0, 1.0, LAYER_CELLS + 1)
+    substrate = _graded(1.0, 1.0 / LAYER_CELLS, REACH)
+    return MeshQuad.init_tensor(r, np.concatenate((coating, substrate[1:])))
+
+
+def _graded(start: float, first: float, end: float) -> Array:
+    """Lines from `start` to `end` with cells growing from `first`."""
+    count = int(np.ceil(np.log1p((end - start) * (GROWTH - 1.0) / first) / np.log(GROWTH)))
+    lines = np.concatenate(([0.0], np.cumsum(first * GROWTH ** np.arange(count))))
+    return start + lines * (end - start) / lines[-1]
+
+
+def _by_cell(mesh: MeshQuad, coating: float, substrate: float) -> Array:
+    """A property of each cell, shape (cells, 1)."""
+    return np.where(mesh.p[1][mesh.t].mean(axis=0) > 1.0, substrate, coating)[:, None]
+
+
+def _contraction(u: Any, v: Any, r: Any, young: Any, nu: Any) -> Any:
+    """C eps(u) : eps(v) with the hoop strain u_r/r, isotropic."""
+    mu = young / (2.0 * (1.0 + nu))
+    lame = young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
+    hoop_u, hoop_v = u[0] / r, v[0] / r
+    trace_u = grad(u)[0, 0] + grad(u)[1, 1] + hoop_u
+    trace_v = grad(v)[0, 0] + grad(v)[1, 1] + hoop_v
+    return 2.0 * mu * (ddot(sym_grad(u), sym_grad(v)) + hoop_u * hoop_v) + lame * trace_u * trace_v
+
+
+@BilinearForm
+def _stiffness(u, v, w):  # type: ignore[no-untyped-def]
+    return _contraction(u, v, w.x[0], w.young, w.nu) * w.x[0]
+
+
+@LinearForm
+def _source(v, w):  # type: ignore[no-untyped-def]
+    r = w.x[0]
+    substrate = _contraction(w["field"], v, r, w.ratio, w.nu_s)
+    return (substrate - _contraction(w["field"], v, r, 1.0, w.nu_c)) * r
+
+
+def _boussinesq(basis: Basis, young: float, nu: float) -> Array:
+    """Displacement of the nodes under a unit load on a half space, Boussinesq (1885)."""
+    r, z = basis.doflocs
+    distance = np.maximum(np.hypot(r, z), 1e-12)
+    scale = (1.0 + nu) / (2.0 * np.pi * young)
+    radial = scale * (r * z / distance**3 - (1.0 - 2.0 * nu) * r / (distance * (distance + z)))
+    axial = scale * (z**2 / distance**3 + 2.0 * (1.0 - nu) / distance)
+    is_axial = np.isin(np.arange(basis.N), basis.get_dofs(elements=True).all("u^2"))
+    return np.where(is_axial, axial, radial)
+
 
 # cells around the load in which the correction of a thin coating is averaged over the cell
 NEIGHBOURS = 6

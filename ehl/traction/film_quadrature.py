@@ -24,7 +24,7 @@ from ..arrays import Array
 from ..oil.lubricant import Lubricant
 from ..oil.rheology import Rheology, kernel_rheology, limiting_stress
 from ..solution import ContactSolution
-from . import _block_kernels
+from . import _kernels
 from ._spline_kernels import COLUMNS
 from .shear import (
     Cavitation,
@@ -417,5 +417,5 @@ def sliding_forces(
     out = np.zeros((slide[0].size, COLUMNS))
     law = kernel_rheology(film.rheology)[:4]
     surface = (curvature, film.half_width)
-    _block_kernels.sliding_sums_many(film.nodes, law, (*slide, rolling), surface, out)
+    _kernels.sliding_sums_many(film.nodes, law, (*slide, rolling), surface, out)
     return out

@@ -27,8 +27,7 @@ from ..arrays import Array
 from ..conditions import ContactConditions
 from ..oil.lubricant import Lubricant, density
 from ..solution import ContactSolution
-from .oil_around import MeniscusRegion
-from .rolling_moment import scaled_as_solved
+from .rolling_moment import MeniscusRegion, scaled_as_solved
 from .shear import Cavitation, dimensional_grid, sheared_width, trapezoidal_weights
 
 VACUUM_PERMITTIVITY = 8.8541878e-12  # eps_0 [F/m], CODATA 2018

@@ -1,13 +1,321 @@
-"""Inputs that change over time, and the options of a run."""
+r"""Inputs that change over time, and the options of a run.
+
+Features of the surfaces: waviness, dents, ridges, measured profiles.
+
+A feature is a height z of its surface over the undeformed body, positive into the gap, over
+places x from a point that moves with the body, and y; x runs along the entrainment. The film is
+thinner by z.
+
+Oil that the nodes hold, m = rho theta H, carried with the entrainment from step to step.
+
+Along the characteristic, moved back by d nodes a step, Reynolds' equation of step k is
+
+.. math::
+    Pois(P^k) - \frac{1}{\Delta T} \left[ c_0 m^k_i - c_1 m^{k-1}_{i-d} + c_2 m^{k-2}_{i-d'}
+    \right] = 0, \qquad
+    c_0 = \frac{1 + 2r}{1 + r}, \quad c_1 = 1 + r, \quad c_2 = \frac{r^2}{1 + r},
+
+r the step over the one before, d' the nodes of both. With equal steps of a node each these are (3,
+-4, 1)/2 along the characteristic, the narrow-upstream scheme of Venner and Wijnant, and what is
+steady is so on the equations of the steady solver. Where the gap is full m = rho H; where it is
+not, P = 0 and m < rho H: with the residual f - L(P) >= 0 of a node without pressure, m = rho H -
+residual/sigma, sigma = c_0/dT. The complementarity of the solver, P >= 0 and residual >= 0, is
+that of Jakobsson, Floberg and Olsson, and m is kept for all nodes in this form: oil that the
+cycles have not yet put in its place is not lost, but handed on to the next step.
+"""
 
 from dataclasses import dataclass
 from enum import Enum
+from math import cos, floor, inf, pi, sin
+from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..conditions import ContactConditions
-from ..ranges import require_finite, require_positive
-from .features import Feature
+from ..options import require_finite, require_positive
+
+BODIES = (1, 2)
+# widths of a bump ahead of its middle, beyond which it is 1e-4 of its height
+REACH = 3.0
+
+
+class Feature(Protocol):
+    """A feature of one of the bodies."""
+
+    @property
+    def body(self) -> int:
+        """1 or 2."""
+
+    @property
+    def start(self) -> float | None:
+        """Place of its point at t = 0, along the entrainment from the contact's centre [m]; None:
+        so that it enters the box at once, or everywhere on a body at rest.
+        """
+
+    @property
+    def reach(self) -> float:
+        """How far it reaches ahead of its point along x [m]."""
+
+    @property
+    def symmetric(self) -> bool:
+        """True if the feature is even in y."""
+
+    @property
+    def size(self) -> float:
+        """Largest height or depth [m]."""
+
+    def height(self, x: Array, y: Array, front: float) -> Array:
+        """Evaluate the height z of the feature; a wave without end begins at x = `front`.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float
+            distance at which a wave begins [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
+
+
+def _require_body(feature: Feature) -> None:
+    if feature.body not in BODIES:
+        raise ValueError(f"body must be 1 or 2, got {feature.body!r}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Waviness:
+    """Waves without end, z = A sin(2 pi x/lambda_x + phase) cos(2 pi y/lambda_y).
+
+    Over the first wavelength behind its front the amplitude rises smoothly.
+    """
+
+    body: int  # 1 or 2
+    amplitude: float  # A [m]
+    wavelength: float  # lambda_x [m]
+    wavelength_across: float | None = None  # lambda_y [m]; None: no waves across
+    phase: float = 0.0  # at its point [rad]
+    start: float | None = None  # of its point at t = 0 [m]
+
+    def __post_init__(self) -> None:
+        _require_body(self)
+        require_positive(self, "wavelength")
+        require_finite(self, "amplitude", "phase")
+        if self.wavelength_across is not None:
+            require_positive(self, "wavelength_across")
+
+    reach = 0.0
+    symmetric = True
+
+    @property
+    def size(self) -> float:
+        """Amplitude [m]."""
+        return abs(self.amplitude)
+
+    def height(self, x: Array, y: Array, front: float = inf) -> Array:
+        """Evaluate the height z of the waviness.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            distance at which the wave begins [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
+        wave = self.amplitude * np.sin(2.0 * pi * x / self.wavelength + self.phase)
+        if self.wavelength_across is not None:
+            wave = wave * np.cos(2.0 * pi * y / self.wavelength_across)
+        inside = np.clip((front - x) / self.wavelength, 0.0, 1.0)
+        return np.asarray(wave * inside**2 * (3.0 - 2.0 * inside) + 0.0 * y)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Dent:
+    """A round or oval dent, z = -depth exp(-(x/r_x)^2 - (y/r_y)^2); a bump of negative depth."""
+
+    body: int  # 1 or 2
+    depth: float  # [m]
+    radius: float  # r_x, at which 1/e of the depth is left [m]
+    radius_across: float | None = None  # r_y [m]; None: round
+    place_across: float = 0.0  # y of its middle [m]
+    start: float | None = None  # of its point at t = 0 [m]
+
+    def __post_init__(self) -> None:
+        _require_body(self)
+        require_positive(self, "radius")
+        require_finite(self, "depth", "place_across")
+        if self.radius_across is not None:
+            require_positive(self, "radius_across")
+
+    @property
+    def reach(self) -> float:
+        """Half the extent of the feature on y = 0 [m]."""
+        return REACH * self.radius
+
+    @property
+    def symmetric(self) -> bool:
+        """True if the feature is even in y."""
+        return self.place_across == 0.0
+
+    @property
+    def size(self) -> float:
+        """Depth [m]."""
+        return abs(self.depth)
+
+    def height(self, x: Array, y: Array, front: float = inf) -> Array:
+        """Evaluate the height z of the dent.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
+        across = self.radius if self.radius_across is None else self.radius_across
+        far = (x / self.radius) ** 2 + ((y - self.place_across) / across) ** 2
+        return np.asarray(-self.depth * np.exp(-far))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ridge:
+    """A straight ridge, z = h exp(-(s/w)^2), s the distance from its crest; a groove of negative
+    height. At the angle 0 it lies across the entrainment.
+    """
+
+    body: int  # 1 or 2
+    ridge_height: float  # h [m]
+    width: float  # w, at which 1/e of the height is left [m]
+    angle: float = 0.0  # of the crest from y, towards -x [rad]
+    start: float | None = None  # of its point at t = 0 [m]
+
+    def __post_init__(self) -> None:
+        _require_body(self)
+        require_positive(self, "width")
+        require_finite(self, "ridge_height", "angle")
+        if abs(cos(self.angle)) < 1e-3:
+            raise ValueError("angle: a ridge along the entrainment never enters the contact")
+
+    @property
+    def reach(self) -> float:
+        """Half the extent of the feature on y = 0 [m]."""
+        return REACH * self.width / abs(cos(self.angle))
+
+    @property
+    def symmetric(self) -> bool:
+        """True if the feature is even in y."""
+        return self.angle == 0.0
+
+    @property
+    def size(self) -> float:
+        """Height [m]."""
+        return abs(self.ridge_height)
+
+    def height(self, x: Array, y: Array, front: float = inf) -> Array:
+        """Evaluate the height z of the ridge.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
+        away = (x * cos(self.angle) + y * sin(self.angle)) / self.width
+        return np.asarray(self.ridge_height * np.exp(-(away**2)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Profile:
+    """A measured surface: heights at places along x, or over x and y, straight lines between them.
+
+    Its point is its foremost place; outside there is no height, so that the first and last should
+    be near zero.
+    """
+
+    body: int  # 1 or 2
+    x: Array  # rising, shape (n,) [m]
+    heights: Array  # shape (n,), or (n, m) with y [m]
+    y: Array | None = None  # rising, shape (m,) [m]
+    start: float | None = None  # of its point at t = 0 [m]
+
+    def __post_init__(self) -> None:
+        _require_body(self)
+        shape = (self.x.size,) if self.y is None else (self.x.size, self.y.size)
+        if self.heights.shape != shape or self.x.size < 2:
+            raise ValueError(f"heights must have the shape {shape}, got {self.heights.shape}")
+        for positions in (self.x, self.x if self.y is None else self.y):
+            if not (np.diff(positions) > 0.0).all():
+                raise ValueError("places of a profile must rise")
+        if not np.isfinite(self.heights).all():
+            raise ValueError("heights must be finite")
+
+    reach = 0.0
+
+    @property
+    def symmetric(self) -> bool:
+        """True if the feature is even in y."""
+        return self.y is None
+
+    @property
+    def size(self) -> float:
+        """Largest height or depth [m]."""
+        return float(np.abs(self.heights).max())
+
+    def height(self, x: Array, y: Array, front: float = inf) -> Array:
+        """Interpolate the height z of the measured profile.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
+        along = x + self.x[-1]
+        if self.y is None:
+            return np.asarray(np.interp(along, self.x, self.heights, 0.0, 0.0) + 0.0 * y)
+        from scipy.interpolate import RegularGridInterpolator
+
+        surface = RegularGridInterpolator(
+            (self.x, self.y), self.heights, bounds_error=False, fill_value=0.0
+        )
+        return np.asarray(surface(np.stack(np.broadcast_arrays(along, y), axis=-1)))
 
 
 class Scheme(Enum):
@@ -229,3 +537,107 @@ class TransientOptions:
     cycles: int = 2  # multigrid cycles a step at least
     most_cycles: int = 20  # multigrid cycles a step at most
     tolerance: float = 1e-3  # error of a step over the film, or a feature that is smaller [-]
+
+
+def weights(ratio: float) -> tuple[float, float, float]:
+    """Weight the steps of the second-order backward difference, c_0, c_1 and c_2.
+
+    Parameters
+    ----------
+    ratio : float
+        step over the one before [-]
+
+    Returns
+    -------
+    c_0
+        weight of the new step [-]
+    c_1
+        weight of the last step [-]
+    c_2
+        weight of the step before [-]
+    """
+    return (1.0 + 2.0 * ratio) / (1.0 + ratio), 1.0 + ratio, ratio**2 / (1.0 + ratio)
+
+
+def advected(content: Array, nodes: float) -> Array:
+    """Shift a content along the lines.
+
+    Whole nodes exactly, else by cubics through four of them; beyond the ends the lines continue as
+    parabolas, which is exact in the gap of paraboloids.
+
+    Parameters
+    ----------
+    content : Array
+        oil of the nodes, shape (ny, nx) [-]
+    nodes : float
+        nodes to shift by, of either sign [-]
+
+    Returns
+    -------
+    Array
+        shifted content, shape (ny, nx) [-]
+    """
+    whole = floor(nodes)
+    part = nodes - whole
+    n = content.shape[1]
+    pad = abs(whole) + 2
+    wide = _extended(content, pad)
+
+    def at(steps: int) -> Array:
+        first = pad - steps
+        return wide[:, first : first + n]
+
+    if part == 0.0:
+        return at(whole).copy()
+    # places in nodes upstream of the whole one: -1, 0, 1, 2
+    positions = (-1.0, 0.0, 1.0, 2.0)
+    total = np.zeros_like(content)
+    for position in positions:
+        others = [other for other in positions if other != position]
+        weight = np.prod([(part - other) / (position - other) for other in others])
+        total += weight * at(whole + round(position))
+    return total
+
+
+def _extended(content: Array, pad: int) -> Array:
+    """Lines with so many more nodes at both ends."""
+    k = np.arange(1, pad + 1)
+    # weights of a parabola through the last three nodes, k nodes beyond
+    nearest = (k + 1.0) * (k + 2.0) / 2.0
+    middle = -k * (k + 2.0)
+    farthest = k * (k + 1.0) / 2.0
+    left = np.outer(content[:, 0], nearest) + np.outer(content[:, 1], middle)
+    left += np.outer(content[:, 2], farthest)
+    right = np.outer(content[:, -1], nearest) + np.outer(content[:, -2], middle)
+    right += np.outer(content[:, -3], farthest)
+    return np.concatenate((left[:, ::-1], content, right), axis=1)
+
+
+def steady_content(full: Array, gained: Array, empty: NDArray[np.bool_], mesh: float) -> Array:
+    """Evaluate the oil m of the nodes of a steady film that flows along its lines.
+
+    Where oil does not fill the gap it is marched downstream by the same three-node difference,
+    never more than the gap holds.
+
+    Parameters
+    ----------
+    full : Array
+        rho H, shape (ny, nx) [-]
+    gained : Array
+        Poiseuille term of the pressure, shape (ny, nx) [-]
+    empty : NDArray[np.bool_]
+        True at nodes without pressure, shape (ny, nx)
+    mesh : float
+        mesh size along the lines [-]
+
+    Returns
+    -------
+    Array
+        oil of the nodes, shape (ny, nx) [-]
+    """
+    content = full.copy()
+    for i in range(2, full.shape[1]):
+        flow = (2.0 * content[:, i - 1] - 0.5 * content[:, i - 2] + mesh * gained[:, i]) / 1.5
+        carried = np.clip(flow, 0.0, full[:, i])
+        content[:, i] = np.where(empty[:, i], carried, full[:, i])
+    return content

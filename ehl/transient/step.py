@@ -7,10 +7,10 @@ import numpy as np
 from ..arrays import Array
 from ..multigrid.cycle import cycle, flow, load_error, reynolds_operator, update_film
 from ..multigrid.far_field import FarField, far_field, transient_far_field
+from ..multigrid.full_multigrid import PRESSURE_LIMIT, snapshot
 from ..multigrid.levels import Level, Multigrid, TimeStep
-from ..multigrid.settling import PRESSURE_LIMIT, snapshot
 from ..scaling import ScaledContact
-from .content import advected, weights
+from .inputs import advected, weights
 
 HALVINGS = 3  # of the damping in one step before the run is given up
 # over the load of the scales, that cycles may leave unbalanced

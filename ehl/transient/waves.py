@@ -6,8 +6,8 @@ from math import inf, pi
 import numpy as np
 
 from ..arrays import Array
-from ..closed_form.waviness import waviness_amplitude_ratio
-from .features import Waviness
+from ..closed_form.film import waviness_amplitude_ratio
+from .inputs import Waviness
 from .record import TransientSolution
 
 FIT_LUBRICANT = 10.0  # least L that the fit holds for

@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import unit_of, unit_symbol, without_unit
 
 from ..bearing.quantities import TORQUE_PARTS, torque_model

@@ -11,13 +11,14 @@ from bearing.contacts.contact import BearingContact
 from bearing.films.film import ContactFilm
 from bearing.films.formula import atlas_film
 from bearing.films.operating import operating_films
+from ehl.units import value_with_error
 
 from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
 from ..files import plain_document
 from ..quantities import values_of
 from ..results import Results
 from ..table import number_table, titled
-from ..text import NOTHING, number, value_with_error
+from ..text import NOTHING, number
 from .contacts import CONTACT_QUANTITY
 from .film_heat import HEAT_QUANTITIES, film_values, heat_messages
 from .results import balls_text

@@ -6,7 +6,7 @@ from bearing.contacts.contact import BearingContact
 from bearing.films.film import ContactFilm, Films, FilmThickness, solved_with_heat
 from bearing.films.operating import film_heat
 from ehl import ContactSolution
-from ehl.closed_form.inlet_heat import LARGEST_LOADING
+from ehl.closed_form.film import LARGEST_LOADING
 from ehl.units import from_si
 
 from ..quantities import quantities

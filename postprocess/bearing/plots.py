@@ -15,6 +15,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
+from ehl.units import value_with_error
 
 from ..contact.plots import draw_contact, draw_map, film_text
 from ..contact.view import ContactView, contact_view
@@ -36,7 +37,7 @@ from ..plot_style import (
 )
 from ..quantities import Quantity
 from ..results import FILMS, OTHERS
-from ..text import evenly_chosen, value_with_error
+from ..text import evenly_chosen
 from .film_heat import isothermal_note
 from .plots_torque import other_figures
 from .quantities import BALL_QUANTITY

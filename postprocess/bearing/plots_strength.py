@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from bearing.fits.ring_strength import LARGE_SHARE, StrengthMap
 from bearing.geometry import Race
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import from_si
 
 from ..plot_style import INK, REFERENCE, titled_panels

@@ -14,7 +14,6 @@ from bearing.films.film import NO_HEAT, ContactFilm, first_same, heated_solution
 from bearing.films.operating import operating_films, solved_films
 from bearing.fits.clearance import ClearanceBudget
 from bearing.fits.ring_strength import Strength
-from bearing.geometry import Array
 from bearing.heating.conductances import Conductance
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.quasistatic.solution import QuasistaticSolution
@@ -26,6 +25,7 @@ from bearing.torque.breakdown import TorqueBreakdown
 from bearing.torque.rolling_extent import RollingExtent, rolling_extent, rolling_moments
 from bearing.torque.supply_band import SupplyBand, SupplyTorque
 from ehl import ContactSolution, Lubricant
+from ehl.arrays import Array
 from ehl.traction.instruments import FilmInstruments, film_instruments
 from ehl.traction.rolling_moment import RollingMoment
 from ehl.units import from_si, notebook_html

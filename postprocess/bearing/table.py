@@ -9,12 +9,12 @@ from rich.table import Table
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
-from ehl.units import from_si, unit_symbol
+from ehl.units import from_si, unit_symbol, value_with_error
 
 from ..quantities import CAGE_SPEED, values_of
 from ..results import STIFFNESS_HEADLINES
 from ..table import facts_table, number_table, titled
-from ..text import NOTHING, number, value_with_error
+from ..text import NOTHING, number
 from .contacts import (
     CONTACT_QUANTITY,
     TERMINAL_COLUMNS,

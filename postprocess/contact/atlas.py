@@ -8,15 +8,14 @@ from typing import Any
 from rich.console import Group
 
 from ehl import AtlasFilms, AtlasValue, ContactConditions, MoesConditions
+from ehl.atlas.films import skewed
 from ehl.scaling import ScaledContact, scale_contact
-from ehl.traction.atlas.films import skewed
-from ehl.units import from_si
+from ehl.units import from_si, value_with_error
 
 from ..files import plain_document
 from ..quantities import quantities, values_of
 from ..results import Results
 from ..table import facts_table, titled
-from ..text import value_with_error
 
 SOURCE = "atlas"
 MODEL = "films: of the film atlas, flooded, isothermal, of a Newtonian oil; nothing is solved"

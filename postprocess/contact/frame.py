@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from ehl.solution import Array
+from ehl.arrays import Array
 
 ALL = (slice(None), slice(None))  # of the nodes of a grid
 

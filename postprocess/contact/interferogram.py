@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import MILLIMETRE, NANOMETRE
 
 from ..plot_style import PAGE_WIDTH, REFERENCE, write_figure

@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from ehl.solution import Array
-from ehl.units import MICROMETRE
+from ehl.arrays import Array
+from ehl.units import MICROMETRE, value_with_error
 
 from ..plot_style import (
     BEYOND_SCALE,
@@ -23,7 +23,6 @@ from ..plot_style import (
 )
 from ..plot_style import INNER_COLOUR as FILM_COLOUR
 from ..plot_style import OUTER_COLOUR as PRESSURE_COLOUR
-from ..text import value_with_error
 from .frame import refined
 from .results import ContactResults
 from .view import ContactView, contact_view

@@ -4,10 +4,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from ehl.traction import NormalResponse
-from ehl.units import from_si
+from ehl.units import from_si, value_with_error
 
 from ..quantities import quantities, values_of
-from ..text import value_with_error
 from .results import ContactResults
 
 NO_RESPONSE = "it is that of a flooded, isothermal contact with lengths, solved and resolved"

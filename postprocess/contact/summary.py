@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from ehl import ContactConditions, ContactSolution
-from ehl.traction.atlas.check import atlas_disagreements
+from ehl.atlas.films import atlas_disagreements
 from ehl.traction.instruments import film_instruments
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.units import MILLIMETRE, from_si

@@ -3,10 +3,9 @@
 from rich.console import Group
 
 from ehl import ContactSolution
-from ehl.units import GIGAPASCAL, MICROMETRE
+from ehl.units import GIGAPASCAL, MICROMETRE, value_with_error
 
 from ..table import facts_table, titled
-from ..text import value_with_error
 from .response import response_row
 from .results import ContactResults
 

@@ -8,7 +8,7 @@ import numpy as np
 from rich.console import Group
 from rich.table import Table
 
-from ehl.transient.features import Feature
+from ehl.transient.inputs import Feature
 from ehl.units import from_si
 
 from ..files import plain_document

@@ -6,7 +6,8 @@ from math import cos, degrees, hypot, inf, pi, sin
 import numpy as np
 
 from ehl import ContactSolution
-from ehl.solution import Array, OilSupply
+from ehl.arrays import Array
+from ehl.solution import OilSupply
 
 from ..plot_style import (
     QUIET_PRESSURE,

@@ -16,10 +16,10 @@ from typing import Any, NamedTuple
 from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from ehl.units import unit_symbol, without_unit
+from ehl.units import unit_symbol, value_with_error, without_unit
 
 from ..quantities import Quantity
-from ..text import NOTHING, in_figures, value_with_error
+from ..text import NOTHING, in_figures
 
 DIGITS = 5
 ROUND_OFF = 1e-9  # of the largest component

@@ -12,8 +12,10 @@ from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
+from bearing.files import atomic_path
+
 from ..batch.main_results import MAIN_QUANTITY, main_results
-from ..files import atomic_path, read_summary
+from ..files import read_summary
 from ..plot_style import INK, RC, REFERENCE
 from ..text import number
 from .page import is_urgent

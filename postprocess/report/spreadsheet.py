@@ -8,10 +8,11 @@ from typing import Any
 
 import xlsxwriter
 
+from bearing.files import atomic_path
 from ehl.units import unit_symbol, without_unit
 
 from ..batch.numbers import MOST_COMPONENTS, components
-from ..files import atomic_path, read_summary
+from ..files import read_summary
 from ..text import is_number, number
 from .html import without_noise
 

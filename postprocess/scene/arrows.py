@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 
-from ehl.solution import Array
+from ehl.arrays import Array
 
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR
 from .geometry import about_axis

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import MICROMETRE, MILLIMETRE
 
 from .ring_deformed import DISPLACEMENT, DISTANCE, ring_files

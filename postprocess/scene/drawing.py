@@ -12,7 +12,7 @@ import numpy as np
 import pyvista as pv
 import xarray
 
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import MILLIMETRE
 
 from ..contact.stored import film_maps

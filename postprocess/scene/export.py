@@ -15,9 +15,8 @@ import xarray
 from numpy.typing import NDArray
 
 from bearing.files import require_room
-from ehl.solid.coating import Coating
-from ehl.solid.layered_fem import layered_mesh
-from ehl.solution import Array
+from ehl.arrays import Array
+from ehl.solid.layered import Coating, layered_mesh
 from ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..contact.fields import shown

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bearing.contacts.contact import BearingContact
 from bearing.geometry import Bearing
-from ehl.solution import Array
+from ehl.arrays import Array
 
 from ..contact.frame import within
 

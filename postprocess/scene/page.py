@@ -15,7 +15,7 @@ import pyvista as pv
 from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import escape
 
-from ehl.solution import Array
+from ehl.arrays import Array
 
 from ..plot_style import INK, colour_stops, film_ticks
 from ..report.html import environment

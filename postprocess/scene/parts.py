@@ -10,7 +10,7 @@ import numpy as np
 import pyvista as pv
 import xarray
 
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import MILLIMETRE
 
 from ..plot_style import BALL_COLOUR, CAGE_COLOUR, COLOUR_MAPS, INK

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import xarray
 
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import MICROMETRE, MILLIMETRE
 
 from ..contact.fields import shown

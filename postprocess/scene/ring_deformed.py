@@ -5,13 +5,13 @@ from pathlib import Path
 import meshio
 import numpy as np
 
+from bearing.files import atomic_path
 from bearing.geometry import Race
 from bearing.quasistatic.ring_displacement import ring_displacements
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import MICROMETRE, MILLIMETRE
 
 from ..bearing.results import BearingResults
-from ..files import atomic_path
 from .hexahedra import hexahedra
 from .vtk import groove_axial
 

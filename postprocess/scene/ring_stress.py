@@ -6,7 +6,7 @@ import meshio
 import numpy as np
 
 from bearing.geometry import Race
-from ehl.solid.bodies.ring_stress import RingStress
+from ehl.solid.bodies.ring import RingStress
 from ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..bearing.results import BearingResults

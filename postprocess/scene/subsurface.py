@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
+from ehl.arrays import Array
 from ehl.solid.subsurface import subsurface_stress
-from ehl.solution import Array
 
 from ..contact.frame import principal_coordinates, resampled
 from .geometry import Placement, contact_frame, place_patch

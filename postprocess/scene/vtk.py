@@ -19,7 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
 from bearing.contacts.contact import BearingContact
 from bearing.files import write_bytes
 from ehl import ContactSolution
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 from ..bearing.results import BearingResults

@@ -13,7 +13,7 @@ from matplotlib.colors import ListedColormap, TwoSlopeNorm
 from matplotlib.figure import Figure
 
 from bearing.studies.slip import CriticalCurves
-from ehl.solution import Array
+from ehl.arrays import Array
 from ehl.units import from_si
 
 from ..bearing.quantities import BALL_QUANTITY

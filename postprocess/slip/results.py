@@ -6,7 +6,7 @@ import numpy as np
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.studies.slip import CriticalCurves, SlipSurface, slip_factors
-from ehl.solution import Array
+from ehl.arrays import Array
 
 from ..quantities import Quantity
 from ..results import Results

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from bearing.geometry import Array
 from bearing.studies.stiffness import StiffnessOverSpeed
+from ehl.arrays import Array
 
 # ROSS' x, y, z (z along the shaft) in ours
 ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])

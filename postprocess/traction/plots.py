@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from ehl.traction.table.table import TractionTable
+from ehl.traction_table.table import TractionTable
 
 from ..plot_style import titled_panels, write_figure
 from .results import TractionResults

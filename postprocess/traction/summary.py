@@ -4,8 +4,7 @@ from collections.abc import Iterator
 from dataclasses import asdict
 from typing import Any
 
-from ehl.traction.table.full_solves import FullSolve
-from ehl.traction.table.table import TractionTable
+from ehl.traction_table.table import FullSolve, TractionTable
 
 from ..files import plain
 from .results import TractionResults

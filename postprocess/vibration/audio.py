@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from bearing.files import write_bytes
-from bearing.geometry import Array
+from ehl.arrays import Array
 
 FULL = 0.9  # of the largest value that 16 bits hold
 LIMIT = 32767

@@ -5,11 +5,11 @@ from math import pi
 
 import numpy as np
 
-from bearing.geometry import Array
 from bearing.vibration.arrays import BALLS, INNER, OUTER, SENSOR
 from bearing.vibration.assembly import AXES
 from bearing.vibration.inputs import Direction
 from bearing.vibration.simulation import OVERSAMPLED, VibrationRun
+from ehl.arrays import Array
 
 from .results import VibrationResults
 from .signals import EDGE, answered, sampled, speed_bands

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from bearing.geometry import Array
 from bearing.vibration.inputs import Direction
 from bearing.vibration.simulation import VibrationRun
+from ehl.arrays import Array
 
 from ..results import Results
 

@@ -6,7 +6,7 @@ from math import log2, pi, sqrt
 import numpy as np
 from scipy.signal import ShortTimeFFT, get_window, hilbert, resample_poly
 
-from bearing.geometry import Array
+from ehl.arrays import Array
 from ehl.units import RPM
 
 # bands of ISO 15242-2 at 1800 r/min [Hz]; they scale with the speed

@@ -12,11 +12,11 @@ from ..files import Table
 from ..netcdf.groups import Variables
 from ..netcdf.study import StudyFiles, write_study
 from .audio import write_audio
-from .measured import Measured, measured
+from .measured import Measured, envelope_band, measured
 from .plots import write_vibration_plots
 from .results import VibrationResults
 from .signals import by_order, envelope, sampled, spectrum
-from .summary import envelope_band, vibration_summary
+from .summary import vibration_summary
 
 AUDIO_FILE = "vibration.wav"
 LINE_KEYS = (

@@ -12,7 +12,7 @@ HOMES = {
     "lazy_loader": ("__init__.py",),
     "threadpoolctl": ("bearing/dynamics/integration/methods.py",),
     "skfem": ("ehl/finite_element/*.py", "ehl/solid/*.py", "ehl/solid/bodies/*.py"),
-    "pyamg": ("ehl/solid/bodies/smoothed_aggregation.py",),
+    "pyamg": ("ehl/solid/bodies/elasticity.py",),
     "vtk": ("postprocess/scene/*.py",),
     "vtkmodules": ("postprocess/scene/*.py",),
     "meshio": ("postprocess/scene/*.py",),

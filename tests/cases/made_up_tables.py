@@ -6,8 +6,8 @@ import numpy as np
 
 from bearing import solve_quasistatic
 from bearing.friction.race_tables import table_contacts, table_range
-from ehl.traction.table.packing import stored_values
-from ehl.traction.table.table import TableError, TractionTable
+from ehl.traction_table.compression import stored_values
+from ehl.traction_table.table import TableError, TractionTable
 
 NODES = (4, 4, 9, 5, 9)
 NO_ERROR = TableError(

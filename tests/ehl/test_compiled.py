@@ -9,8 +9,7 @@ import sys
 from pathlib import Path
 
 import ehl
-from ehl.compiled import forget_old_kernels
-from ehl.kernel_sources import kernel_digest, kernel_sources
+from ehl.compiled import forget_old_kernels, kernel_digest, kernel_sources
 
 ROOT = Path(ehl.__file__).parents[1]  # of the packages that are tested, installed or not
 CALLER = """
@@ -96,7 +95,7 @@ def test_all_that_kernels_import_is_among_the_sources():
 
 def test_the_digest_is_of_the_contents(monkeypatch, tmp_path):
     source = tmp_path / "_kernels.py"
-    monkeypatch.setattr("ehl.kernel_sources.kernel_sources", lambda: [source])
+    monkeypatch.setattr("ehl.compiled.kernel_sources", lambda: [source])
     source.write_text("one")
     first = kernel_digest.__wrapped__()
     os.utime(source, (1.0, 1.0))

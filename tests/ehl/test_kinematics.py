@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from ehl import ContactConditions, Lubricant
-from ehl.kinematics import ContactKinematics, contact_kinematics
+from ehl.conditions import ContactKinematics, contact_kinematics
 
 CONTACT = ContactConditions(
     load=100.0,

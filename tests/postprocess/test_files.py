@@ -10,10 +10,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from bearing.files import atomic_path
 from postprocess import open_results, summary
 from postprocess.bearing.write import write_bearing_netcdf, write_contacts_csv
 from postprocess.contact.write import write_contact_netcdf
-from postprocess.files import atomic_path, write_json
+from postprocess.files import write_json
 
 xr = pytest.importorskip("xarray")
 

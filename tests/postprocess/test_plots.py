@@ -10,6 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import FilmValue
+from ehl.units import value_with_error
 from postprocess import summary
 from postprocess.bearing.plots import (
     _chosen,
@@ -25,7 +26,6 @@ from postprocess.contact.frame import principal_coordinates, refined
 from postprocess.contact.plots import write_contact_plots
 from postprocess.contact.view import contact_view
 from postprocess.plot_style import few_ticks
-from postprocess.text import value_with_error
 
 pytest.importorskip("matplotlib")
 from matplotlib.figure import Figure

@@ -9,9 +9,9 @@ from scipy.optimize import minimize_scalar
 
 from bearing.friction.coulomb import Ellipses
 from bearing.friction.law import Dissipation
-from bearing.geometry import Array
 from bearing.torque.paper_models import SlidingContact
-from ehl.traction.quadrature import EllipseRule, ellipse_nodes
+from ehl.arrays import Array
+from ehl.traction.shear import EllipseRule, ellipse_nodes
 
 # of the quadrature over the ellipse
 RADII = 24

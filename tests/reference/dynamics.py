@@ -18,15 +18,16 @@ from bearing.dynamics.arrays import (
     POCKET,
     STIFFNESS,
     TABLE,
-    Array,
     CoefficientData,
     Constants,
     EquationData,
     TableData,
 )
 from bearing.dynamics.layout import Layout
-from ehl.traction.table.splines import spline_weights
-from ehl.traction.table.table import LOAD_POWER, TractionTable, load_coordinate
+from ehl.arrays import Array
+from ehl.traction._kernels import LOAD_POWER
+from ehl.traction_table.splines import spline_weights
+from ehl.traction_table.table import TractionTable, load_coordinate
 
 from .ehl.traction import table_forces
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from bearing.friction.law import TINY, Dissipation
 from bearing.friction.newton import MotionProblem, contacts_of
-from bearing.geometry import Array
+from ehl.arrays import Array
 
 
 def left_on_balls_twin(z: Array, problem: MotionProblem, balls: Array) -> tuple[Array, Array, Array]:

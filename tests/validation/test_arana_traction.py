@@ -25,7 +25,7 @@ import pytest
 from bearing.library.lubricants import library_lubricant
 from ehl import ContactConditions, SolverOptions, solve_contact
 from ehl.closed_form.hertz import hertz_contact
-from ehl.kinematics import contact_kinematics
+from ehl.conditions import contact_kinematics
 from ehl.oil.lubricant import viscosity
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology, shear_stress
 from ehl.traction.shear import dimensional_grid, integrate_traction

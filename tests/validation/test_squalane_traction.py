@@ -18,11 +18,11 @@ import pytest
 
 import ehl
 from cases import load_case
+from ehl.conditions import ContactKinematics
 from ehl.generalized.solver import solve_generalized
-from ehl.kinematics import ContactKinematics
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
-from ehl.traction.heated.film import heated_film, heated_forces
+from ehl.traction.heated_film import heated_film, heated_forces
 from ehl.traction.shear import integrate_traction
 
 CARREAU = Rheology(

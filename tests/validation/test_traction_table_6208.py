@@ -21,10 +21,10 @@ from bearing.friction.table_files import load_tables, save_race_tables
 from bearing.geometry import Race
 from cases import load_case
 from ehl import SolverOptions, solve_contact
-from ehl.kinematics import ContactKinematics
+from ehl.conditions import ContactKinematics
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
-from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction_table.build import TableOptions, build_table
 
 from ..reference.ehl.traction import largest_force
 

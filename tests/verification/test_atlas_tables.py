@@ -10,9 +10,8 @@ from bearing.friction.race_tables import build_race_tables
 from bearing.friction.sources import LawTraction
 from bearing.torque.integrated import law_torque
 from cases.format.case import case_of_document
-from ehl.traction.table.atlas_film import atlas_sampler
-from ehl.traction.table.build import TableOptions
-from ehl.traction.table.film import film_sample
+from ehl.traction_table.build import TableOptions, atlas_sampler
+from ehl.traction_table.film import film_sample
 
 SEED = 20261126
 POINTS = 12

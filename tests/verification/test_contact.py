@@ -29,13 +29,19 @@ from ehl import (
 from ehl.conditions import moes_groups
 from ehl.multigrid import full_multigrid
 from ehl.multigrid.cycle import cycle, refresh_factors, start_level, update_film
-from ehl.multigrid.extrapolation import extrapolate
-from ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid, solve_with_fallbacks, start_from_hertz
+from ehl.multigrid.film_values import extrapolate
+from ehl.multigrid.full_multigrid import (
+    ATTEMPTS,
+    Progress,
+    choose_domain,
+    contact_multigrid,
+    solve_with_fallbacks,
+    start_from_hertz,
+)
 from ehl.multigrid.history import FINISHED, central_film
 from ehl.multigrid.levels import Damping
-from ehl.multigrid.settling import Progress
 from ehl.scaling import scale_contact
-from ehl.solver import choose_domain, solve_attempts
+from ehl.solver import solve_attempts
 
 from ..reference.ehl.uniform_flow import UniformFlow
 
@@ -552,7 +558,7 @@ def test_wide_bars_are_unresolved(monkeypatch):
     """A mesh that is fine enough for the film, and bars beyond the limit: said with the bar."""
     solution = solve_contact(replace(CIRCULAR, load_parameter=700.0), SolverOptions(points=129))
     bar = solution.film_minimum_dimensionless.relative_uncertainty
-    monkeypatch.setattr("ehl.multigrid.verdict.LARGEST_BAR", 0.5 * bar)
+    monkeypatch.setattr("ehl.multigrid.film_values.LARGEST_BAR", 0.5 * bar)
     monkeypatch.setattr("ehl.multigrid.history.RESOLVED", 0.1)
     solution = solve_contact(replace(CIRCULAR, load_parameter=700.0), SolverOptions(points=129))
     assert solution.converged and not solution.resolved

@@ -33,8 +33,8 @@ from bearing.friction.race_tables import build_race_tables
 from bearing.friction.sources import CoefficientTraction, LawTraction
 from cases import load_case
 from ehl import Lubricant
-from ehl.traction.coefficient_kernels import FourConstants
-from ehl.traction.table.build import TableOptions
+from ehl.traction.coefficients import FourConstants
+from ehl.traction_table.build import TableOptions
 
 STEEL = Material(name="test steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)  # makes contact conditions; the friction is a law's

@@ -9,10 +9,16 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized.continuation import CONTINUED, FOLLOWED_PRESSURE, SMALLER_STEP, solve_by_continuation
 from ehl.generalized.film_heat import FilmHeat
 from ehl.generalized.flow import Continuation, GeneralizedFlow
-from ehl.generalized.solver import _checked, solve_generalized
+from ehl.generalized.solver import (
+    CONTINUED,
+    FOLLOWED_PRESSURE,
+    SMALLER_STEP,
+    _checked,
+    solve_by_continuation,
+    solve_generalized,
+)
 from ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid
 from ehl.oil.lubricant import ThermalProperties, log_viscosity_ratio
 from ehl.oil.rheology import Rheology, ShearLaw, divide_stresses, shear_stress
@@ -240,7 +246,7 @@ def test_a_film_that_heat_makes_too_thin_is_unresolved(monkeypatch):
     mesh = float(plain.X[1] - plain.X[0])
     between = np.mean(films) / (scale_contact(conditions).curvature_x * mesh**2)
     monkeypatch.setattr("ehl.multigrid.history.RESOLVED", between)
-    monkeypatch.setattr("ehl.multigrid.verdict.LARGEST_BAR", 1.0)
+    monkeypatch.setattr("ehl.multigrid.film_values.LARGEST_BAR", 1.0)
     assert solve_contact(conditions, COARSE).resolved
     heated = solve_by_continuation(flow, COARSE)[0]
     assert heated.converged and not heated.resolved

@@ -20,7 +20,7 @@ from bearing.dynamics.record import Record
 from bearing.dynamics.simulation import Simulation, from_state, simulation
 from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
 from bearing.friction.sources import CoefficientTraction
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
+from ehl.traction.coefficients import FourConstants, RampedCoulomb
 
 SEED = 734821
 LAWS = (NormalLaw.HERTZ, NormalLaw.LANKARANI_NIKRAVESH, NormalLaw.HUNT_CROSSLEY, NormalLaw.FLORES)

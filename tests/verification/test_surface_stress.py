@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from ehl.closed_form.hertz_stress import hertz_edge_tension
-from ehl.solid.surface_stress import surface_stress
+from ehl.solid.subsurface import surface_stress
 
 NU = 0.26
 

@@ -14,7 +14,7 @@ from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from bearing.dynamics.simulation import simulation
 from bearing.friction.law import BallTraction
 from bearing.friction.sources import CoefficientTraction, LawTraction
-from ehl.traction.coefficient_kernels import FourConstants
+from ehl.traction.coefficients import FourConstants
 
 from .test_dynamics_equilibrium import BEARING, OIL, motion, settled
 

@@ -18,12 +18,7 @@ import numpy as np
 from contacts import LIGHT_FIELDS, places
 
 from ehl import SolverOptions
-from ehl.closed_form.hertz import hertz_coefficients
-from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
-from ehl.scaling import scale_contact
-from ehl.solution import MEAN_PRESSURE_RATIO
-from ehl.solver import solve_attempts
-from ehl.traction.atlas.fields import (
+from ehl.atlas.fields import (
     CELL_ROWS,
     CELLS,
     FILE,
@@ -41,7 +36,11 @@ from ehl.traction.atlas.fields import (
     layout,
     sheared_area,
 )
-from ehl.traction.atlas.table import oil_features, trend_terms
+from ehl.atlas.table import oil_features, trend_terms
+from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_coefficients
+from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
+from ehl.scaling import scale_contact
+from ehl.solver import solve_attempts
 from ehl.traction.film_quadrature import (
     LINES,
     hertz_zone,
@@ -50,7 +49,7 @@ from ehl.traction.film_quadrature import (
     sliding_forces,
     strongest_nodes,
 )
-from ehl.traction.response.normal import normal_response
+from ehl.traction.linear_response import normal_response
 from ehl.traction.shear import bounded_viscosity, with_outlet
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`

@@ -15,9 +15,9 @@ from scipy.optimize import least_squares
 
 from bearing.films.moment import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
 from ehl import Lubricant, atlas_films
+from ehl.atlas.films import NotInAtlasError
 from ehl.scaling import scale_contact
-from ehl.traction.atlas.films import NotInAtlasError
-from ehl.traction.kapitza import kapitza_moment
+from ehl.traction.rolling_moment import kapitza_moment
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

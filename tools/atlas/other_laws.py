@@ -21,10 +21,10 @@ from solves import rounded, solved
 
 from bearing.library.lubricants import library_lubricant
 from ehl import ContactConditions, DensityLaw, Lubricant, ViscosityLaw
+from ehl.atlas.oils import density_correction, with_inlet_oil
+from ehl.atlas.table import BASE_ALPHA, BASE_Z, functions
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
-from ehl.traction.atlas.oils import density_correction, with_inlet_oil
-from ehl.traction.atlas.table import BASE_ALPHA, BASE_Z, functions
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

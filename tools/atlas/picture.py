@@ -15,8 +15,8 @@ from matplotlib.figure import Figure
 from matplotlib.style import context
 
 import ehl
+from ehl.atlas.film_formula import RANGE
 from ehl.closed_form import film
-from ehl.closed_form.film_formula import RANGE
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
 from postprocess.plot_style import INNER_COLOUR, RC, REFERENCE

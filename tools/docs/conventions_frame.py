@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 
 from bearing.quasistatic.solution import QuasistaticSolution
-from ehl.solution import Array
+from ehl.arrays import Array
 from postprocess.plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE
 
 BALL_COLOUR = "#eceff3"

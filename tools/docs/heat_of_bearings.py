@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from cases import run_case
-from cases.batch.shared.tables import case_of_document
+from cases.format.case import case_of_document
 from cases.format.document import read_text
 from cases.format.shipped import find_case
 from postprocess import summary

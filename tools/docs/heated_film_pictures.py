@@ -21,8 +21,8 @@ from bearing.geometry import Race
 from cases import load_case
 from ehl import SolverOptions
 from ehl.generalized.solver import solve_generalized
-from ehl.traction.table.film import table_film
-from ehl.traction.table.table import TableContact
+from ehl.traction_table.film import table_film
+from ehl.traction_table.table import TableContact
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -16,12 +16,12 @@ from matplotlib.figure import Figure
 from bearing import library_lubricant
 from cases import load_case
 from ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, ViscosityLaw, solve_contact
+from ehl.conditions import ContactKinematics
 from ehl.generalized.solver import solve_generalized
-from ehl.kinematics import ContactKinematics
 from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
-from ehl.traction.heated.film import heated_film, heated_forces
+from ehl.traction.heated_film import heated_film, heated_forces
 from ehl.traction.shear import integrate_traction
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 

@@ -7,11 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearing.contacts.contacts import contact_conditions
-from bearing.geometry import Array, Bearing
+from bearing.geometry import Bearing
 from bearing.operation import Operation, QuasistaticModel
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.torque.breakdown import NAMES, torque_breakdown
 from bearing.torque.inputs import FrictionInput
+from ehl.arrays import Array
 from ehl.oil.lubricant import Lubricant
 
 

@@ -21,7 +21,7 @@ from cases.format.case import Case
 from cases.format.film_model import NEWTONIAN, CaseFilms
 from cases.runs.traction_films import PooledFilms
 from ehl import SolverOptions
-from ehl.traction.coefficient_kernels import FourConstants
+from ehl.traction.coefficients import FourConstants
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -25,9 +25,8 @@ from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.integrated import bearing_films, solved_shear
 from cases import load_case
-from cases.batch.shared.tables import case_of_document
 from cases.batch.sweep import read_sweep
-from cases.format.case import Case
+from cases.format.case import Case, case_of_document
 from cases.runs.equilibrium import case_equilibrium
 from cases.runs.heating import self_heated
 from postprocess.plot_style import PAGE_WIDTH, RC, save

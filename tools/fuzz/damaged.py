@@ -72,7 +72,7 @@ def run(words: list[str], writer: int) -> int:
 
 def answer(words: list[str]) -> tuple[int, str]:
     """Exit code and messages of a command in this process."""
-    from cases.cli.main import app
+    from cases.cli.app import app
     from cases.cli.terminal import exit_code
 
     errors = io.StringIO()

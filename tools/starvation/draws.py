@@ -20,7 +20,7 @@ import numpy as np
 
 from ehl import InletLayer, SolverOptions, solve_contact
 from ehl.closed_form.film import film_nijenbanning_central
-from ehl.multigrid.threads import cores
+from ehl.multigrid.starved import cores
 from ehl.oil.lubricant import density
 from ehl.scaling import scale_contact
 

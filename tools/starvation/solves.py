@@ -17,7 +17,7 @@ import numpy as np
 from scipy.stats import qmc
 
 from ehl import DensityLaw, InletLayer, Lubricant, SolverOptions, ViscosityLaw
-from ehl.multigrid.open_box import choose_domain
+from ehl.multigrid.full_multigrid import choose_domain
 from ehl.multigrid.supply.oil_supply import inlet_ratio, oil_supply, pressure_moment, starved_film_guess
 from ehl.scaling import scale_contact
 from ehl.solver import solve_attempts

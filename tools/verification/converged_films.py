@@ -4,11 +4,16 @@ from dataclasses import dataclass
 
 from ehl import SolverOptions
 from ehl.multigrid.cycle import cycle
-from ehl.multigrid.full_multigrid import ATTEMPTS, AttemptResult, contact_multigrid, full_multigrid
+from ehl.multigrid.full_multigrid import (
+    ATTEMPTS,
+    AttemptResult,
+    Progress,
+    choose_domain,
+    contact_multigrid,
+    full_multigrid,
+)
 from ehl.multigrid.history import film_values
-from ehl.multigrid.settling import Progress
 from ehl.scaling import scale_contact
-from ehl.solver import choose_domain
 
 from .contacts import Box, Conditions
 

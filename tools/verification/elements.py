@@ -6,7 +6,7 @@ from math import isfinite
 
 from ehl import ContactSolution, FilmValue, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
-from postprocess.text import value_with_error
+from ehl.units import value_with_error
 
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, CIRCULAR_BOX, OIL, Named, from_groups, moes, race_6208
 from .draws import Draw, draws

@@ -4,7 +4,7 @@ from math import degrees
 
 from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.scaling import scale_contact
-from postprocess.text import value_with_error
+from ehl.units import value_with_error
 
 from .contacts import NAMED, Named
 from .page import Check, Section, Table, each, text

@@ -8,10 +8,9 @@ from numpy.typing import NDArray
 from ehl import ContactConditions, SolverOptions
 from ehl.generalized.flow import GeneralizedFlow
 from ehl.multigrid import cycle
-from ehl.multigrid.full_multigrid import ATTEMPTS
+from ehl.multigrid.full_multigrid import ATTEMPTS, guarded_cycle
 from ehl.multigrid.history import central_film
 from ehl.multigrid.levels import Level, Multigrid
-from ehl.multigrid.settling import guarded_cycle
 from ehl.oil.rheology import Rheology
 from ehl.solver import solve_attempts
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 from ehl.grid import Grid
+from ehl.multigrid import _reynolds_kernels
 from ehl.multigrid.far_field import far_field
-from ehl.multigrid.kernels import _kernels
 from ehl.scaling import scale_contact
 from ehl.solid.deformation import deflect, deflection_kernel
 
@@ -151,5 +151,5 @@ def _kapitza_error(rotation: float, cells: int) -> float:
     eps = H**3 / contact.speed
     no_flow = np.zeros_like(P)
     left = np.empty_like(P)
-    _kernels.reynolds_operator(P, H, eps, no_flow, None, grid.hx, grid.hy, False, left)
+    _reynolds_kernels.reynolds_operator(P, H, eps, no_flow, None, grid.hx, grid.hy, False, left)
     return float(np.abs(left - couette)[1:-1, 1:-1].max())

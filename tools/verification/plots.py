@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ehl.solution import Array
+from ehl.arrays import Array
 from postprocess.plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE
 
 MARKERS = "os^Dv<>P"

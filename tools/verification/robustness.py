@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.multigrid.threads import cores, film_threads
+from ehl.multigrid.starved import cores, film_threads
 from ehl.scaling import scale_contact
 
 from .draws import Draw, draws

@@ -8,7 +8,8 @@ and the entrainment speed u.
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.traction._kernels import CENTRAL_FILM, LOAD_POWER
+from ehl.traction._kernels import CENTRAL_FILM as TABLE_CENTRAL_FILM
+from ehl.traction._kernels import LOAD_POWER
 
 from ..arrays import EXPONENT, STIFFNESS
 
@@ -53,7 +54,7 @@ def film_and_slope(axes, scalars, load, at_speed, share):
     logarithm = 0.0
     steep = 0.0
     for a in range(4):
-        c = scalars[i + a, j : j + 4, CENTRAL_FILM]
+        c = scalars[i + a, j : j + 4, TABLE_CENTRAL_FILM]
         mean = v[0] * c[0] + v[1] * c[1] + v[2] * c[2] + v[3] * c[3]
         logarithm += w[a] * mean
         steep += d[a] * mean

@@ -6,7 +6,7 @@ where they did not, at once where its load has doubled or halved.
 """
 
 from ehl.compiled import compiled
-from ehl.oil._elementary_kernels import copy
+from ehl.oil._kernels import copy
 
 from .._kernels import place_bodies
 from .._state_kernels import ball_motion, minus, norm

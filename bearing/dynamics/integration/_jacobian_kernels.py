@@ -8,7 +8,7 @@ ring and cage. Its columns cost the contacts of one ball each, those of ring and
 import numpy as np
 
 from ehl.compiled import compiled, inlined
-from ehl.oil._elementary_kernels import copy_rows
+from ehl.oil._kernels import copy_rows
 
 from .._kernels import (
     ball_rates,

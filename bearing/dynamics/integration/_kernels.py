@@ -10,7 +10,7 @@ derivative stays valid. Work and dissipation are integrated along, outside the e
 import numpy as np
 
 from ehl.compiled import compiled, inlined
-from ehl.oil._elementary_kernels import copy, copy_rows
+from ehl.oil._kernels import copy, copy_rows
 
 from .._kernels import energies, put, solved_derivative
 from .._state_kernels import ball_turn, plus, times, vector

@@ -9,8 +9,10 @@ import numpy as np
 from scipy.integrate import LSODA
 from threadpoolctl import threadpool_limits
 
+from ehl.arrays import Array
+
 from .._kernels import solved_derivative
-from ..arrays import Array, EquationData
+from ..arrays import EquationData
 from ..record import ContactHistory, Record, SimulationState, StepControl, empty_record, first_rows
 from ..reduction import SolvedMotion
 from . import _kernels

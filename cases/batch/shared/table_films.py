@@ -4,8 +4,8 @@ import shutil
 from collections.abc import Callable
 from pathlib import Path
 
-from ehl.traction.table.film import FilmSample, film_sample
-from ehl.traction.table.table import TableContact, TableRange
+from ehl.traction_table.film import FilmSample, film_sample
+from ehl.traction_table.table import TableContact, TableRange
 
 from ..keys import content_key
 from .kept import load_object, store_object

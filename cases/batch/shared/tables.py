@@ -21,10 +21,10 @@ from bearing.friction.sources import FilmTraction
 from bearing.friction.table_files import save_race_tables
 from bearing.operation import BallKinematics
 from ehl import Lubricant
-from ehl.multigrid.threads import cores
+from ehl.multigrid.starved import cores
 from ehl.oil.rheology import Rheology
-from ehl.traction.table.build import TableOptions, build_table
-from ehl.traction.table.table import TableRange
+from ehl.traction_table.build import TableOptions, build_table
+from ehl.traction_table.table import TableRange
 
 from ...format.case import Case, ContactCase, case_of_document
 from ...format.traction import require_fitting_tables, tables_of_file

@@ -39,7 +39,8 @@ def transient(
     from ehl.transient.run import StartError
 
     from ...format.case import ContactCase, load_case
-    from ...runs.studies.transient import Interrupted, run_transient
+    from ...runs.studies.transient import Interrupted as TransientInterrupted
+    from ...runs.studies.transient import run_transient
 
     loaded = load_case(case)
     if not isinstance(loaded, ContactCase):
@@ -58,7 +59,7 @@ def transient(
     except StartError as problem:
         print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
         return NOT_CONVERGED
-    except Interrupted as stop:
+    except TransientInterrupted as stop:
         if stop.kept:
             print_message(
                 f"finished steps are kept in {folder}; the same command goes on with them"

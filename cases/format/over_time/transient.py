@@ -9,8 +9,18 @@ import numpy as np
 
 from ehl import ContactConditions, MoesConditions
 from ehl.arrays import Array
-from ehl.transient.features import Dent, Feature, Profile, Ridge, Waviness
-from ehl.transient.inputs import Course, Impact, Scheme, TransientConditions, TransientOptions
+from ehl.transient.inputs import (
+    Course,
+    Dent,
+    Feature,
+    Impact,
+    Profile,
+    Ridge,
+    Scheme,
+    TransientConditions,
+    TransientOptions,
+    Waviness,
+)
 from ehl.units import MICROMETRE
 
 from ..contact import ContactEhlTable

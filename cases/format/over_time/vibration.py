@@ -6,7 +6,6 @@ from typing import Annotated, Literal
 
 import numpy as np
 
-from bearing.geometry import Array
 from bearing.vibration.form import Defect, DefectKind, Place, SurfaceForm, Wave
 from bearing.vibration.inputs import (
     ContactLaw,
@@ -17,6 +16,7 @@ from bearing.vibration.inputs import (
     VibrationOptions,
     WaveFilter,
 )
+from ehl.arrays import Array
 from ehl.units import MICROMETRE, RPM
 
 from ..fields import OneOf, Table, above, between, checked, described, numbers, within

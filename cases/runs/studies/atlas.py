@@ -12,7 +12,7 @@ from bearing.films.formula import formula_films, too_thick
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rows import SINGLE
 from ehl import ContactConditions, atlas_films
-from ehl.traction.atlas.films import NotInAtlasError
+from ehl.atlas.films import NotInAtlasError
 from postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasRecord
 from postprocess.contact.atlas import AtlasContactResults, AtlasRecord
 

@@ -12,7 +12,7 @@ from bearing.vibration.assembly import assembled
 from bearing.vibration.inputs import Direction
 from bearing.vibration.laws import FilmsNotSolvedError, film_load_fractions
 from bearing.vibration.simulation import VibrationRun, pieces, vibration_run
-from ehl.multigrid.bordered import LinearSolverError
+from ehl.multigrid.newton import LinearSolverError
 from postprocess.vibration.results import VibrationResults
 
 from ...format.case import Case

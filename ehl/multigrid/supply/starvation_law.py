@@ -5,10 +5,11 @@ from math import exp, hypot, inf, log
 
 import numpy as np
 
+from ...arrays import Array
 from ...closed_form.starvation import ReductionFactor
 from ...conditions import ContactConditions, MoesConditions
 from ...scaling import ScaledContact, contact_starvation_factors
-from ...solution import Array, ContactSolution, FilmValue, OilSupply
+from ...solution import ContactSolution, FilmValue, OilSupply
 from .oil_supply import inlet_ratio, pressure_moment
 
 RATIO_STEP = 1e-3  # of ln r, for the slope of a share

@@ -20,6 +20,20 @@ and one at alpha, measured at both and at -alpha, yield it::
 
 Without the opening G_xx would have to hold it, and be wrong where it is small, such as in a loose
 outer ring, and G_rr could not tell one flank from the bottom.
+
+A flat block of a half-space under nodal forces: what a finite body is compared with.
+
+The block has the grid lines of the body around its load and the same nodal forces; its far faces
+move as those of a half-space, by the sum of Boussinesq's (1885) point loads. Body less block is
+then smooth, and the error of the mesh under the load cancels.
+
+Response of a ring whose seat touches it at some azimuths only.
+
+A seat contact presses radially on the seat, evenly across the ring and as a parabola over the
+angle :math:`\pm w` around it, :math:`p \propto 1 - (\theta/w)^2`; it measures the radial
+displacement of the seat with the same weights, which make its resultant one. The rigid part of all
+displacements is that of a loose ring under a cosine pressure, which cancels where the seat
+contacts balance the balls.
 """
 
 from collections.abc import Sequence
@@ -28,12 +42,255 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arrays import Array
-from .elasticity import elastic_body, solve_elasticity
-from .flat_block import flat_block, indentation
-from .hexahedra import quadratic_line, surface_weights, volume_weights
+from .elasticity import (
+    HexMesh,
+    elastic_body,
+    hexahedra,
+    quadratic_line,
+    solve_elasticity,
+    surface_weights,
+    volume_weights,
+)
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import Elasticity, RingCells, RingProfile, Seat, track_angle
-from .seat_places import SeatResponse, seat_contact_forces, seat_response
+
+
+def boussinesq(points: Array, young: float, poisson: float) -> Array:
+    """Displacement of a half-space under a unit load at the origin along the depth, Boussinesq
+    (1885).
+
+    Parameters
+    ----------
+    points : Array
+        x, y, depth, shape (3, n) [m]
+    young : float
+        Young's modulus [Pa]
+    poisson : float
+        Poisson's ratio [-]
+
+    Returns
+    -------
+    Array
+        along x, y, depth, shape (3, n) [m/N]
+    """
+    x, y, z = points
+    distance = np.sqrt(x * x + y * y + z * z)
+    scale = (1.0 + poisson) / (2.0 * np.pi * young)
+    radial = z / distance**3 - (1.0 - 2.0 * poisson) / (distance * (distance + z))
+    axial = z * z / distance**3 + 2.0 * (1.0 - poisson) / distance
+    return np.asarray(scale * np.stack([x * radial, y * radial, axial]))
+
+
+def flat_block(along: Array, across: Array, depth: Array) -> HexMesh:
+    """Half a block from its plane of symmetry at along = 0.
+
+    Parameters
+    ----------
+    along : Array
+        lines along x, the first zero [m]
+    across : Array
+        lines along y [m]
+    depth : Array
+        lines into the depth, the first zero [m]
+
+    Returns
+    -------
+    HexMesh
+        the mesh
+    """
+    return hexahedra((along, across, depth), lambda parameters: parameters)
+
+
+def indentation(
+    block: HexMesh,
+    load: tuple[Array, Array],
+    positions: Sequence[tuple[Array, Array]],
+    young: float,
+    poisson: float,
+) -> Array:
+    """Mean depths of the surface under a unit force.
+
+    Parameters
+    ----------
+    block : HexMesh
+        mesh of the block
+    load : tuple[Array, Array]
+        nodes on the line along = 0, shape (k,) [m], and the fractions of the force there, shape
+        (k,) [-]
+    positions : Sequence[tuple[Array, Array]]
+        likewise nodes and weights of each mean
+    young : float
+        Young's modulus [Pa]
+    poisson : float
+        Poisson's ratio [-]
+
+    Returns
+    -------
+    Array
+        depths, shape (positions,) [m/N]
+    """
+    across, weights = load
+    points = block.points
+    far = far_faces(block)
+    prescribed = np.zeros((points.shape[1], 3, 1))
+    for position, weight in zip(across, weights, strict=True):
+        shifted = points[:, far] - np.array([[0.0], [position], [0.0]])
+        prescribed[far, :, 0] += weight * boussinesq(shifted, young, poisson).T
+    fixed = np.zeros((points.shape[1], 3), dtype=np.bool_)
+    fixed[block.on(0, 0.0), 0] = True
+    fixed[far] = True
+    forces = np.zeros_like(prescribed)
+    # half of the force stands beyond the plane of symmetry
+    forces[_line_nodes(block, across), 2, 0] = 0.5 * weights
+    elastic = elastic_body(block, young, poisson)
+    depth = solve_elasticity(elastic, forces, fixed, prescribed).values[:, 2, 0]
+    return np.array([mean @ depth[_line_nodes(block, nodes)] for nodes, mean in positions])
+
+
+def far_faces(block: HexMesh) -> Array:
+    """Nodes of all faces but the surface and the plane of symmetry.
+
+    Parameters
+    ----------
+    block : HexMesh
+        mesh of the block
+
+    Returns
+    -------
+    Array
+        shape (n,)
+    """
+    along, across, depth = block.parameters
+    ends = block.on(1, float(across.min())) | block.on(1, float(across.max()))
+    return np.asarray(ends | block.on(0, float(along.max())) | block.on(2, float(depth.max())))
+
+
+def _line_nodes(block: HexMesh, across: Array) -> Array:
+    """Numbers of the nodes of the surface on the plane of symmetry at positions [m]."""
+    line = np.flatnonzero(block.on(0, 0.0) & block.on(2, 0.0))
+    positions = block.parameters[1, line]
+    return np.asarray(line[[int(np.abs(positions - position).argmin()) for position in across]])
+
+
+GAUSS_POINTS = 32  # of the parabola
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SeatResponse:
+    """Radial displacement of the seat under unit forces at theta = 0, by its contacts' weights."""
+
+    theta: Array  # nodes around half the ring, shape (n,) [rad]
+    # under a load at the bottom of the groove, at the contact angle, and a radial force on the
+    # seat, shape (3, n) [m/N]
+    moved: Array
+    angle: float  # contact angle of the second [rad]
+    half_width: float  # w [rad]
+
+    def at(self, theta: Array) -> Array:
+        """Displacement of the seat at an angle from the load.
+
+        Parameters
+        ----------
+        theta : Array
+            the angle, any shape [rad]
+
+        Returns
+        -------
+        Array
+            per radial force on the groove, per component of it that opens the groove, and per
+            force on the seat, shape (3, ...) [m/N]
+        """
+        offsets, weights = _parabola(self.half_width)
+        distance = np.asarray(theta)[..., None] + offsets
+        distance = np.abs((distance + np.pi) % (2.0 * np.pi) - np.pi)
+        numbers, shapes = quadratic_line(self.theta, distance)
+        bottom, across, seat = (
+            (row[numbers] * shapes).sum(axis=-1) @ weights for row in self.moved
+        )
+        return np.stack([bottom, across - np.cos(self.angle) * bottom, seat])
+
+
+def seat_contact_forces(mesh: RingMesh, half_width: float) -> Array:
+    """Nodal forces of half a unit seat contact at theta = 0, outwards.
+
+    The other half stands beyond the plane of symmetry.
+
+    Parameters
+    ----------
+    mesh : RingMesh
+        mesh of the ring
+    half_width : float
+        w, half the angle of the contact [rad]
+
+    Returns
+    -------
+    Array
+        shape (nodes, 3) [-]
+    """
+    lines = _lines(mesh)
+    angles, weights = _parabola(half_width)
+    numbers, shapes = quadratic_line(lines, np.abs(angles))
+    around = np.zeros(lines.size)
+    np.add.at(around, numbers, 0.5 * weights[:, None] * shapes)
+    theta = mesh.body.parameters[0]
+    weight = around[np.abs(theta[:, None] - lines).argmin(axis=1)] * _across(mesh)
+    return np.asarray(
+        weight[:, None] * np.stack([0 * theta, np.cos(theta), np.sin(theta)], axis=1)
+    )
+
+
+def seat_response(mesh: RingMesh, field: Array, angle: float, half_width: float) -> SeatResponse:
+    """Radial displacement of the seat under the three unit loads.
+
+    Parameters
+    ----------
+    mesh : RingMesh
+        mesh of the ring
+    field : Array
+        displacement of all nodes, shape (nodes, 3, 3) [m/N]
+    angle : float
+        contact angle of the second load [rad]
+    half_width : float
+        w, half the angle of the seat contacts [rad]
+
+    Returns
+    -------
+    SeatResponse
+        displacement as a seat contact measures it
+    """
+    theta = mesh.body.parameters[0]
+    lines = _lines(mesh)
+    line = np.abs(theta[:, None] - lines).argmin(axis=1)
+    radial = field[:, 1] * np.cos(theta)[:, None] + field[:, 2] * np.sin(theta)[:, None]
+    moved = np.zeros((lines.size, 3))
+    np.add.at(moved, line, _across(mesh)[:, None] * radial)
+    return SeatResponse(theta=lines, moved=moved.T, angle=angle, half_width=half_width)
+
+
+def _parabola(half_width: float) -> tuple[Array, Array]:
+    """Angles [rad] and weights of a seat contact, whose resultant is one [-], shape (points,)."""
+    nodes, gauss = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    weights = gauss * (1.0 - nodes**2)
+    return half_width * nodes, weights / (weights @ np.cos(half_width * nodes))
+
+
+def _lines(mesh: RingMesh) -> Array:
+    return np.unique(mesh.body.parameters[0].round(12))
+
+
+def _across(mesh: RingMesh) -> Array:
+    """Weights of the nodes for the mean across the seat, sum 1 on every line around, zero off the
+    seat, shape (nodes,) [-].
+    """
+    s = mesh.body.parameters[1]
+    nodes = np.unique(s.round(12))
+    weights = np.zeros(nodes.size)
+    sizes = nodes[2::2] - nodes[:-2:2]
+    for corner, simpson in enumerate((1.0, 4.0, 1.0)):  # Simpson's rule, that of quadratic cells
+        weights[corner : nodes.size - 2 + corner : 2] += simpson / 6.0 * sizes
+    line_weights = weights[np.abs(s[:, None] - nodes).argmin(axis=1)] / (nodes[-1] - nodes[0])
+    return np.where(mesh.seat, line_weights, 0.0)
+
 
 # half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
 # change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, with Hertz'

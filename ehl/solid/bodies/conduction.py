@@ -17,10 +17,9 @@ import numpy as np
 from scipy import sparse
 
 from ...arrays import Array
-from .hexahedra import HexMesh, Nodes, block_matrix, gradient_products
+from .elasticity import HexMesh, Nodes, block_matrix, gradient_products, solve_symmetric
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import RingCells, RingProfile, section_points, track_points
-from .smoothed_aggregation import solve_symmetric
 
 SURFACES = (
     "track",

@@ -13,7 +13,7 @@ from math import pi
 import numpy as np
 
 from ...arrays import Array
-from .hexahedra import HexMesh, Nodes, hexahedra
+from .elasticity import HexMesh, Nodes, hexahedra
 from .ring_profile import RingCells, RingProfile, section_points
 
 DEPTH_GROWTH = 1.3  # of cells with the depth

@@ -12,7 +12,7 @@ from bearing.contacts import finite_bodies as module
 from bearing.contacts.finite_bodies import finite_bodies, ring_profile, with_finite_bodies
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
-from ehl.solid.bodies.ring_stress import StressDifference
+from ehl.solid.bodies.ring import StressDifference
 from ehl.solid.bodies.surface_difference import SurfaceDifference
 
 OIL = Lubricant(viscosity=0.03, pressure_viscosity=18e-9)

@@ -8,11 +8,11 @@ import pytest
 
 from bearing.contacts.hertz import hertz_contacts
 from bearing.films.formula import formula_central
-from bearing.films.moment import flooded_moment, kapitza_moment
+from bearing.films.moment import flooded_moment
 from bearing.library.lubricants import library_lubricant
 from ehl import SolverOptions, ViscosityLaw, solve_contact
 from ehl.conditions import ContactConditions
-from ehl.traction.rolling_moment import rolling_moment
+from ehl.traction.rolling_moment import kapitza_moment, rolling_moment
 
 
 def contact(load, speed=3.0, ratio=0.06, layer=1e-4):

@@ -16,7 +16,7 @@ from bearing.dynamics.friction import race_friction
 from bearing.dynamics.simulation import from_state, simulation
 from bearing.dynamics.statistics import RunningStatistics, _cage_orbit, simulation_statistics
 from bearing.friction.sources import CoefficientTraction
-from ehl.traction.coefficient_kernels import FourConstants
+from ehl.traction.coefficients import FourConstants
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)
 

@@ -23,8 +23,9 @@ from ehl.closed_form.hertz import contact_stiffness
 from ehl.conditions import ContactConditions
 from ehl.oil.rheology import Rheology
 from ehl.traction import normal_response
-from ehl.traction.table.splines import spline_coefficients
-from ehl.traction.table.table import LOAD_POWER, TableContact, TableError, TableRange, TractionTable
+from ehl.traction._kernels import LOAD_POWER
+from ehl.traction_table.splines import spline_coefficients
+from ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable
 
 from ...reference.dynamics import accelerations, elastic_approach, film
 

@@ -20,8 +20,8 @@ from bearing.dynamics.reduction import derivative, solved_motion
 from bearing.dynamics.simulation import simulation
 from bearing.friction.sources import CoefficientTraction, LawTraction
 from ehl.traction._kernels import hertz_friction
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
-from ehl.traction.quadrature import ellipse_rings
+from ehl.traction.coefficients import FourConstants, RampedCoulomb
+from ehl.traction.shear import ellipse_rings
 
 from ...reference.dynamics import accelerations
 

@@ -18,7 +18,7 @@ from bearing.dynamics.laws import damping_factor
 from bearing.dynamics.record import empty_record
 from bearing.dynamics.simulation import from_state, simulation
 from bearing.friction.sources import CoefficientTraction
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
+from ehl.traction.coefficients import FourConstants, RampedCoulomb
 
 from ...reference.impact import restitution_returned
 

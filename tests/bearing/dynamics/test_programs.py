@@ -21,7 +21,7 @@ from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
 from bearing.friction.sources import CoefficientTraction
 from bearing.quasistatic.solver import solve_quasistatic
-from ehl.traction.coefficient_kernels import FourConstants
+from ehl.traction.coefficients import FourConstants
 
 RPM = np.pi / 30.0
 FREE = (None, None, None)

@@ -20,8 +20,8 @@ from bearing.dynamics.simulation import simulation
 from bearing.friction.sources import CoefficientTraction
 from bearing.quasistatic.symmetric import solve_symmetric, unknowns
 from ehl.traction._kernels import hertz_friction, straight_friction
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
-from ehl.traction.quadrature import STRAIGHT_NODES, ellipse_lines, unit_gauss
+from ehl.traction.coefficients import FourConstants, RampedCoulomb
+from ehl.traction.shear import STRAIGHT_NODES, ellipse_lines, unit_gauss
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)
 END = 4e-3  # [s]

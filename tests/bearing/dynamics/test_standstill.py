@@ -16,7 +16,7 @@ from bearing.dynamics.inputs import Schedule, prescribed_values
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from bearing.friction.sources import CoefficientTraction
-from ehl.traction.coefficient_kernels import COULOMB, FourConstants, RampedCoulomb, coefficient
+from ehl.traction.coefficients import COULOMB, FourConstants, RampedCoulomb, coefficient
 
 LAW = FourConstants(-0.03, 3.644876513237464, 45.9363161820606, 0.03)
 LOADS = {"axial": (100.0, 0.0), "radial": (0.0, 100.0), "combined": (80.0, 40.0)}

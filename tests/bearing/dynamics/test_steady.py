@@ -18,7 +18,7 @@ from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from bearing.friction.sources import CoefficientTraction
 from bearing.rating.frequencies import kinematic_cage_speed
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
+from ehl.traction.coefficients import FourConstants, RampedCoulomb
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # kappa_max 0.05 at s 0.03, 0.03 at large s
 

@@ -26,8 +26,8 @@ from bearing.friction.law import BallTraction
 from bearing.friction.resistance import Cage, Resistance, resistance_of
 from bearing.friction.sources import CoefficientTraction, CoulombTraction, LawTraction
 from ehl import Lubricant
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
-from ehl.traction.laws import EllipseLaw
+from ehl.traction.coefficients import FourConstants, RampedCoulomb
+from ehl.traction.shear import EllipseLaw
 
 from ..quasistatic.test_random_bearings import random_bearing, random_operation
 

@@ -16,8 +16,8 @@ from scipy.special import ellipe
 
 from bearing import Operation, Race, load_material, reduced_radii, solve_quasistatic
 from bearing.geometry import contact_modulus
+from bearing.operation import RatingInput
 from bearing.rating.life import (
-    RatingInput,
     bearing_life,
     equivalent_ball_load,
     life_factor,

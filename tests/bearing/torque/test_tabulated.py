@@ -20,9 +20,9 @@ from bearing.torque.integrated import law_torque
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.rheology import Rheology
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
-from ehl.traction.laws import ContactShape, EllipseLaw
-from ehl.traction.table.table import TableContact, TableError, TableRange, TractionTable, load_coordinate
+from ehl.traction.coefficients import FourConstants, RampedCoulomb
+from ehl.traction.shear import ContactShape, EllipseLaw
+from ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable, load_coordinate
 
 OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
 MU = 0.08

@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from cases import load_case
 from cases.batch.sweep import sweep_from_text
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.format.problems import CaseError
 
 FIT = '\n[fit]\nshaft_tolerance = "k5"\nhousing_tolerance = "H7"\nhousing_outside_diameter_mm = 90.0\n'

@@ -29,7 +29,7 @@ from cases.batch.shared.contact_cache import ContactCache
 from cases.batch.store import finished_points, open_folder
 from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.batch.worker import compute_block, compute_point
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.format.film_model import NEWTONIAN
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 from postprocess.batch.records import Record

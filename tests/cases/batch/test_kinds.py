@@ -22,11 +22,12 @@ from cases.batch.results import load_results, write_batch
 from cases.batch.shared import tables
 from cases.batch.sweep import sweep_from_text
 from cases.batch.worker import compute_point
-from cases.cli.main import app
-from ehl.traction.table.build import TableOptions, build_table
+from cases.cli.app import app
+from ehl.traction_table.build import TableOptions, build_table
 from postprocess import summary
+from postprocess.batch.keys import varied_keys
 from postprocess.batch.main_results import main_results
-from postprocess.batch.plots import quantities, varied_keys
+from postprocess.batch.plots import quantities
 from postprocess.batch.records import summary_of
 from postprocess.batch.summary import batch_summary
 

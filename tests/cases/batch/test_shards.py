@@ -24,7 +24,7 @@ from cases.batch.results import collect_results, load_results, write_batch
 from cases.batch.shards import Shard, shard_of
 from cases.batch.sweep import sweep_from_text
 from cases.batch.worker import compute_point, failure
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.runs.output_lock import one_writer
 from postprocess.batch.columns import InMemory, columns_of
 from postprocess.batch.parquet import write_batch_parquet

@@ -22,7 +22,7 @@ from bearing.library.lubricants import library_lubricant
 from bearing.torque.palmgren import viscous_factor
 from cases import load_case
 from cases.cli import compute, output, terminal
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.format.shipped import find_case, shipped_cases
 from cases.runs import interrupt
 

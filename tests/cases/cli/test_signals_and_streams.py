@@ -213,8 +213,6 @@ def test_a_compilation_is_told_once(capsys):
 def test_compiling_a_kernel_is_logged_and_calling_it_again_is_not(caplog):
     from numba import njit
 
-    import ehl.multigrid.kernels._kernels  # noqa: F401
-
     kernel = njit(lambda x: 0.5 * x)
     with caplog.at_level("INFO", logger="ehl.compiled"):
         assert (kernel(3.0), kernel(5.0)) == (1.5, 2.5)

@@ -7,7 +7,7 @@ import shutil
 import pytest
 from typer.testing import CliRunner
 
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.format.problems import CaseError
 from cases.format.shipped import find_case, shipped_cases
 

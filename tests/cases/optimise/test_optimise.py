@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cases import CaseError
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.cli.optimise import optimisation_table
 from cases.optimise.ask import Observations, first_designs, next_designs, pareto_front, scalar_goal
 from cases.optimise.designs import Design, OptimisationResult

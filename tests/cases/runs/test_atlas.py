@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 import ehl
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.format.case import load_case
 from cases.runs.studies import atlas
 

@@ -10,12 +10,12 @@ from bearing.geometry import Race
 from bearing.material import load_material
 from cases.batch.shared.tables import tables_once
 from cases.batch.sweep import sweep_from_text
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from cases.format.shipped import find_case
 from cases.runs.dynamics import build_model
-from ehl.traction.table.temperature import TemperatureTable
+from ehl.traction_table.temperature import TemperatureTable
 
 from ..made_up_tables import made_up_tables
 

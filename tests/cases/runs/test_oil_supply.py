@@ -321,8 +321,9 @@ def test_a_sweep_draws_supply_and_temperature_a_line_for_each_load_and_speed():
     """Films over the flooded ones have a line for each of the eight combinations of load and speed, named beside."""
     from matplotlib.figure import Figure
 
+    from postprocess.batch.keys import varied_keys
     from postprocess.batch.main_results import result_names
-    from postprocess.batch.plots import draw_batch, quantities, varied_keys
+    from postprocess.batch.plots import draw_batch, quantities
     from postprocess.batch.results import BatchPoint, BatchResults
 
     assert {"supply.film_share", "supply.lambda_least", "self_heating.temperature_C"} <= set(result_names("run"))

@@ -16,13 +16,13 @@ from bearing.friction.table_files import load_tables
 from bearing.geometry import Race
 from bearing.library.lubricants import library_lubricant
 from cases.batch.shared.tables import bodies_and_oil
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.format.case import case_of_document, load_case
 from cases.format.traction import tables_of_file
 from cases.runs.traction_table import run_table
 from ehl.oil.rheology import Rheology
-from ehl.traction.table.build import TableOptions
-from ehl.traction.table.full_solves import FullSolve
+from ehl.traction_table.build import TableOptions
+from ehl.traction_table.table import FullSolve
 from postprocess.traction.results import TractionResults
 from postprocess.traction.summary import full_solve_entry, traction_summary
 
@@ -96,7 +96,7 @@ def test_the_table_that_a_case_names_is_made_without_it(quick, monkeypatch, tmp_
     equilibrium = load_case(case)  # takes it
     assert set(equilibrium.traction.source.laws) == set(Race)
     made = path.read_bytes()
-    monkeypatch.setattr("ehl.traction.table.storage.FORMAT_VERSION", 10)
+    monkeypatch.setattr("ehl.traction_table.storage.FORMAT_VERSION", 10)
     refused("format version 9, this program reads 10")
     found = call(str(case), "-o", str(path), "-q")
     assert found.exit_code == 0, found.stderr

@@ -17,7 +17,7 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from cases import load_case
-from cases.cli.main import app
+from cases.cli.app import app
 from cases.format.problems import CaseError
 from cases.format.shipped import shipped_cases
 from cases.runs.studies.transient import run_transient

@@ -10,7 +10,7 @@ import pytest
 from atlas.picture import formula_errors, held_out
 
 import ehl
-from ehl.closed_form.film_formula import FILE, RANGE
+from ehl.atlas.film_formula import FILE, RANGE
 from ehl.scaling import scale_contact
 from verification.contacts import from_groups, moes
 

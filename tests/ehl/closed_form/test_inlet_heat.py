@@ -7,9 +7,8 @@ from dataclasses import replace
 import pytest
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.closed_form.film import film_reduction_gupta, thermal_loading
+from ehl.closed_form.film import ThermalReduction, film_reduction_gupta, heat_loss, inlet_heat, thermal_loading
 from ehl.closed_form.hertz import hertz_contact
-from ehl.closed_form.inlet_heat import ThermalReduction, heat_loss, inlet_heat
 from ehl.generalized.solver import solve_generalized
 from ehl.oil.lubricant import ThermalProperties
 from ehl.oil.rheology import Rheology

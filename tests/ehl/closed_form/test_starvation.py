@@ -11,13 +11,14 @@ import pytest
 
 from ehl.closed_form.starvation import (
     DRY,
+    FILE,
     FLOODED,
+    contact_coordinates,
     rolling_moment_factor_biboulet_houpert,
     starvation_exponent,
     starvation_factors,
     starved_film_factor,
 )
-from ehl.closed_form.starvation_table import FILE, contact_coordinates
 
 SOLVES = Path(__file__).parents[3] / "tools" / "starvation" / "solves.jsonl"
 DAMPING = SOLVES.with_name("damping.jsonl")

@@ -11,20 +11,27 @@ from scipy.integrate import dblquad, quad
 from scipy.sparse import diags
 
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
-from ehl.finite_element.edges import dual_lengths
-from ehl.finite_element.levels import cell_along, lattices, level_on
-from ehl.finite_element.mesh import graded_lines, refined
 from ehl.finite_element.newton import Progress, newton, step_fraction
-from ehl.finite_element.oil_laws import oil_laws, reduced_pressure, tabulated_laws
 from ehl.finite_element.reynolds import (
     coefficients,
+    dual_lengths,
     flow_on,
+    oil_laws,
     poiseuille_by_film,
     poiseuille_by_pressure,
+    reduced_pressure,
     reynolds_residual,
+    tabulated_laws,
 )
-from ehl.finite_element.solver import solve_contact_finite_element
-from ehl.finite_element.start import hertz_start
+from ehl.finite_element.solver import (
+    cell_along,
+    graded_lines,
+    hertz_start,
+    lattices,
+    level_on,
+    refined,
+    solve_contact_finite_element,
+)
 from ehl.scaling import scale_contact
 from ehl.solid.compliance import Lattice, compliance, near_field
 from verification.contacts import race_6208

@@ -13,8 +13,8 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
 from ehl.generalized import _kernels
-from ehl.generalized._stress_kernels import ROWS
-from ehl.generalized.section import film_section
+from ehl.generalized._kernels import ROWS
+from ehl.generalized.film_heat import film_section
 from ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, oil_numbers, viscosity
 from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 

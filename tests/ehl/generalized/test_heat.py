@@ -16,10 +16,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from ehl.closed_form.film import film_reduction_gupta, thermal_loading
+from ehl.generalized import _heat_kernels, flow, solver
 from ehl.generalized import _heat_kernels as _kernels
-from ehl.generalized import _sweep_kernels, flow, solver
-from ehl.generalized.film_heat import SMALLEST_PENDING_CHANGE, FilmHeat
-from ehl.generalized.section import film_section, wall_slopes
+from ehl.generalized.film_heat import SMALLEST_PENDING_CHANGE, FilmHeat, film_section, wall_slopes
 from ehl.generalized.solver import solve_generalized
 from ehl.oil.lubricant import DensityLaw, ThermalProperties, oil_numbers
 from ehl.oil.rheology import Rheology, kernel_rheology
@@ -191,10 +190,10 @@ def test_linear_flux_into_a_moving_body_is_exact():
     ours = [np.dot(weights[: i + 1][::-1], q[: i + 1]) for i in range(50)]
     assert_allclose(ours, 4.0 / 3.0 * q**1.5, rtol=1e-12)
     both = np.stack((q, 2.0 * q)).reshape(2, 1, 50)
-    past = [_sweep_kernels.body_history(1, 0, i, both, 3.0 * both, 1.0, weights) for i in range(50)]
+    past = [_heat_kernels.body_history(1, 0, i, both, 3.0 * both, 1.0, weights) for i in range(50)]
     assert_allclose(np.array(past) / (2.0, 6.0), (ours - weights[0] * q)[:, None] * (1.0, 1.0), rtol=1e-12)
     both = both[..., ::-1].copy()
-    past = [_sweep_kernels.body_history(1, 0, 49 - i, both, 3.0 * both, -1.0, weights) for i in range(50)]
+    past = [_heat_kernels.body_history(1, 0, 49 - i, both, 3.0 * both, -1.0, weights) for i in range(50)]
     assert_allclose(np.array(past) / (2.0, 6.0), (ours - weights[0] * q)[:, None] * (1.0, 1.0), rtol=1e-12)
 
 
@@ -224,7 +223,7 @@ class Line:
     def march(self, inlet=T_0):
         """Sweep once along the line; the number of columns that missed."""
         heat = (self.oil.thermal.conductivity, self.oil.density * self.oil.thermal.specific_heat)
-        return _sweep_kernels.heat_sweep(
+        return _heat_kernels.heat_sweep(
             *(*self.film, (self.mesh, 1.0), True, True, oil_numbers(self.oil), heat, SECTION.integration, DIFFERENCES),
             *(kernel_rheology(Rheology()), inlet, (T_0, T_0), self.response, self.weights),
             *(self.upwind, self.upwind_flux, self.temperature, self.flux, self.middle, self.mass, self.dissipation),
@@ -232,7 +231,7 @@ class Line:
                 self.recirculates,
                 self.pending_change,
                 SMALLEST_PENDING_CHANGE,
-                _sweep_kernels.column_rooms(SECTION.nodes.size),
+                _heat_kernels.column_rooms(SECTION.nodes.size),
             ),
         )
 

@@ -10,8 +10,7 @@ import pytest
 from ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
 from ehl.closed_form.film import moes_film_nijenbanning
 from ehl.closed_form.hertz import hertz_coefficients
-from ehl.multigrid.full_multigrid import ATTEMPTS
-from ehl.multigrid.settling import DIVERGED, guarded_cycle
+from ehl.multigrid.full_multigrid import ATTEMPTS, DIVERGED, guarded_cycle
 from ehl.scaling import scale_contact
 from ehl.solver import solve_attempts
 from verification.contacts import from_groups, moes

@@ -10,10 +10,10 @@ from numpy.testing import assert_allclose
 
 from ehl import Lubricant, MoesConditions, ViscosityLaw
 from ehl.grid import Grid
+from ehl.multigrid import _reynolds_kernels
+from ehl.multigrid import _reynolds_kernels as _relaxation_kernels
 from ehl.multigrid.cycle import log_viscosity, relax, start_level, update_film
-from ehl.multigrid.flow_model import FlowFactors
-from ehl.multigrid.kernels import _kernels, _relaxation_kernels
-from ehl.multigrid.levels import Damping, make_multigrid
+from ehl.multigrid.levels import Damping, FlowFactors, make_multigrid
 from ehl.oil import _kernels as properties
 from ehl.oil.lubricant import oil_numbers
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
@@ -53,7 +53,7 @@ def compiled_flow(c, P, H, factors=PLAIN):
     eps, rho, slope = np.empty_like(P), np.empty_like(P), np.empty_like(P)
     viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
     density = (c.density_numerator, c.density_denominator)
-    _kernels.flow_properties(P, H, *viscosity, *density, *factors.follows, c.speed, eps, rho, slope, 0, len(P))
+    _reynolds_kernels.flow_properties(P, H, *viscosity, *density, *factors.follows, c.speed, eps, rho, slope, 0, len(P))
     return eps, rho, slope
 
 
@@ -90,7 +90,7 @@ def test_reynolds_operator(fields):
     g, P, H = fields
     for flow in couette_flows(g, P, H):
         ours = np.empty_like(P)
-        _kernels.reynolds_operator(P, H, flow.eps, flow.flow_x, compiled_lateral(flow)[0], *mesh(g), ours)
+        _reynolds_kernels.reynolds_operator(P, H, flow.eps, flow.flow_x, compiled_lateral(flow)[0], *mesh(g), ours)
         twin = reynolds.reynolds_operator(P, H, flow.eps, (flow.flow_x, flow.flow_y), (g.hx, g.hy), g.symmetric)
         assert_allclose(ours, twin, rtol=ROUND_OFF, atol=ROUND_OFF * np.abs(twin).max())
 

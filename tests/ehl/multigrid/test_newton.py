@@ -11,12 +11,11 @@ from numpy.testing import assert_allclose
 from scipy import sparse
 
 from ehl import SolverOptions, solve_contact
-from ehl.multigrid.bordered import Border, factor_bordered, nested_dissection, solve_bordered
 from ehl.multigrid.cycle import load_error, relative_residual
 from ehl.multigrid.full_multigrid import ATTEMPTS
 from ehl.multigrid.history import film_values
 from ehl.multigrid.jacobian import TAPER, deflected, linearise, load_row, near_field, product
-from ehl.multigrid.newton import TOLERANCE, certify
+from ehl.multigrid.newton import TOLERANCE, Border, certify, factor_bordered, nested_dissection, solve_bordered
 from ehl.solver import solve_attempts
 from verification.contacts import DEGREE, OIL, SKEWED, TURNING
 from verification.contacts import moes as groups

@@ -12,12 +12,12 @@ from numpy.testing import assert_allclose
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.generalized.solver import solve_generalized
+from ehl.multigrid import _starved_kernels
 from ehl.multigrid.cycle import _restrict as restrict
 from ehl.multigrid.cycle import cycle, relative_residual, relax
 from ehl.multigrid.full_multigrid import ATTEMPTS
-from ehl.multigrid.kernels import _starved_kernels
 from ehl.multigrid.supply.oil_supply import pressure_moment
-from ehl.oil.inlet_layer import InletLayer
+from ehl.oil.lubricant import InletLayer
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.scaling import scale_contact
 from ehl.solver import solve_attempts

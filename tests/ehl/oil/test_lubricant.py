@@ -13,7 +13,7 @@ import pytest
 from numba import njit
 from numpy.testing import assert_allclose
 
-from ehl.multigrid.flow_model import NOTHING
+from ehl.multigrid.levels import NOTHING
 from ehl.oil import _kernels
 from ehl.oil.free_volume import (
     DoolittleFreeVolume,

@@ -9,7 +9,7 @@ import pytest
 from numba import njit
 from numpy.testing import assert_allclose
 
-from ehl.oil import _rheology_kernels as _kernels
+from ehl.oil import _kernels
 from ehl.oil.lubricant import Lubricant, ViscosityLaw
 from ehl.oil.lubricant import viscosity as lubricant_viscosity
 from ehl.oil.rheology import (

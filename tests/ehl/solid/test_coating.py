@@ -13,9 +13,7 @@ from scipy.special import j0
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.scaling import scale_contact
-from ehl.solid.coating import Coating
-from ehl.solid.layered import patch_compliance, point_compliance
-from ehl.solid.layered_fem import correction
+from ehl.solid.layered import Coating, correction, patch_compliance, point_compliance
 
 STEEL = 210e9
 BARE = ContactConditions(

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from ehl.solid.film_conductance import (
+from ehl.solid.heat import (
     BETA,
+    SolidThermal,
     bare_conductance,
     exchanged_heat,
     film_conductance,
@@ -18,7 +19,6 @@ from ehl.solid.film_conductance import (
     moving_speed,
     spot_conductance,
 )
-from ehl.solid.heat import SolidThermal
 
 from ...reference.ehl.marched import marched_flux_twin
 

@@ -7,9 +7,9 @@ import sys
 
 import pytest
 
-from ehl.traction.atlas.films import atlas_films
+from ehl.atlas.films import atlas_films
 from ehl.traction.shear import integrate_traction
-from ehl.traction.table.build import build_table
+from ehl.traction_table.build import build_table
 from ehl.transient.run import solve_transient
 
 

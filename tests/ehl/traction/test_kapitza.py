@@ -5,7 +5,7 @@ import pytest
 
 from ehl import ContactConditions, Lubricant
 from ehl.scaling import scale_contact
-from ehl.traction.kapitza import circles_moment_loss, kapitza_moment
+from ehl.traction.rolling_moment import circles_moment_loss, kapitza_moment
 
 from ...reference.ehl.kapitza import circles_loss_twin, kapitza_moment_twin
 

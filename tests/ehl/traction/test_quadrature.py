@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl.traction._kernels import hertz_friction
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
-from ehl.traction.quadrature import EllipseRule, ellipse_lines, ellipse_nodes
+from ehl.traction.coefficients import FourConstants, RampedCoulomb
+from ehl.traction.shear import EllipseRule, ellipse_lines, ellipse_nodes
 
 SHAPE = np.array([1e-4, 1.1e-3, 5e-3, 0.5 / 6e-3, 0.0])  # an ellipse of 1 to 11
 LOAD = 100.0  # [N]

@@ -15,8 +15,8 @@ from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
 import ehl
+from ehl.conditions import contact_kinematics
 from ehl.generalized.solver import solve_generalized
-from ehl.kinematics import contact_kinematics
 from ehl.multigrid.far_field import far_field
 from ehl.multigrid.supply.oil_supply import pressure_moment
 from ehl.oil.rheology import Rheology, ShearLaw

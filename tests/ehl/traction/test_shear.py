@@ -16,7 +16,7 @@ from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
 import ehl
-from ehl.kinematics import ContactKinematics, contact_kinematics
+from ehl.conditions import ContactKinematics, contact_kinematics
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.shear import Cavitation, integrate_traction, shear_fields, sheared_width
 

@@ -15,10 +15,8 @@ from ehl.multigrid.far_field import far_field
 from ehl.multigrid.levels import Damping, TimeStep, make_multigrid
 from ehl.oil.lubricant import DensityLaw
 from ehl.scaling import scale_contact
-from ehl.transient.content import advected, weights
-from ehl.transient.inputs import TransientConditions, TransientOptions
-from ehl.transient.run import transient_run
-from ehl.transient.start import SWITCH
+from ehl.transient.inputs import TransientConditions, TransientOptions, advected, weights
+from ehl.transient.run import SWITCH, transient_run
 from verification.contacts import from_groups, moes
 
 OIL = Lubricant(

@@ -10,17 +10,15 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from ehl import Lubricant, SolverOptions
-from ehl.closed_form.waviness import FlatFilm, waviness_amplitude_ratio, waviness_moving_with_body
+from ehl.closed_form.film import FlatFilm, waviness_amplitude_ratio, waviness_moving_with_body
 from ehl.multigrid.cycle import log_viscosity
 from ehl.oil.lubricant import DOWSON_HIGGINSON_DENOMINATOR, DOWSON_HIGGINSON_NUMERATOR
 from ehl.scaling import scale_contact
 from ehl.solver import solve_attempts
-from ehl.traction.response.linear import linear_contact
-from ehl.transient.features import Dent, Ridge, Waviness
-from ehl.transient.inputs import Course, Impact, Scheme, TransientConditions, TransientOptions
-from ehl.transient.plan import impact_time
+from ehl.traction.linear_response import linear_contact
+from ehl.transient.inputs import Course, Dent, Impact, Ridge, Scheme, TransientConditions, TransientOptions, Waviness
 from ehl.transient.record import QUANTITIES
-from ehl.transient.run import transient_run
+from ehl.transient.run import impact_time, transient_run
 from ehl.transient.waves import wave_results
 from verification.contacts import from_groups, moes
 

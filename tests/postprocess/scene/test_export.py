@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 from numpy.testing import assert_allclose, assert_array_equal
 
-from ehl.solid.coating import Coating
+from ehl.solid.layered import Coating
 from postprocess import open_results, write_results
 from postprocess.scene.export import WRITERS, export_results
 from postprocess.scene.geometry import Placement, contact_frame, crop_to_ball
@@ -182,7 +182,7 @@ def test_the_coating_is_that_of_the_case(contact_results, tmp_path):
 def test_the_command(bearing_folder, tmp_path, monkeypatch):
     from typer.testing import CliRunner
 
-    from cases.cli.main import app
+    from cases.cli.app import app
 
     def oilfilm(*words):
         return CliRunner().invoke(app, ["export", *map(str, words)])

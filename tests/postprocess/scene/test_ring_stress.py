@@ -6,7 +6,7 @@ import meshio
 import numpy as np
 import pytest
 
-from ehl.solid.bodies.ring_stress import RingStress
+from ehl.solid.bodies.ring import RingStress
 from ehl.solid.subsurface import SubsurfaceStress
 from postprocess.scene.ring_stress import stress_mesh
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.generalized.section import Section
-from ehl.oil._rheology_kernels import LIMIT_POWER
+from ehl.generalized.film_heat import Section
+from ehl.oil._kernels import LIMIT_POWER
 from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_stress
 
 from .rheology import shear_rate, unlimited

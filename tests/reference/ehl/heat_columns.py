@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.generalized.section import Section, wall_slopes
+from ehl.generalized.film_heat import Section, wall_slopes
 
 Array = NDArray[np.float64]
 

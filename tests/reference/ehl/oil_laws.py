@@ -7,8 +7,7 @@ from math import log
 import numpy as np
 
 from ehl.oil.free_volume import ExpansivityForm
-from ehl.oil.heat_properties import FittedHeat, VolumeHeat
-from ehl.oil.lubricant import DensityLaw, ViscosityLaw
+from ehl.oil.lubricant import DensityLaw, FittedHeat, ViscosityLaw, VolumeHeat
 
 
 def relative_volume(p, temperature, tait):

@@ -1,5 +1,5 @@
 """The hybrid line relaxation in NumPy and SciPy: the reference for
-`ehl.multigrid.kernels._relaxation_kernels.relax_lines`.
+`ehl.multigrid._reynolds_kernels.relax_lines`.
 
 Along a line in x all changes follow together from the linearised Reynolds operator, the
 deflection truncated to a band. Each node is one of three kinds (Venner and Lubrecht, 2000, section

@@ -7,11 +7,17 @@ from math import exp, log
 import numpy as np
 
 from ehl.oil.rheology import limited, shear_stress
-from ehl.traction.coefficient_kernels import RampedCoulomb
-from ehl.traction.table.coordinates import COORDINATE_TERMS, at_vertex, motion_coordinate, spinning_scales, vertex_slide
-from ehl.traction.table.packing import whole_numbers
-from ehl.traction.table.splines import spline_weights
-from ehl.traction.table.table import load_coordinate
+from ehl.traction.coefficients import RampedCoulomb
+from ehl.traction_table.compression import whole_numbers
+from ehl.traction_table.splines import spline_weights
+from ehl.traction_table.table import (
+    COORDINATE_TERMS,
+    at_vertex,
+    load_coordinate,
+    motion_coordinate,
+    spinning_scales,
+    vertex_slide,
+)
 
 
 def sliding_forces(film, kinematics):

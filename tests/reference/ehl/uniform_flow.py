@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ehl.multigrid.flow_model import FlowFactors
+from ehl.multigrid.levels import FlowFactors
 
 
 class UniformFlow:

@@ -7,7 +7,7 @@ import numpy as np
 
 from ehl import ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.multigrid.supply.oil_supply import starved_film_guess
-from ehl.oil.inlet_layer import InletLayer
+from ehl.oil.lubricant import InletLayer
 from ehl.scaling import ScaledContact, scale_contact
 
 from ..contacts import OIL, Box, moes

@@ -14,10 +14,19 @@ from numpy.testing import assert_allclose
 
 from ehl.closed_form.hertz import contact_stiffness
 from ehl.solid.bodies import Elasticity, RingCells, RingProfile, Seat, ring_response
-from ehl.solid.bodies.compliance import _balanced, _directions, _half_space, _in_place, _moved, _patch, _support
+from ehl.solid.bodies.compliance import (
+    _balanced,
+    _directions,
+    _half_space,
+    _in_place,
+    _moved,
+    _patch,
+    _support,
+    flat_block,
+    indentation,
+)
 from ehl.solid.bodies.elasticity import elastic_body, solve_elasticity
-from ehl.solid.bodies.flat_block import flat_block, indentation
-from ehl.solid.bodies.ring_field import ring_field
+from ehl.solid.bodies.ring import ring_field
 from ehl.solid.bodies.ring_mesh import ring_mesh
 
 STEEL = Elasticity(young=206e9, poisson=0.3, body_young=206e9, body_poisson=0.3)

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from ehl.solid.bodies import RingCells, RingProfile, ring_conductances
 from ehl.solid.bodies.conduction import _resistance, conduction_matrix
-from ehl.solid.bodies.hexahedra import hexahedra, surface_weights
+from ehl.solid.bodies.elasticity import hexahedra, surface_weights
 
 INNER_6208 = RingProfile(
     groove_radius=6.17e-3, track_radius=24e-3, shoulder_radius=26.3e-3, seat_radius=20e-3, width=18e-3

@@ -8,11 +8,10 @@ from scipy.special import eval_legendre
 
 from ehl.closed_form.hertz import hertz_contact
 from ehl.closed_form.hertz_stress import hertz_orthogonal_shear
-from ehl.solid.bodies import sphere
-from ehl.solid.bodies.ring_difference import ring_difference
+from ehl.solid.bodies import finite_body_correction
+from ehl.solid.bodies.finite_body_correction import ball_difference, pole_difference, ring_difference
+from ehl.solid.bodies.ring import grid_stress, ring_stress
 from ehl.solid.bodies.ring_profile import RingProfile
-from ehl.solid.bodies.ring_stress import grid_stress, ring_stress
-from ehl.solid.bodies.sphere import ball_difference, pole_difference
 from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, fitted, groove_gap
 
 # 6208 under 1000 N, steel: inner ring, ball, ellipse
@@ -33,10 +32,10 @@ def test_high_degrees_of_a_sphere_are_those_of_a_half_space(poisson_ratio):
     """1 + c/n + O(n^-2), c = (1 - 2 nu)^2/[2 (1 - nu)]; the mean pressure compresses by p R/(3 K)."""
     n = np.array([2000.0, 4000.0])
     slope = (1.0 - 2.0 * poisson_ratio) ** 2 / (2.0 * (1.0 - poisson_ratio))
-    rest = sphere._degrees(n, poisson_ratio) - 1.0 - slope / n
+    rest = finite_body_correction._degrees(n, poisson_ratio) - 1.0 - slope / n
     assert np.abs(rest * n**2).max() < 1.0
     bulk = 2.0 * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio))  # over the shear modulus
-    mean = sphere._degrees(np.zeros(1), poisson_ratio)[0] * 2.0 * (1.0 - poisson_ratio)
+    mean = finite_body_correction._degrees(np.zeros(1), poisson_ratio)[0] * 2.0 * (1.0 - poisson_ratio)
     assert mean == pytest.approx(1.0 / (3.0 * bulk))
 
 
@@ -45,7 +44,7 @@ def test_displacement_of_a_sphere_against_the_plain_sum():
     angle = np.array([0.05, 0.3, 1.0, 2.0])
     degree = np.arange(0, 20000, 2)
     damping = np.exp(-((degree / 5000.0) ** 4))
-    terms = 2.0 * sphere._degrees(degree, NU) * damping
+    terms = 2.0 * finite_body_correction._degrees(degree, NU) * damping
     plain = [(terms * eval_legendre(degree, np.cos(a))).sum() for a in angle]
     assert pole_difference(angle, NU) + 1.0 / angle == pytest.approx(plain, rel=1e-3)
 
@@ -141,11 +140,16 @@ def test_curvatures_stand_for_the_whole_difference_of_a_ball():
     t, s = (np.linspace(-1.2, 1.2, n, endpoint=False) + 1.2 / n for n in (18, 48))
     x, y = (g.ravel() for g in np.meshgrid(t * patch.semi_axis_x, s * patch.semi_axis_y, indexing="ij"))
     cell = (2.4 / 18 * patch.semi_axis_x, 2.4 / 48 * patch.semi_axis_y)
-    flat = 2.0 * (1.0 - NU**2) / (np.pi * E) * sphere._cell_means(sphere._distance_corner, x, y, cell)
+    flat = (
+        2.0
+        * (1.0 - NU**2)
+        / (np.pi * E)
+        * finite_body_correction._cell_means(finite_body_correction._distance_corner, x, y, cell)
+    )
     gap = 0.5 * x**2 / radius_x + 0.5 * y**2 / radius_y
     curved = ball_difference(BALL, E, NU, patch)
     bent = gap + 0.5 * curved.curvature_x * x**2 + 0.5 * curved.curvature_y * y**2
-    whole = flat + sphere.ball_kernel(BALL, E, NU, (x, y), cell)
+    whole = flat + finite_body_correction.ball_kernel(BALL, E, NU, (x, y), cell)
     peaks = [pressed(*problem).max() for problem in ((flat, gap), (flat, bent), (whole, gap))]
     by_curvature, by_all = peaks[1] / peaks[0] - 1.0, peaks[2] / peaks[0] - 1.0
     assert by_all == pytest.approx(by_curvature, abs=4e-3)

@@ -8,8 +8,8 @@ from functools import cache
 import pytest
 
 import ehl
-from ehl.oil.inlet_layer import InletLayer
-from ehl.traction.atlas.check import atlas_disagreements
+from ehl.atlas.films import atlas_disagreements
+from ehl.oil.lubricant import InletLayer
 from postprocess.contact.summary import solution_messages
 from verification.contacts import OIL, from_groups, moes
 

@@ -13,11 +13,10 @@ from bearing.films.formula import formula_values_of, hertz_size, plain_film
 from bearing.friction._kernels import film_frictions
 from bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
+from ehl.atlas.fields import contact_fields, film_shapes, shape_coordinates
+from ehl.atlas.films import atlas_films
+from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
-from ehl.solution import MEAN_PRESSURE_RATIO
-from ehl.traction.atlas.fields import contact_fields
-from ehl.traction.atlas.film_shapes import film_shapes, shape_coordinates
-from ehl.traction.atlas.films import atlas_films
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces, zone_quadrature
 
 SHEAR = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=0.047, limiting_coefficient=0.047, limiting_minimum=5e6)

@@ -12,13 +12,11 @@ import numpy as np
 import pytest
 
 import ehl
+from ehl.atlas.films import NotInAtlasError, atlas_films_of_contacts, nearest_covered
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
-from ehl.solid.coating import Coating
-from ehl.traction.atlas.films import NotInAtlasError, atlas_films_of_contacts
-from ehl.traction.atlas.nearest import nearest_covered
-from ehl.traction.kapitza import circles_moment_loss
-from ehl.traction.rolling_moment import rolling_moment
+from ehl.solid.layered import Coating
+from ehl.traction.rolling_moment import circles_moment_loss, rolling_moment
 from verification.contacts import OIL, from_groups, moes
 
 LABELS, SKEWED = (Path(__file__).parents[4] / "tools" / "atlas" / name for name in ("labels.csv.gz", "skewed.csv.gz"))

@@ -10,8 +10,8 @@ import pytest
 import ehl
 from bearing.library.lubricants import library_lubricant
 from ehl import DensityLaw, ViscosityLaw
+from ehl.atlas.oils import density_correction, inlet_oil, with_inlet_oil
 from ehl.oil.lubricant import log_viscosity_ratio
-from ehl.traction.atlas.oils import density_correction, inlet_oil, with_inlet_oil
 from verification.contacts import OIL, from_groups, moes
 
 

@@ -10,21 +10,21 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad, solve_ivp
 
 from ehl import Lubricant, SolverOptions
+from ehl.conditions import ContactKinematics
 from ehl.generalized.solver import solve_generalized
-from ehl.kinematics import ContactKinematics
 from ehl.oil.lubricant import ThermalProperties
 from ehl.oil.rheology import Rheology, ShearLaw, thinning_by_gradient
 from ehl.solid.heat import SolidThermal
+from ehl.traction import _heated_kernels
+from ehl.traction._heated_kernels import nahme
 from ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
-from ehl.traction.heated import _kernels
-from ehl.traction.heated.film import heated_film, heated_forces, line_history
-from ehl.traction.heated.nahme import nahme
+from ehl.traction.heated_film import heated_film, heated_forces, line_history
 from ehl.traction.shear import integrate_traction
-from ehl.traction.table.build import TableOptions, build_table
-from ehl.traction.table.film import table_film
-from ehl.traction.table.full_solves import full_solves
-from ehl.traction.table.many_motions import vectorised_heated_forces
-from ehl.traction.table.table import TableContact, TableRange
+from ehl.traction_table.build import TableOptions, build_table
+from ehl.traction_table.film import table_film
+from ehl.traction_table.full_solves import full_solves
+from ehl.traction_table.table import TableContact, TableRange
+from ehl.traction_table.vectorised_traction import vectorised_heated_forces
 
 from ....reference.ehl import heated as reference
 from ....reference.ehl.traction import largest_force
@@ -85,7 +85,7 @@ def test_couette_flow_heated_by_itself():
 @pytest.mark.parametrize("wall", [0.0, 30.0])
 def test_thinning_agrees_with_its_reference(fall, wall):
     for flux in np.geomspace(1e2, 1e9, 15):
-        found = _kernels.thinning_by_heat(wall, flux, 0.7e-6, 0.09, fall, 0.14)
+        found = _heated_kernels.thinning_by_heat(wall, flux, 0.7e-6, 0.09, fall, 0.14)
         expected = reference.thinning_by_heat(
             np.array([wall]), np.array([flux]), np.array([0.7e-6]), (np.array([0.09]), np.array([fall])), 0.14
         )
@@ -178,7 +178,7 @@ def test_factors_of_lines_against_the_march_of_every_node(film, ratio):
 def test_bodies_and_oil_that_take_all_heat_leave_the_film_of_rolling(film):
     lines, endless = film.quadrature.lines, replace(STEEL, conductivity=1e18)
     nodes = lines.lines.copy()
-    nodes[..., _kernels.CONDUCTIVITY] = 1e9
+    nodes[..., _heated_kernels.CONDUCTIVITY] = 1e9
     cold = replace(film.quadrature, lines=replace(lines, lines=nodes, solids=(endless, endless)))
     rows = np.moveaxis(lines.nodes, 1, 0).reshape(8, -1)
     plain = FilmQuadrature(nodes=rows, half_width=film.quadrature.low_pressure.half_width, rheology=LIMITED)
@@ -187,7 +187,7 @@ def test_bodies_and_oil_that_take_all_heat_leave_the_film_of_rolling(film):
         film.quadrature.low_pressure, slide, rolling, 50.0
     )
     assert_allclose(heated_forces(cold, slide, rolling, 50.0), both, rtol=1e-5)
-    assert lines.lines[..., _kernels.TEMPERATURE].max() > 315.0  # what rolling warmed stays
+    assert lines.lines[..., _heated_kernels.TEMPERATURE].max() > 315.0  # what rolling warmed stays
 
 
 def test_heat_takes_more_friction_the_faster_it_slides(film):

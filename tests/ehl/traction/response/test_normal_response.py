@@ -9,13 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw
-from ehl.multigrid.bordered import LinearSolverError
 from ehl.multigrid.cycle import cycle, start_level
-from ehl.multigrid.newton import certify
+from ehl.multigrid.newton import LinearSolverError, certify
 from ehl.solver import solve_attempts
-from ehl.traction import normal_response
-from ehl.traction.response import normal
-from ehl.traction.response.linear import _Right, linear_contact
+from ehl.traction import linear_response, normal_response
+from ehl.traction.linear_response import _Right, linear_contact
 from verification.contacts import DEGREE, from_groups
 from verification.contacts import moes as groups
 
@@ -157,14 +155,14 @@ def test_rigid_sphere_far_from_rest():
 
 def test_a_coarse_mesh_that_fails_leaves_a_wide_bar(monkeypatch):
     """The finer one alone has bars as wide as its values; where that fails, too, there is nothing, and why."""
-    asked = normal._mesh
+    asked = linear_response._mesh
 
     def coarse_fails(conditions, points, solved, frequencies):
         if points < 129 or conditions.load > 200.0:
             raise LinearSolverError("no")
         return asked(conditions, points, solved, frequencies)
 
-    monkeypatch.setattr(normal, "_mesh", coarse_fails)
+    monkeypatch.setattr(linear_response, "_mesh", coarse_fails)
     alone = normal_response(STEEL, SolverOptions(points=129))
     assert alone.converged and "single mesh" in alone.message
     assert alone.stiffness.uncertainty >= alone.stiffness.value > 0.0

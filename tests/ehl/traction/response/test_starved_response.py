@@ -13,11 +13,11 @@ from scipy.optimize import brentq
 from ehl import SolverOptions
 from ehl.grid import Grid
 from ehl.multigrid.cycle import cycle, start_level
-from ehl.multigrid.starved_jacobian import StarvedFlux, flux_change
-from ehl.oil.inlet_layer import InletLayer
+from ehl.multigrid.starved import StarvedFlux, flux_change
+from ehl.oil.lubricant import InletLayer
 from ehl.solver import solve_attempts, solve_with_inlet_film
 from ehl.traction import normal_response
-from ehl.traction.response.linear import _Right, linear_contact
+from ehl.traction.linear_response import _Right, linear_contact
 from verification.contacts import moes as groups
 
 from .test_normal_response import STEEL, on_two_meshes

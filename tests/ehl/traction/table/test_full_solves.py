@@ -9,8 +9,8 @@ from ehl import Lubricant, SolverOptions
 from ehl.oil.lubricant import ThermalProperties
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
-from ehl.traction.table.full_solves import SLIDE_RATIOS, full_solves
-from ehl.traction.table.table import TableContact, TableRange
+from ehl.traction_table.full_solves import SLIDE_RATIOS, full_solves
+from ehl.traction_table.table import TableContact, TableRange
 
 OIL = Lubricant(
     viscosity=0.04,

@@ -15,23 +15,21 @@ import pytest
 from numpy.testing import assert_allclose
 
 import ehl
-from ehl.kinematics import ContactKinematics, contact_kinematics
+from ehl.conditions import ContactKinematics, contact_kinematics
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
 from ehl.traction import normal_response
-from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb, coefficient
+from ehl.traction.coefficients import FourConstants, RampedCoulomb, coefficient
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
-from ehl.traction.laws import ContactShape, EllipseLaw
-from ehl.traction.response.normal import NormalResponse, ResponseValue
+from ehl.traction.linear_response import NormalResponse, ResponseValue
 from ehl.traction.rolling_moment import rolling_moment
-from ehl.traction.shear import integrate_traction
-from ehl.traction.table import check
-from ehl.traction.table.build import TableOptions, build_table
-from ehl.traction.table.check import spin_free_motions
-from ehl.traction.table.packing import VALUE_STEP, compressed, decompressed, stored_values, whole_numbers
-from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
-from ehl.traction.table.storage import inputs_digest, load_table, save_table
-from ehl.traction.table.table import FullSolve, TableContact, TableRange, load_coordinate
+from ehl.traction.shear import ContactShape, EllipseLaw, integrate_traction
+from ehl.traction_table import build
+from ehl.traction_table.build import TableOptions, build_table, spin_free_motions
+from ehl.traction_table.compression import VALUE_STEP, compressed, decompressed, stored_values, whole_numbers
+from ehl.traction_table.splines import node_values, spline_coefficients, spline_weights
+from ehl.traction_table.storage import inputs_digest, load_table, save_table
+from ehl.traction_table.table import FullSolve, TableContact, TableRange, load_coordinate
 
 from ....reference.ehl import traction as reference
 
@@ -152,7 +150,7 @@ def test_check_draws_rolling_without_spin():
 
 def test_check_draws_motions_at_which_a_body_nearly_stands_still():
     limits = replace(LIMITS, slide_x=2.0)
-    slide_x, slide_y, spin = check.standstill_motions(limits, np.random.default_rng(4), 600)
+    slide_x, slide_y, spin = build.standstill_motions(limits, np.random.default_rng(4), 600)
     gap = 2.0 - np.abs(slide_x)
     assert np.count_nonzero(gap == 0.0) == 75
     counts, _ = np.histogram(np.log10(gap[gap > 0.0]), [-3.0, -2.0, -1.0, 0.0])
@@ -160,7 +158,7 @@ def test_check_draws_motions_at_which_a_body_nearly_stands_still():
     for part, limit in ((slide_y, limits.slide_y), (spin, limits.spin)):
         assert np.any(part == 0.0) and 0.5 * limit < part.max() <= limit and -limit <= part.min() < -0.5 * limit
     assert {-1.0, 1.0} == set(np.sign(slide_x))
-    narrow, *_ = check.standstill_motions(LIMITS, np.random.default_rng(4), 600)
+    narrow, *_ = build.standstill_motions(LIMITS, np.random.default_rng(4), 600)
     assert np.abs(narrow).max() == LIMITS.slide_x
 
 
@@ -169,7 +167,7 @@ def test_check_draws_films_where_the_splines_bend_most(table):
     values = np.zeros_like(table.values)
     values[3, 1, ..., 0] = 0.5  # coefficients stand one before the nodes
     values[4, 4, ..., 2] = 0.5
-    found = check.adaptive_check_points(replace(table, values=values, scalars=np.zeros_like(table.scalars)))
+    found = build.adaptive_check_points(replace(table, values=values, scalars=np.zeros_like(table.scalars)))
     counted = [[load_coordinate(np.exp(q)), u] for q, u in found]
     places = (np.array(counted) - table.axes[:2, 0]) * table.axes[:2, 1]
     slow, fast = places[0], places[-1]
@@ -197,10 +195,10 @@ def test_message_tells_how_far_stiffness_and_damping_are_off(table):
         stiffness=values[0], damping=values[1], converged=True, resolved=True, message="converged"
     )
     film = SimpleNamespace(response=response)
-    told = check.response_message([film, SimpleNamespace(response=None)], error)
+    told = build.response_message([film, SimpleNamespace(response=None)], error)
     assert "stiffness is off by up to 1.0%, damping by 8.0%" in told and "up to 3.0% and 10.0%" in told
     for small in (0.04, np.nan):
-        assert not check.response_message([film], replace(error, largest_damping=small, largest_stiffness=small))
+        assert not build.response_message([film], replace(error, largest_damping=small, largest_stiffness=small))
 
 
 def test_a_share_of_the_rolling_moment_costs_no_new_numbers(table):
@@ -313,7 +311,7 @@ def test_types_keep_their_names_in_files(table, tmp_path):
     save_table(table, tmp_path / "table.npz")
     with np.load(tmp_path / "table.npz") as file:
         document = json.loads(str(file["document"]))
-    assert document["contact"]["type"] == "ehl.traction.table:TableContact"
+    assert document["contact"]["type"] == "ehl.traction_table:TableContact"
     assert document["contact"]["lubricant"]["viscosity_law"]["type"] == "ehl.lubricant:ViscosityLaw"
     assert document["contact"]["rheology"]["law"]["type"] == "ehl.rheology.laws:ShearLaw"
     assert inputs_digest(CIRCLE, LIMITS, 65) == DIGEST
