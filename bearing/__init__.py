@@ -1,27 +1,25 @@
 """Ball bearings: geometry, materials, quasi-static equilibrium, and the lubricated contacts it
 yields.
 
-catalogue         - bearings of the catalogue as geometry and materials
-contacts          - the lubricated contacts that follow from an equilibrium: shape, motion, stress
-dynamics          - time simulation of a ball bearing
-files             - files that are there as a whole or not at all
-films             - films of the contacts, from the computed film to the operating one
-fits              - fits and clearances
-friction          - friction of balls on races: laws, balance of the balls, traction equilibrium
-geometry          - internal geometry of a ball bearing
-heating           - temperature of a bearing from its friction
-library           - bearings, materials and lubricants by name, with sources
-material          - solid bodies: moduli, densities, thermal properties, and the reduced modulus
-operation         - speeds, loads and temperatures, and the assumptions of the model
-quasistatic       - quasi-static equilibrium of rings and balls
-rating            - rating life, load ratings and defect frequencies
-rings             - rings as elastic bodies on their seats
-rows              - rows of balls on one inner ring and their positions
-shoulder_diameter - diameters of the shoulders of the rings, prescribed or estimated
-studies           - studies over load and speed: slip, stiffness, preload
-supply            - oil supply and starved films
-torque            - friction torque of a ball bearing, by several models
-vibration         - vibration by form of surfaces and passing balls, with films and supports
+catalogue   - bearings of the catalogue as geometry and materials
+contacts    - the lubricated contacts that follow from an equilibrium: shape, motion, stress
+dynamics    - time simulation of a ball bearing
+files       - files that are there as a whole or not at all
+films       - films of the contacts, from the computed film to the operating one
+fits        - fits and clearances
+friction    - friction of balls on races: laws, balance of the balls, traction equilibrium
+geometry    - internal geometry of a ball bearing
+heating     - temperature of a bearing from its friction
+library     - bearings, materials and lubricants by name, with sources
+material    - solid bodies: moduli, densities, thermal properties, and the reduced modulus
+operation   - speeds, loads and temperatures, and the assumptions of the model
+quasistatic - quasi-static equilibrium of rings and balls
+rating      - rating life, load ratings and defect frequencies
+rings       - rings as elastic bodies on their seats
+studies     - studies over load and speed: slip, stiffness, preload
+supply      - oil supply and starved films
+torque      - friction torque of a ball bearing, by several models
+vibration   - vibration by form of surfaces and passing balls, with films and supports
 """
 
 import lazy_loader

@@ -1,8 +1,7 @@
 from .catalogue import load_bearing
 from .contacts.contact import BearingContact
 from .contacts.contacts import contact_conditions
-from .contacts.shoulder import Truncation
-from .contacts.stress import ContactStress, contact_stress
+from .contacts.stress import ContactStress, Truncation, contact_stress
 from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
 from .friction.equilibrium import solve_traction_equilibrium
 from .friction.law import BallTraction
@@ -10,14 +9,20 @@ from .geometry import (
     Bearing,
     BearingType,
     Race,
+    Row,
     clearance_to_contact_angle,
     contact_angle_to_clearance,
     reduced_radii,
 )
 from .library.bearings import list_bearings, load_catalogue_entry
-from .library.greases import Grease, list_greases, load_grease
-from .library.lubricants import library_lubricant, list_lubricants
-from .library.typical_geometry import typical_geometry
+from .library.catalogue import typical_geometry
+from .library.lubricants import (
+    Grease,
+    library_lubricant,
+    list_greases,
+    list_lubricants,
+    load_grease,
+)
 from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
 from .operation import BallKinematics, Curvature, Operation, QuasistaticModel, RatingInput
 from .quasistatic.solution import QuasistaticSolution
@@ -25,10 +30,15 @@ from .quasistatic.solver import solve_quasistatic
 from .rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
 from .rating.geometry_estimate import CatalogueData, estimate_bearing, estimate_geometry
 from .rating.life import LifeRating, bearing_life
-from .rows import Row
-from .studies.preload import Arrangement, duplex, preload_offset, preloaded_row
+from .studies.preload import (
+    Arrangement,
+    StiffnessOverSpeed,
+    duplex,
+    preload_offset,
+    preloaded_row,
+    stiffness_over_speed,
+)
 from .studies.slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
-from .studies.stiffness import StiffnessOverSpeed, stiffness_over_speed
 
 __all__ = [
     "Arrangement",

@@ -7,7 +7,7 @@ from typing import Any
 
 from ehl.units import to_si
 
-from .library.names import library_data, matching_name
+from .library.plugins import library_data, matching_name
 
 DATA = "materials.toml"
 FIELDS = {  # of Material: key of the data file

@@ -9,7 +9,7 @@ import sys
 from time import process_time
 
 from bearing import solve_quasistatic
-from bearing.friction.race_tables import build_race_tables
+from bearing.friction.tables import build_race_tables
 from cases import load_case
 from ehl.traction_table.build import TableOptions, atlas_sampler, check_table
 from ehl.traction_table.film import film_sample

@@ -15,8 +15,8 @@ import numpy as np
 from bearing import Operation, Race, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.friction.coulomb import balanced_friction
 from bearing.friction.law import BallTraction
-from bearing.friction.race_tables import build_race_tables
-from bearing.friction.sources import LawTraction
+from bearing.friction.laws import LawTraction
+from bearing.friction.tables import build_race_tables
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.integrated import law_torque
 from cases import Case, load_case, run_case

@@ -17,9 +17,9 @@ from numba.core import event
 PACKAGES = ("ehl", "bearing")
 CONSTANTS = (  # modules from which kernels take constants, types and how they are compiled
     "bearing/dynamics/arrays.py",
-    "bearing/dynamics/layout.py",
-    "bearing/quasistatic/limits.py",
-    "bearing/vibration/arrays.py",
+    "bearing/dynamics/arrays.py",
+    "bearing/quasistatic/kinematics.py",
+    "bearing/vibration/assembly.py",
     "ehl/arrays.py",
     "ehl/compiled.py",
     "ehl/traction/_heated_kernels.py",

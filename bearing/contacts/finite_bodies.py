@@ -17,11 +17,10 @@ from ehl.solid.bodies.ring import RingStress, ring_stress
 from ehl.solid.bodies.ring_profile import RingProfile, Seat
 from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, groove_gap
 
-from ..geometry import Bearing, Race, ring_material
+from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..rings.elastic_ring import elastic_ring
-from ..shoulder_diameter import shoulder_diameter
 from .contact import BearingContact
-from .shoulder import truncation
+from .stress import truncation
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,6 +7,8 @@ of the track, R = d_m/2 -+ D/2 cos(angle) (inner, outer). Both bodies' motions a
 the contact's axes x, y, n as k = (velocity x, velocity y, angular speed about n, about y); the
 ball's less the race's is (S_x, S_y, spin, rolling) of `ehl.conditions.ContactKinematics`.
 `MotionMap` is this linear map, and every other kinematics of ball on race an evaluation of it.
+
+Traction at the contacts of a bearing: shear of their films at the motion of ball and race.
 """
 
 from collections.abc import Iterable, Sequence
@@ -18,11 +20,14 @@ from numpy.typing import NDArray
 
 from ehl.arrays import Array
 from ehl.conditions import ContactKinematics
+from ehl.oil.rheology import Rheology
+from ehl.solution import ContactSolution
+from ehl.traction.rolling_moment import rolling_moment
+from ehl.traction.shear import TractionResult, integrate_traction
 
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
-from .contact import BearingContact
-from .shape import groove_curvature_radius
+from .contact import BearingContact, groove_curvature_radius
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -316,3 +321,63 @@ def bearing_kinematics(
         curvature_width=np.inf if hertz is None else hertz.semi_axis_y,
         curvature_difference=0.0 if hertz is None else 1.0 / hertz.radius_x - 2.0 * ball_curvature,
     )
+
+
+# along x of the films whose shear is summed, at most, in the balance of the balls and in the
+# torque: with the nodes of one and of the other the rings' power misses the heat by what the mesh
+# changes of a friction that nearly vanishes, half of the heat of a 6306 with little oil. A 6306 at
+# 10 kN, films on 1025 nodes, takes 201.039 N mm so and 201.037 by all nodes, in a quarter of the
+# time
+TRACTION_POINTS = 513
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactTraction:
+    """Traction of one contact of a bearing, and the motion it belongs to; `result` has body 1 the
+    ball.
+    """
+
+    contact: BearingContact
+    kinematics: ContactKinematics
+    result: TractionResult
+
+
+def contact_traction(
+    solution: QuasistaticSolution,
+    contact: BearingContact,
+    film: ContactSolution,
+    rheology: Rheology,
+    motion: BallMotion | None = None,
+    resistance: float | None = None,
+) -> ContactTraction:
+    """Forces and moments of one contact, integrated over its film on at most `TRACTION_POINTS`.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contact : BearingContact
+        one of its contacts
+    film : ContactSolution
+        film of the contact's conditions [m], [Pa]
+    rheology : Rheology
+        shear law of the oil
+    motion : BallMotion | None, optional
+        motion of the ball [rad/s]; None: that of the equilibrium
+    resistance : float | None, optional
+        moment that resists rolling [N m]; None: that of the film's oil up to the meniscus
+
+    Returns
+    -------
+    ContactTraction
+        traction of the contact, body 1 the ball
+    """
+    kinematics = bearing_kinematics(solution, contact, motion)
+    result = integrate_traction(
+        film.thinned(TRACTION_POINTS),
+        kinematics,
+        rheology,
+        temperature=solution.operation.temperature,
+        rolling_resistance=rolling_moment(film).value if resistance is None else resistance,
+    )
+    return ContactTraction(contact=contact, kinematics=kinematics, result=result)

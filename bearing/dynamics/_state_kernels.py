@@ -4,7 +4,7 @@ import numpy as np
 
 from ehl.compiled import compiled
 
-from .layout import BODIES
+from .arrays import BODIES
 
 
 @compiled

@@ -11,8 +11,9 @@ from ehl.traction.law import TractionLaw
 from ehl.traction.shear import EllipseLaw, EllipseRule, ellipse_nodes
 from ehl.traction_table.table import TractionTable
 
-from ..friction.sources import RaceTraction
+from ..friction.laws import RaceTraction
 from ..geometry import Bearing, Race
+from ._race_kernels import film_and_slope, weights
 from .arrays import (
     COEFFICIENT,
     EXPONENT,
@@ -23,7 +24,6 @@ from .arrays import (
     FrictionData,
     TableData,
 )
-from .contact._film_kernels import film_and_slope, weights
 
 CENTRE = np.array([[0.0], [0.0], [1.0]])  # one point with all of the load [-]
 # loads and speeds at which the films of a table are checked before a simulation

@@ -16,18 +16,20 @@ from ..quasistatic.solver import solve_quasistatic
 from ..quasistatic.symmetric import solve_symmetric, unknowns
 from ..rating.frequencies import kinematic_cage_speed
 from .arrays import (
+    BODIES,
+    CAGE_ROTATION,
     EXPONENT,
+    FREE_TURN,
     INNER_SPEED,
     OUTER,
     OUTER_SPEED,
     PRESCRIBED_FORCE,
     STIFFNESS,
     EquationData,
+    Layout,
 )
 from .bodies import free_coordinates, load_type
-from .choices import LoadType, Start
-from .inputs import DynamicsModel
-from .layout import BODIES, CAGE_ROTATION, FREE_TURN, Layout
+from .inputs import DynamicsModel, LoadType, Start
 
 # share of the speed at which an equilibrium is sought for a start at rest [-]
 SMALLEST_SPEED_SHARE = 1.0e-3

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..friction.sources import RaceTraction
+from ..friction.laws import RaceTraction
 from ..geometry import Bearing
 from ..material import Material
 from ..operation import Operation
@@ -16,14 +16,13 @@ from .arrays import (
     PRESCRIBED_DISPLACEMENT,
     PRESCRIBED_FORCE,
     PRESCRIBED_MOMENT,
+    RING_TILT,
 )
+from .assembly import cage_drag_of_torque, drag_of_force, drag_of_mixture
 from .bodies import cage_body
-from .choices import Guidance
 from .friction import race_friction
 from .initial import starting_point
-from .inputs import CageBody, DynamicsModel, RotatingLoad, Schedule
-from .laws import cage_drag_of_torque, drag_of_force, drag_of_mixture
-from .layout import RING_TILT
+from .inputs import CageBody, DynamicsModel, Guidance, RotatingLoad, Schedule
 
 CAGE_MATERIAL = "pa66"  # where none is known
 # error of a viscosity that is linear between rows of a temperature over time [-]

@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 
 from ehl.arrays import Array
 
-from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS
-from .choices import LoadType
-from .layout import Layout
+from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Layout
+from .inputs import LoadType
 
 
 class Record(NamedTuple):

@@ -16,10 +16,17 @@ from numpy.typing import NDArray
 from ehl.arrays import Array
 from ehl.traction.shear import STRAIGHT_NODES, unit_gauss
 
-from ._kernels import solved_derivative
-from .arrays import LOAD_COLUMNS, EquationData, FrictionData, changed_data
-from .choices import LoadType
-from .layout import BODIES, FREE_TURN, Layout
+from ._motion_kernels import solved_derivative
+from .arrays import (
+    BODIES,
+    FREE_TURN,
+    LOAD_COLUMNS,
+    EquationData,
+    FrictionData,
+    Layout,
+    changed_data,
+)
+from .inputs import LoadType
 from .record import ContactHistory, Record, SimulationState
 
 MIRRORED = (LoadType.RADIAL, LoadType.PLANAR)

@@ -1,6 +1,11 @@
-"""Statistics of a simulation: energies, speeds with intervals, contact states, whirl."""
+"""Statistics of a simulation: energies, speeds with intervals, contact states, whirl.
 
-from dataclasses import dataclass, field
+Several starts of one simulation: whether it ends in one state or in several.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from math import pi
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,10 +13,10 @@ from numpy.typing import NDArray
 from ehl.arrays import Array
 
 from ..rating.frequencies import kinematic_cage_speed
-from .arrays import CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK
-from .layout import CAGE_ROTATION, Layout
+from .arrays import CAGE_ROTATION, CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Layout
+from .inputs import Start
 from .record import Record
-from .simulation import Simulation
+from .simulation import Simulation, from_state, simulation
 
 BATCHES = 10  # fewest of the ten to thirty of Schmeiser (1982), Operations Research 30, 556
 STUDENT = 2.2622  # 97.5 % of Student's distribution with BATCHES - 1 degrees of freedom
@@ -373,3 +378,85 @@ def whirl_speed(time: Array, position: Array) -> float | None:
         return None
     angle = np.unwrap(np.arctan2(off[:, 1], off[:, 0]))
     return float(angle[-1] - angle[0]) / float(time[-1] - time[0])
+
+
+SLOWER = 0.05  # of the first speeds of balls and cage, that the last start lacks [-]
+SAME_SPEED = 1.0e-4  # of a cage speed, within which two ends are one state [-]
+
+
+def other_start(first: Simulation, fraction: float) -> Simulation:
+    """The simulation from another start.
+
+    Balls and pockets are turned by a fraction of a pitch, balls and cage slower by as much of
+    `SLOWER`.
+
+    Parameters
+    ----------
+    first : Simulation
+        simulation from the first start
+    fraction : float
+        fraction of a pitch [-]
+
+    Returns
+    -------
+    Simulation
+        simulation at its start
+    """
+    bearing = first.bearing
+    turn = fraction * 2.0 * pi / bearing.balls
+    bearing = replace(bearing, first_ball_azimuth=bearing.first_ball_azimuth + turn)
+    run = simulation(bearing, first.operation, first.model)
+    if first.model.options.start is Start.REST:
+        return run
+    y = run.state.y.copy()
+    for speeds in (run.layout.cage_speed, run.layout.ball_speed, run.layout.ball_turn):
+        y[speeds] *= 1.0 - SLOWER * fraction
+    return from_state(bearing, first.operation, first.model, (run.point, run.data, y))
+
+
+def simulated_statistics(run: Simulation) -> SimulationStatistics | None:
+    """Statistics of a simulation, moved to its end.
+
+    Parameters
+    ----------
+    run : Simulation
+        simulation, changed
+
+    Returns
+    -------
+    SimulationStatistics | None
+        statistics; None if it does not get there
+    """
+    running = RunningStatistics(run.bearing.balls)
+    for record in run.pieces():
+        running.add(record, run.start_energy)
+    return simulation_statistics(run, running) if run.converged else None
+
+
+def states(ends: Sequence[SimulationStatistics]) -> list[list[SimulationStatistics]]:
+    """Ends of several starts by their states, slowest cage first.
+
+    A state begins where a cage speed is farther from the one below than their intervals, and
+    `SAME_SPEED`, allow.
+
+    Parameters
+    ----------
+    ends : Sequence[SimulationStatistics]
+        statistics of the simulations
+
+    Returns
+    -------
+    list[list[SimulationStatistics]]
+        one list of ends for each state
+    """
+    groups: list[list[SimulationStatistics]] = []
+    for end in sorted(ends, key=lambda one: one.cage_speed):
+        if groups:
+            last = groups[-1][-1]
+            width = (last.cage_interval or 0.0) + (end.cage_interval or 0.0)
+            tolerance = max(width, SAME_SPEED * abs(end.cage_speed))
+            if end.cage_speed - last.cage_speed <= tolerance:
+                groups[-1].append(end)
+                continue
+        groups.append([end])
+    return groups

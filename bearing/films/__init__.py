@@ -4,6 +4,5 @@ asperities - mixed lubrication, first order: the fraction of the load on asperit
 decay      - film of a bearing over the time after its oil supply has stopped
 film       - the film of one contact, its origin, values, errors and fractions
 formula    - films of the film atlas and of formulas, where none is solved
-moment     - moment that resists rolling in a flooded contact, by formulas
 operating  - films as the bearing runs: oil supply, heat of the inlet, asperities
 """

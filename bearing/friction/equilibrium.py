@@ -23,12 +23,11 @@ from ehl.arrays import Array
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions
 from ..contacts.motion import contact_frames
-from ..geometry import Bearing
+from ..geometry import SINGLE, Bearing, Row
 from ..operation import HYPOTHESES, BallKinematics, Operation, QuasistaticModel
 from ..quasistatic.kinematics import PrescribedBalls, ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic, solve_with_prescribed_balls
-from ..rows import SINGLE, Row
 from .balance import (
     SKID_RATIO,
     BalancedFriction,

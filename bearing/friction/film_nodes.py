@@ -33,9 +33,8 @@ from ehl.traction.shear import (
     with_outlet,
 )
 
-from ..contacts.contact import BearingContact
-from ..contacts.shape import groove_curvature_radius
-from ..contacts.traction import TRACTION_POINTS
+from ..contacts.contact import BearingContact, groove_curvature_radius
+from ..contacts.motion import TRACTION_POINTS
 from ..films.film import ContactFilm, Films, first_same
 from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution

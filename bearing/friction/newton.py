@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ehl.arrays import Array
 
-from ._newton_kernels import accept_steps, damped_steps, left_on_balls, motions
+from ._kernels import accept_steps, damped_steps, left_on_balls, motions
 from .law import TINY, ContactFriction
 
 # Measured on Coulomb friction of 25 random bearings: each halved and doubled leaves all balls

@@ -11,7 +11,7 @@ import numpy as np
 from ehl.arrays import Array
 
 from ..contacts.contact import BearingContact
-from ..films.moment import heavy_moment
+from ..films.formula import heavy_moment
 from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution
 

@@ -11,8 +11,7 @@ from ehl.solid.heat import SolidThermal
 from ..geometry import Bearing
 from ..material import Material
 from ..quasistatic.solution import QuasistaticSolution
-from .conductances import Conductance
-from .network import node_values
+from .network import Conductance, node_values
 
 
 class UndrivenBallsError(ValueError):

@@ -5,16 +5,267 @@
 
 Temperatures of boundaries are given. A fluid that comes at the temperature of a boundary and
 leaves at that of a node is a conductance rho c V between them.
+
+Heat conductances of the parts around a contact, in closed form, each with its range.
+
+Cylinder, fin and ring are Fourier's equation in one dimension; coefficients of surfaces to air and
+oil are correlations, whose ranges are wide.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import log, pi, sqrt, tanh
 
 import numpy as np
 
 from ehl.arrays import Array
 
-from .conductances import Conductance
+STEFAN_BOLTZMANN = 5.670374e-8  # [W/(m^2 K^4)]
+# coefficient of a flat plate in laminar flow, Nu = C Pr^(1/3) Re^(1/2) [-]: theory (Pohlhausen,
+# 1921), and as Harris prints it (from memory, unverified), a tenth; which of them holds in a
+# bearing's cavity is open
+PLATE = 0.332
+PLATE_HARRIS = 0.0332
+# Nu = 0.133 Re^(2/3) Pr^(1/3) of a shaft that turns in air, Re = omega d^2/nu < 4e5 (from memory,
+# unverified) [-]; half and double of it assumed as its range
+ROTATING = 0.133
+ROTATING_RANGE = (0.5, 2.0)
+# air at 50 C and 1 bar: k, nu, Pr, rho c (handbook values; `fluids` agrees within 2 %)
+AIR_CONDUCTIVITY = 0.0279  # [W/(m K)]
+AIR_VISCOSITY = 1.80e-5  # [m^2/s]
+AIR_PRANDTL = 0.71
+AIR_CAPACITY = 1100.0  # [J/(m^3 K)]
+
+
+@dataclass(frozen=True, slots=True)
+class Conductance:
+    """Conductance of a path of heat, with the ends of its range [W/K]."""
+
+    value: float
+    low: float
+    high: float
+
+    @classmethod
+    def exactly(cls, value: float) -> "Conductance":
+        """A conductance without a range.
+
+        Parameters
+        ----------
+        value : float
+            conductance [W/K]
+
+        Returns
+        -------
+        Conductance
+            conductance with equal ends
+        """
+        return cls(value, value, value)
+
+    def times(self, factor: float) -> "Conductance":
+        """A multiple of the conductance and its range.
+
+        Parameters
+        ----------
+        factor : float
+            factor [-]
+
+        Returns
+        -------
+        Conductance
+            the multiple
+        """
+        return Conductance(factor * self.value, factor * self.low, factor * self.high)
+
+    def end(self, which: int) -> float:
+        """An end of the range.
+
+        Parameters
+        ----------
+        which : int
+            -1 the low end, 0 the value, 1 the high end [-]
+
+        Returns
+        -------
+        float
+            conductance [W/K]
+        """
+        return (self.low, self.value, self.high)[which + 1]
+
+
+def in_series(*parts: Conductance) -> Conductance:
+    """Conductances one after the other; zero if one is.
+
+    Parameters
+    ----------
+    *parts : Conductance
+        conductances
+
+    Returns
+    -------
+    Conductance
+        their series connection [W/K]
+    """
+    return Conductance(*(_series([part.end(k) for part in parts]) for k in (0, -1, 1)))
+
+
+def _series(parts: list[float]) -> float:
+    return 0.0 if min(parts) <= 0.0 else 1.0 / sum(1.0 / part for part in parts)
+
+
+def side_by_side(*parts: Conductance) -> Conductance:
+    """Conductances between the same two nodes.
+
+    Parameters
+    ----------
+    *parts : Conductance
+        conductances
+
+    Returns
+    -------
+    Conductance
+        their parallel connection [W/K]
+    """
+    return Conductance(*(sum(part.end(k) for part in parts) for k in (0, -1, 1)))
+
+
+def cylinder_conductance(conductivity: float, width: float, inner: float, outer: float) -> float:
+    """Conductance through a cylindrical wall, 2 pi k B/ln(d_2/d_1).
+
+    Parameters
+    ----------
+    conductivity : float
+        k [W/(m K)]
+    width : float
+        B [m]
+    inner, outer : float
+        diameters d_1 and d_2 [m]
+
+    Returns
+    -------
+    float
+        conductance [W/K]
+    """
+    return 2.0 * pi * conductivity * width / log(outer / inner)
+
+
+def fin_conductance(
+    coefficient: float, perimeter: float, conductivity: float, area: float, length: float
+) -> float:
+    """Conductance of a rod whose end gives off no heat, sqrt(h P k A) tanh(m L), m = sqrt(h P/(k
+    A)).
+
+    Parameters
+    ----------
+    coefficient : float
+        h [W/(m^2 K)]
+    perimeter : float
+        P [m]
+    conductivity : float
+        k [W/(m K)]
+    area : float
+        A [m^2]
+    length : float
+        L [m]
+
+    Returns
+    -------
+    float
+        conductance [W/K]
+    """
+    root = sqrt(coefficient * perimeter * conductivity * area)
+    return root * tanh(root / (conductivity * area) * length)
+
+
+def ring_halves_conductance(conductivity: float, section: float, radius: float) -> float:
+    """Conductance between the mean temperatures of the halves of a ring, 6 k A/(pi r).
+
+    One half is heated evenly and the other cooled evenly. From the middle of a half to the cut, l
+    = pi r/2, flows half of the heat over both cuts: the mean lies Q l/(6 k A) above the cut, twice
+    that between the halves.
+
+    Parameters
+    ----------
+    conductivity : float
+        k [W/(m K)]
+    section : float
+        A [m^2]
+    radius : float
+        mean radius r [m]
+
+    Returns
+    -------
+    float
+        conductance [W/K]
+    """
+    return 6.0 * conductivity * section / (pi * radius)
+
+
+def plate_coefficients(
+    speed: float, length: float, conductivity: float, viscosity: float, prandtl: float
+) -> Conductance:
+    """Coefficient of a wall to a fluid that passes it, C k Pr^(1/3) sqrt(u/(nu x)).
+
+    C between Harris' and that of theory, their geometric mean as the value (assumed).
+
+    Parameters
+    ----------
+    speed : float
+        u [m/s]
+    length : float
+        x [m]
+    conductivity : float
+        k of the fluid [W/(m K)]
+    viscosity : float
+        kinematic viscosity nu [m^2/s]
+    prandtl : float
+        Pr [-]
+
+    Returns
+    -------
+    Conductance
+        coefficient per area with its range [W/(m^2 K)]
+    """
+    unit = conductivity * prandtl ** (1.0 / 3.0) * sqrt(speed / (viscosity * length))
+    return Conductance(sqrt(PLATE * PLATE_HARRIS) * unit, PLATE_HARRIS * unit, PLATE * unit)
+
+
+def rotating_coefficient(speed: float, diameter: float) -> float:
+    """Heat transfer coefficient of a shaft that turns in air.
+
+    Parameters
+    ----------
+    speed : float
+        speed of the shaft [rad/s]
+    diameter : float
+        diameter of the shaft [m]
+
+    Returns
+    -------
+    float
+        coefficient [W/(m^2 K)]
+    """
+    reynolds = abs(speed) * diameter**2 / AIR_VISCOSITY
+    nusselt = ROTATING * reynolds ** (2.0 / 3.0) * AIR_PRANDTL ** (1.0 / 3.0)
+    return nusselt * AIR_CONDUCTIVITY / diameter
+
+
+def radiation_coefficient(emissivity: float, temperature: float) -> float:
+    """Coefficient 4 eps sigma T^3 of a surface near a temperature.
+
+    Parameters
+    ----------
+    emissivity : float
+        eps [-]
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        coefficient [W/(m^2 K)]
+    """
+    return 4.0 * emissivity * STEFAN_BOLTZMANN * temperature**3
+
 
 NODES = (
     "shaft",

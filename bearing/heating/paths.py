@@ -13,17 +13,20 @@ from ehl.oil.lubricant import Lubricant
 from ehl.solid.bodies.conduction import ring_conductances
 from ehl.solid.bodies.ring_profile import RingProfile, Seat
 
-from ..geometry import Bearing, Race, ring_material
+from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..material import Material
 from ..rings.elastic_ring import elastic_ring
-from ..shoulder_diameter import shoulder_diameter
-from ..torque.inlet import diameters
-from .conductances import (
+from ..torque.skf import diameters
+from .friction_heat import FrictionHeat, solid_thermal
+from .network import (
     AIR_CAPACITY,
     AIR_CONDUCTIVITY,
     AIR_PRANDTL,
     AIR_VISCOSITY,
+    AMBIENT,
+    OIL_SUPPLY,
     Conductance,
+    HeatPath,
     cylinder_conductance,
     fin_conductance,
     in_series,
@@ -33,8 +36,6 @@ from .conductances import (
     rotating_coefficient,
     side_by_side,
 )
-from .friction_heat import FrictionHeat, solid_thermal
-from .network import AMBIENT, OIL_SUPPLY, HeatPath
 
 SEAT = Conductance(3e3, 1e3, 1e4)  # of seats [W/(m^2 K)], from memory, unverified
 # housing to still air: free convection 3 to 8 and radiation [W/(m^2 K)], from memory, unverified

@@ -17,13 +17,11 @@ import scipy
 from ehl.arrays import Array, lagrange_weights
 from ehl.units import ZERO_CELSIUS
 
-from .capacities import heat_capacities
 from .friction_heat import UndrivenBallsError
-from .heat_balance import HeatBalance
-from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
+from .heat_state import HeatBalance, HeatState, SelfHeatingProblem, broyden, heat_state
 from .network import NODES
+from .over_time import Slopes, Stability, heat_capacities, stability
 from .paths import Surroundings
-from .stability import Slopes, Stability, stability
 
 NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]

@@ -1,7 +1,14 @@
-"""Lubricants by name: viscosity, pressure-viscosity, density, thermal properties."""
+"""Lubricants by name: viscosity, pressure-viscosity, density, thermal properties.
+
+Constants of an oil of the library under pressure: volume, viscosity, heat, shear.
+
+Greases by name: their base oil in the library, and the film with the grease over that of
+its base oil, by age.
+"""
 
 import warnings
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 from math import exp, log, log10
@@ -9,12 +16,20 @@ from typing import Any
 
 import numpy as np
 
-from ehl.oil.free_volume import pressure_viscosity_doolittle, relative_volume
+from ehl.oil.free_volume import (
+    DoolittleFreeVolume,
+    TaitVolume,
+    pressure_viscosity_doolittle,
+    relative_volume,
+)
 from ehl.oil.lubricant import (
     ROELANDS_LOG_OFFSET,
     ROELANDS_TEMPERATURE,
     DensityLaw,
+    FittedHeat,
     Lubricant,
+    PressureModulus,
+    ScaledVolume,
     ThermalProperties,
     ViscosityLaw,
     VolumeHeat,
@@ -23,13 +38,140 @@ from ehl.oil.lubricant import (
     pressure_viscosity_scaled,
     volume_heat,
 )
-from ehl.units import UNITS, ZERO_CELSIUS
+from ehl.units import GIGAPASCAL, UNITS, ZERO_CELSIUS
 
-from .names import library_data, matching_name
-from .oil_sets import heat_under_pressure, oil_constants
-from .plugins import OILS, PluginError, plugin, plugin_names, plugin_oil
+from .plugins import (
+    OILS,
+    PluginError,
+    library_data,
+    matching_name,
+    plugin,
+    plugin_names,
+    plugin_oil,
+)
 
-DATA = "lubricants.toml"
+HEAT_DATA = "oil_heat.toml"
+
+
+def oil_constants(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
+    """Fields of `ehl.Lubricant` with the constants of an oil's data.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil
+    temperature : float
+        temperature of operation, the reference of constants without one [K]
+
+    Returns
+    -------
+    dict[str, Any]
+        fields by name
+    """
+    constants: dict[str, Any] = {}
+    if "tait" in entry:
+        constants["tait"] = _tait(entry["tait"])
+    if "doolittle" in entry:
+        data = entry["doolittle"]
+        constants["tait"] = TaitVolume(
+            bulk_modulus=data["bulk_modulus_Pa"],
+            bulk_modulus_derivative=data["bulk_modulus_derivative"],
+            reference_temperature=temperature,
+        )
+        constants["doolittle"] = DoolittleFreeVolume(
+            factor=data["factor"], occupied_share=data["occupied_share"]
+        )
+    if "modulus" in entry:
+        data = entry["modulus"]
+        zero = data["zero_K"]  # of the temperature in the law
+        constants["modulus"] = PressureModulus(
+            a1=data["a1_Pa"] - zero * data["a2_Pa_K"],
+            a2=data["a2_Pa_K"],
+            b1=data["b1"] - zero * data["b2_1_K"],
+            b2=data["b2_1_K"],
+            vogel_temperature=data["vogel_K"],
+        )
+    if "scaled" in entry:
+        data = entry["scaled"]
+        constants["scaled"] = ScaledVolume(
+            factor=data["factor"], limit=data["limit"], exponent=data["exponent"]
+        )
+    return constants
+
+
+def _tait(data: dict[str, Any]) -> TaitVolume:
+    """K_0 = K_00 exp(-b T), T in [K], at the reference temperature."""
+    slope = data["bulk_modulus_slope_1_K"]
+    reference = data["reference_K"]
+    return TaitVolume(
+        bulk_modulus=data["bulk_modulus_0_K_Pa"] * exp(-slope * reference),
+        bulk_modulus_derivative=data["bulk_modulus_derivative"],
+        reference_temperature=reference,
+        bulk_modulus_temperature=slope,
+        expansion=data["expansion_1_K"],
+    )
+
+
+def heat_under_pressure(entry: dict[str, Any]) -> FittedHeat | VolumeHeat | None:
+    """Law of conductivity and heat capacity of an oil's data.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil
+
+    Returns
+    -------
+    FittedHeat | VolumeHeat | None
+        the law; None if the oil has none
+    """
+    name = entry.get("heat_under_pressure")
+    if name is None:
+        return None
+    data = library_data(HEAT_DATA)[name]
+    if data["law"] == "volume":
+        return VolumeHeat(
+            conductivity_base=data["conductivity_base_W_m_K"],
+            conductivity_scale=data["conductivity_scale_W_m_K"],
+            conductivity_exponent=data["conductivity_exponent"],
+            scaling_factor=data["scaling_factor"],
+            scaling_exponent=data["scaling_exponent"],
+            capacity_base=data["capacity_base_J_m3_K"],
+            capacity_scale=data["capacity_scale_J_m3_K"],
+        )
+    return FittedHeat(
+        conductivity_1=data["conductivity_1_1_GPa"] / GIGAPASCAL,
+        conductivity_2=data["conductivity_2_1_GPa"] / GIGAPASCAL,
+        capacity_1=data["capacity_1_1_GPa"] / GIGAPASCAL,
+        capacity_2=data["capacity_2_1_GPa"] / GIGAPASCAL,
+        temperature_0=data["temperature_0_1_K"],
+        temperature_1=data["temperature_1_1_GPa"] / GIGAPASCAL,
+        temperature_2=data["temperature_2_1_GPa2"] / GIGAPASCAL**2,
+        reference_temperature=data["reference_C"] + ZERO_CELSIUS,
+        largest_pressure=data["largest_pressure_GPa"] * GIGAPASCAL,
+        largest_temperature=data["largest_temperature_C"] + ZERO_CELSIUS,
+    )
+
+
+def limiting_coefficient(entry: dict[str, Any]) -> dict[str, Any] | None:
+    """Limiting stress over the pressure of an oil's data.
+
+    Parameters
+    ----------
+    entry : dict[str, Any]
+        data of the oil
+
+    Returns
+    -------
+    dict[str, Any] | None
+        `value` [-], `source` and, if it was not read in a source, `verified` false; None without
+        data
+    """
+    data: dict[str, Any] | None = entry.get("limiting_stress_coefficient")
+    return data
+
+
+OIL_DATA = "lubricants.toml"
 PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
 STEP = 0.5  # of the differences that give the temperature coefficients [K]
 MM2_S = UNITS["mm2_s"].si  # [m^2/s]
@@ -57,7 +199,7 @@ def list_lubricants(name: str | None = None) -> tuple[str, ...]:
     >>> "iso vg 32" in list_lubricants()
     True
     """
-    shipped = tuple(library_data(DATA))
+    shipped = tuple(library_data(OIL_DATA))
     if name is not None and matching_name(name, shipped):
         return shipped
     return tuple(dict.fromkeys((*shipped, *plugin_names(OILS))))
@@ -77,7 +219,7 @@ def lubricant_data(name: str) -> dict[str, Any]:
         `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units,
         `source`, and `verified` false if the number was not read in a source
     """
-    shipped = library_data(DATA)
+    shipped = library_data(OIL_DATA)
     return shipped[name] if name in shipped else _of_plugin(name)
 
 
@@ -499,3 +641,72 @@ def _interpolate(data: dict[str, Any], temperature: float) -> float:
     pairs = list(pairwise(points))
     (t0, v0), (t1, v1) = next((pair for pair in pairs if temperature <= pair[1][0]), pairs[-1])
     return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
+
+
+GREASE_DATA = "greases.toml"
+FACTOR = "film factor"  # table of the data file that is no grease
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Grease:
+    """A grease, by its base oil."""
+
+    name: str
+    oil: str  # of `list_lubricants()`
+    thickener: str  # and what it is used for
+    # film with the grease over the flooded one of its base oil, smallest and largest [-]
+    fresh_film: tuple[float, float]  # [-]
+    aged_film: tuple[float, float]  # [-]
+    source: str  # of these
+
+
+def list_greases() -> tuple[str, ...]:
+    """Names of the shipped greases, in the order of the data file.
+
+    Returns
+    -------
+    tuple[str, ...]
+        names for `load_grease`
+
+    Examples
+    --------
+    >>> from bearing import list_greases, load_grease
+    >>> load_grease(list_greases()[0]).name == list_greases()[0]
+    True
+    """
+    return tuple(name for name in library_data(GREASE_DATA) if name != FACTOR)
+
+
+def load_grease(name: str) -> Grease:
+    """Shipped grease by its name.
+
+    Parameters
+    ----------
+    name : str
+        one of `list_greases()`; case, spaces and hyphens do not matter
+
+    Returns
+    -------
+    Grease
+        base oil and film factors
+
+    Raises
+    ------
+    ValueError
+        if no grease has this name
+    """
+    key = matching_name(name, list_greases())
+    if key is None:
+        raise ValueError(f"grease {name!r} is unknown; known: {', '.join(list_greases())}")
+    entry = library_data(GREASE_DATA)[key]
+    factor = library_data(GREASE_DATA)[FACTOR]
+    fresh_low, fresh_high = factor["fresh"]
+    aged_low, aged_high = factor["aged"]
+    return Grease(
+        name=key,
+        oil=entry["oil"],
+        thickener=entry["thickener"],
+        fresh_film=(fresh_low, fresh_high),
+        aged_film=(aged_low, aged_high),
+        source=f"fresh: {factor['fresh_source']}; aged: {factor['aged_source']}",
+    )

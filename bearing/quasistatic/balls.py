@@ -11,11 +11,26 @@ Kotzalas, in the signs of docs/theory/bearing.md)::
     Qi cos ai - Qo cos ao - (Mg/D) (li sin ai - lo sin ao) + Fc = 0
 
 All functions take complex arguments, for a complex step.
+
+Equilibrium of every ball at a given position of the inner ring, and its derivatives.
+
+With constant Hertz stiffness and without gyroscopic couple the equilibrium is the minimum of an
+energy convex in the ball's position, so Newton's method with backtracking finds the one solution;
+the rest is a mild perturbation. Every ball is iterated by itself, compiled, and all derivatives
+come from complex steps.
+
+Balls between elastic rings: Newton's method for the distances of the grooves' centres.
+
+.. math:: V - V_{rigid} - e(F(V)) = 0
+
+with the forces F of the balls and what the rings yield under them, e (`rings.compliance`). The
+tangent is I - (de/dF)(dF/dV); contacts that stiffen and a compliance that costs energy keep its
+eigenvalues above one, whatever the load.
 """
 
 from dataclasses import dataclass
 from math import cos
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,9 +38,13 @@ from ehl.arrays import Array
 
 from ..geometry import Bearing, Race
 from ..operation import BallKinematics, QuasistaticModel
-from .contact_stiffness import stiffness_at, stiffness_series
+from ..rings.compliance import RingCompliance
+from ._kernels import INNER_CONTROL, MEAN_ANGLE, OUTER_CONTROL, balanced_balls
 from .kinematics import (
+    EDGE_COSINE,
+    FRICTION_LIMIT,
     INNER_PART,
+    ROUND_OFF,
     Direction,
     Motion,
     Numbers,
@@ -36,8 +55,9 @@ from .kinematics import (
     centrifugal_force,
     gyroscopic_moment,
     rolling_motion,
+    stiffness_at,
+    stiffness_series,
 )
-from .limits import EDGE_COSINE, FRICTION_LIMIT
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -223,3 +243,221 @@ def _smooth_step(value: Numbers, full: Numbers | float) -> Numbers:
         return np.ones(below.shape)
     t = np.where(below, np.where(value.real > 0.0, value, 0.0) / np.where(below, full, 1.0), 1.0)
     return t * t * (3.0 - 2.0 * t)
+
+
+# a ball that carries less than this part of the largest forces is measured against these [-]
+LIGHT_LOAD_RATIO = 1.0e-4
+CODES = {
+    BallKinematics.OUTER_RACE_CONTROL: OUTER_CONTROL,
+    BallKinematics.INNER_RACE_CONTROL: INNER_CONTROL,
+}
+# code of a hypothesis for the kernel, and what of the couple the inner race holds [-]
+HYPOTHESES = {
+    kind: (CODES.get(kind, MEAN_ANGLE), INNER_PART.get(kind, 0.0)) for kind in BallKinematics
+}
+
+
+class BallsEquilibrium(NamedTuple):
+    """Equilibrium of all balls at one ring position.
+
+    u (2, Z) [m]; values (6, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on
+    it about e_t [N m], centrifugal force [N]; du_dV (2, 2, Z) [-] and ring_dV (4, 2, Z) [N/m],
+    [N]: condensed derivatives; residual [-] of each ball over its forces, or over LIGHT_LOAD_RATIO
+    times those of the heaviest loaded ball, and what round-off leaves of it.
+    """
+
+    u: Array
+    values: Array
+    du_dV: Array
+    ring_dV: Array
+    residual: Array
+    noise: float
+
+
+def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsEquilibrium:
+    """Equilibrium of all balls at a given position of the inner ring.
+
+    Its `residual` says how well each ball is in balance.
+
+    Parameters
+    ----------
+    V : Array
+        axial and radial distance from the outer to the inner groove's centre of curvature at each
+        ball, shape (2, Z) [m]
+    u_start : Array | None
+        initial guess of the ball positions, shape (2, Z) [m]
+    problem : BallProblem
+        numbers that all balls have in common
+
+    Returns
+    -------
+    BallsEquilibrium
+        positions, forces and their derivatives
+    """
+    u = np.ascontiguousarray(_start(V, u_start, problem))
+    count = u.shape[1]
+    shapes = ((6,), (2, 2), (4, 2), (2,))
+    out = tuple(np.empty((*shape, count)) for shape in shapes)
+    balanced_balls(
+        u, np.ascontiguousarray(V), _prescribed(problem, count), _kernel_arguments(problem), out
+    )
+    values, du_dV, ring_dV, (size, rounding) = out
+    scale = np.maximum(size, LIGHT_LOAD_RATIO * size.max())
+    scale = np.where(scale > 0.0, scale, 1.0)
+    residual = np.hypot(values[0], values[1]) / scale
+    return BallsEquilibrium(u, values, du_dV, ring_dV, residual, float((rounding / scale).max()))
+
+
+def _prescribed(problem: BallProblem, balls: int) -> Array:
+    """Motion and friction of the balls where they are prescribed, (balls, 6), else (balls, 0)."""
+    prescribed = problem.prescribed
+    if prescribed is None:
+        return np.empty((balls, 0))
+    motion = prescribed.motion
+    frictions = (prescribed.inner_friction, prescribed.outer_friction)
+    columns = (motion.orbit_speed, motion.spin_speed, *motion.attitude, *frictions)
+    return np.stack(columns, axis=1)
+
+
+def _kernel_arguments(problem: BallProblem) -> tuple[Any, ...]:
+    """Numbers of a problem for the kernel."""
+    return (
+        (problem.inner_length, problem.outer_length, problem.inner_groove_radius),
+        (problem.ball_diameter, problem.pitch_diameter, problem.mass, problem.nominal_couple),
+        (problem.inner_speed, problem.outer_speed),
+        HYPOTHESES[problem.kinematics],
+        problem.inner_series,
+        problem.outer_series,
+        problem.nominal_force,
+    )
+
+
+def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
+    """Guess: balls off the inner race lie on the outer one or float, others stay or split the
+    approach statically.
+    """
+    inner, outer = problem.inner_length, problem.outer_length
+    distance = np.hypot(V[0], V[1])
+    up = np.array([[0.0], [1.0]])
+    unit = np.where(distance > 0.0, V / np.where(distance > 0.0, distance, 1.0), up)
+    stiffness_o = stiffness_at(problem.outer_series, np.ones(1))[0]
+    ratio = (stiffness_o / stiffness_at(problem.inner_series, np.ones(1))[0]) ** (2.0 / 3.0)
+    split = unit * (outer + np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio))
+    pressed = np.zeros_like(V)
+    pressed[1] = outer + (problem.nominal_force / stiffness_o) ** (2.0 / 3.0)
+    if problem.nominal_force > 0.0:
+        free = np.hypot(*(V - pressed)) <= inner
+        static = stiffness_o * (np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio)) ** 1.5
+        # past the inner groove's edge
+        climbed = ((V - pressed)[1] < EDGE_COSINE * inner) & (distance > inner + outer)
+        free &= ~climbed
+        cold = np.where(free | ((static < problem.nominal_force) & ~climbed), pressed, split)
+    else:
+        free = distance <= inner + outer
+        cold = np.where(free, unit * outer * np.minimum(1.0, distance / (inner + outer)), split)
+    if u_start is None:
+        return cold
+    return np.where(~free & (np.hypot(u_start[0], u_start[1]) > outer), u_start, cold)
+
+
+MAX_STEPS = 40
+MAX_HALVINGS = 20
+SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
+
+
+class BetweenRings(NamedTuple):
+    """Balls in equilibrium between two rings, which may yield.
+
+    V (2, N): distances of the grooves' centres [m]; movement (2, 5, N): dV/dq by the position of
+    the inner ring [-]; residual: force by which V misses its equation over the largest force, and
+    what round-off leaves of it [-].
+    """
+
+    balls: BallsEquilibrium
+    V: Array
+    movement: Array
+    residual: float
+    noise: float
+
+
+class _Trial(NamedTuple):
+    V: Array
+    balls: BallsEquilibrium
+    miss: Array  # V - rigid - e, (2, N) [m]
+
+
+def solve_between_elastic_rings(
+    rigid: Array,
+    start: tuple[Array | None, Array],
+    movement: Array,
+    problem: BallProblem,
+    compliance: RingCompliance,
+) -> BetweenRings:
+    """Balls and yielding rings in equilibrium at one position of the inner ring.
+
+    Parameters
+    ----------
+    rigid : Array
+        distances of the grooves' centres of rigid rings, shape (2, N) [m]
+    start : tuple[Array | None, Array]
+        ball positions, or None, and distances to begin with, shape (2, N) [m]
+    movement : Array
+        d(rigid)/dq, shape (2, 5, N) [-]
+    problem : BallProblem
+        numbers that all balls have in common
+    compliance : RingCompliance
+        compliance of the rings
+
+    Returns
+    -------
+    BetweenRings
+        balls, distances and their derivatives
+    """
+    target = ROUND_OFF * (problem.inner_length + problem.outer_length)
+    trial = _trial(start[1], start[0], rigid, problem, compliance)
+    for _ in range(MAX_STEPS):
+        size = np.abs(trial.miss).max()
+        if size <= target:
+            break
+        # 1. Newton step of all distances together
+        step = np.linalg.solve(_tangent(trial, compliance), -trial.miss.ravel())
+        step = step.reshape(rigid.shape)
+        # 2. halved until what is missed falls
+        factor = 1.0
+        for _ in range(MAX_HALVINGS):
+            V = trial.V + factor * step
+            u = trial.balls.u + np.einsum("uvz,vz->uz", trial.balls.du_dV, factor * step)
+            following = _trial(V, u, rigid, problem, compliance)
+            if np.abs(following.miss).max() < (1.0 - SUFFICIENT_DECREASE * factor) * size:
+                break
+            factor *= 0.5
+        else:
+            break
+        trial = following
+    force = np.abs(trial.balls.values[2:4]).max()
+    stiffness = np.abs(trial.balls.ring_dV[:2]).max() / max(force, 1e-300)
+    tangent = _tangent(trial, compliance)
+    columns = movement.transpose(0, 2, 1).reshape(-1, movement.shape[1])
+    elastic = np.asarray(np.linalg.solve(tangent, columns))
+    elastic = elastic.reshape(2, -1, movement.shape[1]).transpose(0, 2, 1)
+    residual = float(np.abs(trial.miss).max() * stiffness) if force > 0.0 else 0.0
+    noise = float(target * stiffness) if force > 0.0 else 0.0
+    return BetweenRings(
+        trial.balls, trial.V, np.asarray(elastic, dtype=np.float64), residual, noise
+    )
+
+
+def _trial(
+    V: Array, u: Array | None, rigid: Array, problem: BallProblem, compliance: RingCompliance
+) -> _Trial:
+    balls = solve_balls(V, u, problem)
+    shift = compliance.shift(balls.values[2:4], balls.values[5], V)
+    return _Trial(V, balls, V - rigid - shift)
+
+
+def _tangent(trial: _Trial, compliance: RingCompliance) -> Array:
+    """d(miss)/dV, shape (2 N, 2 N) [-]."""
+    size = trial.V.size
+    balls = trial.balls
+    yielding = compliance.derivative(balls.values[2:4], balls.values[5], trial.V, balls.ring_dV)
+    return np.asarray(np.eye(size) - yielding.reshape(size, size))

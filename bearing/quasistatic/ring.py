@@ -4,28 +4,86 @@ Tilts are counted as lengths, times the radius R_i of the circle of the inner gr
 moments as forces, over R_i. A point P = (a, R_i e_r) on the circle of a row at the axial position
 a moves under the rotation (0, ty, tz) by R_i (ty sin psi - tz cos psi) along x and by a (tz cos
 psi - ty sin psi) along e_r. All rows share the ring.
+
+A row at rest under a thrust alone, in closed form but for one root.
+
+Balls without body forces lie on the line between the grooves' centres, L = hypot(x, facing) apart,
+and both contacts carry the same load at the same angle (Harris and Kotzalas, Rolling Bearing
+Analysis, on thrust)::
+
+    F/Z = Q x/L,   Q = [(L - A)/(K_i^(-2/3) + K_o^(-2/3))]^1.5
+
+Displacement of elastic rings on their seats under all balls of an equilibrium.
 """
 
-from collections.abc import Sequence
-from math import asin, atan2, cos, hypot, sin
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from math import asin, atan2, cos, hypot, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
 
 from ehl.arrays import Array
+from ehl.solid.bodies.ring import RingField, ring_field
 
-from ..geometry import Bearing
+from ..geometry import SINGLE, Bearing, Race, Row, per_ball, row_azimuths, row_directions
 from ..operation import Operation
-from ..rings.compliance import RingCompliance, ring_compliance
+from ..rings.compliance import RingCompliance, response_of, ring_compliance
 from ..rings.elastic_ring import ElasticRings
-from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
-from .ball_equilibrium import BallsEquilibrium, solve_balls
-from .balls import BallProblem
-from .contact_stiffness import stiffness_at
-from .elastic_balls import BetweenRings, solve_between_elastic_rings
-from .limits import ROUND_OFF
-from .thrust import thrust_position
+from .balls import (
+    BallProblem,
+    BallsEquilibrium,
+    BetweenRings,
+    solve_balls,
+    solve_between_elastic_rings,
+)
+from .kinematics import EDGE_COSINE, ROUND_OFF, stiffness_at
+from .solution import QuasistaticSolution
+
+X_XTOL = 1e-300  # [m]: with interference a small thrust stands at an angle as small
+X_STEPS = 2000  # halvings down to that
+X_RTOL = 4.0 * 2.0**-52  # the least that `brentq` takes [-]
+
+
+def thrust_position(
+    thrust: float, distance: float, facing: float, compliance: Callable[[float], float]
+) -> float | None:
+    """Axial distance x of the grooves' middles at which a ball carries a thrust.
+
+    Parameters
+    ----------
+    thrust : float
+        thrust of each ball, above zero [N]
+    distance : float
+        A, distance of the grooves' centres at first touch [m]
+    facing : float
+        distance of the centres of facing grooves [m]
+    compliance : Callable[[float], float]
+        K_i^(-2/3) + K_o^(-2/3) at a cosine of the contact angle [m/N^(2/3)]
+
+    Returns
+    -------
+    float | None
+        distance [m]; None if the ball would climb beyond 80 degrees, or carries the thrust at no
+        angle to the last digit
+    """
+
+    def surplus(x: float) -> float:
+        length = hypot(x, facing)
+        approach = max(length - distance, 0.0)
+        return (approach / compliance(facing / length)) ** 1.5 * x / length - thrust
+
+    touch = sqrt(max(distance**2 - facing**2, 0.0))
+    edge = facing * sqrt(1.0 / EDGE_COSINE**2 - 1.0)
+    if not (touch < edge and surplus(edge) > 0.0):
+        return None
+    if surplus(touch) >= 0.0:  # a thrust below what rounding leaves of the approach
+        return touch
+    root = scipy.optimize.brentq(surplus, touch, edge, xtol=X_XTOL, rtol=X_RTOL, maxiter=X_STEPS)
+    return float(root) or None
+
 
 # The next constants, and those of `ball_equilibrium`, were measured on 60 random bearings at 0.3
 # to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
@@ -328,3 +386,106 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
         towards[1:] *= cos(angle) * length - ring.facing
         q[:3] = np.where(ring.free[:3], towards, q[:3])
     return q
+
+
+def ring_displacements(state: QuasistaticSolution, race: Race) -> tuple[RingField, ...]:
+    """Displacement of the ring of each row, the middle of its groove at x = 0.
+
+    Without the movement of the ring as a whole.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    tuple[RingField, ...]
+        field of each row [m]; empty if the ring is no elastic body
+    """
+    rings = state.model.rings
+    ring = None if rings is None else getattr(rings, race.value)
+    if ring is None:
+        return ()
+    response = response_of(ring)
+    loads = _loads(ball_forces(state, race), race, ring.contact_angle)
+    balls = state.bearing.balls
+    rows = [slice(first, first + balls) for first in range(0, state.azimuth.size, balls)]
+    if not ring.supports:
+        return tuple(ring_field(response, state.azimuth[row], loads[:, row]) for row in rows)
+    pressed, movements = seat_reactions(state, race)
+    outward = pressed if race is Race.INNER else -pressed
+    fields = []
+    for row, force, move in zip(rows, outward, movements, strict=True):
+        turns = np.concatenate([state.azimuth[row], ring.supports])
+        both = np.zeros((4, turns.size))
+        both[:3, :balls] = loads[:, row]
+        both[3, balls:] = force
+        field = ring_field(response, turns, both)
+        fields.append(replace(field, displacement=field.displacement + np.array([0.0, *move])))
+    return tuple(fields)
+
+
+def seat_reactions(state: QuasistaticSolution, race: Race) -> tuple[Array, Array]:
+    """Forces of the supports of a split seat on the ring of each row, and its movement as a whole.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    pressed
+        forces, shape (rows, supports); no rows for other seats [N]
+    moved
+        movement (y, z), shape (rows, 2) [m]
+    """
+    rings = state.model.rings
+    ring = None if rings is None else getattr(rings, race.value)
+    if rings is None or ring is None or not ring.supports:
+        return np.zeros((0, 0)), np.zeros((0, 2))
+    angle = state.inner_contact_angle if race is Race.INNER else state.outer_contact_angle
+    directions = np.stack([np.sin(angle), np.cos(angle)])
+    groove = getattr(ring_compliance(rings, state.azimuth, state.bearing.balls), race.value)
+    pressed, movements = groove.reactions(ball_forces(state, race), directions)
+    return pressed.reshape(-1, len(ring.supports)), movements
+
+
+def ball_forces(state: QuasistaticSolution, race: Race) -> Array:
+    """Forces of the balls on a ring.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    Array
+        forces (x, r), shape (2, N) [N]
+    """
+    s, c = np.sin(state.inner_contact_angle), np.cos(state.inner_contact_angle)
+    axial = state.inner_load * s + state.inner_friction * c
+    radial = state.inner_load * c - state.inner_friction * s
+    if race is Race.INNER:
+        return -np.stack([axial, radial])
+    return np.stack([axial, radial + state.centrifugal_force])
+
+
+def _loads(force: Array, race: Race, angle: float) -> Array:
+    """Loads at the bottom of the groove, at a contact angle and its mirror image that move and
+    open the groove as forces do, shape (3, N) [N].
+    """
+    size = np.hypot(*force)
+    axial = force[0] / sin(angle)
+    opening = axial**2 / np.where(size > 0.0, size, 1.0)
+    inward = -force[1] if race is Race.INNER else force[1]
+    bottom = inward - opening * cos(angle)
+    return np.stack([bottom, 0.5 * (opening + axial), 0.5 * (opening - axial)])

@@ -9,9 +9,8 @@ from numpy.typing import NDArray
 from ehl.arrays import Array
 from ehl.units import from_si, notebook_html
 
-from ..geometry import Bearing
+from ..geometry import Bearing, Row
 from ..operation import Operation, QuasistaticModel
-from ..rows import Row
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,14 +15,20 @@ import numpy as np
 from ehl.arrays import Array
 from ehl.closed_form.hertz import hertz_contact
 
-from ..geometry import Bearing, Race, contact_modulus, reduced_radii
+from ..geometry import (
+    SINGLE,
+    Bearing,
+    Race,
+    Row,
+    contact_modulus,
+    per_ball,
+    reduced_radii,
+    row_azimuths,
+    row_directions,
+)
 from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Operation, QuasistaticModel
-from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
-from .ball_equilibrium import BallsEquilibrium
-from .balls import BallProblem, BallState, ball_problem, ball_state
-from .contact_stiffness import stiffness_at
-from .kinematics import PrescribedBalls
-from .limits import EDGE_COSINE
+from .balls import BallProblem, BallsEquilibrium, BallState, ball_problem, ball_state
+from .kinematics import EDGE_COSINE, PrescribedBalls, stiffness_at
 from .ring import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
 from .solution import QuasistaticSolution, _cage_speed
 

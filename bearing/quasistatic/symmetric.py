@@ -15,11 +15,10 @@ from scipy.optimize import root
 
 from ehl.arrays import Array
 
-from ..geometry import Bearing
+from ..geometry import SINGLE, Bearing
 from ..operation import Operation, QuasistaticModel
-from ..rows import SINGLE
 from .balls import BallProblem, ball_problem
-from .contact_stiffness import stiffness_at
+from .kinematics import stiffness_at
 from .ring import RESIDUAL_TOLERANCE, Ring, RingStart, _guess, _point, ring_of, solve_ring
 from .solution import QuasistaticSolution
 from .solver import _solution

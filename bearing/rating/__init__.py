@@ -6,6 +6,4 @@ frequencies       - characteristic frequencies of a bearing from its solved moti
 geometry_estimate - internal geometry from boundary dimensions and load ratings
 life              - rating life: ISO 281, ISO/TS 16281
 load_rating       - load ratings of a ball bearing from its geometry, after ISO 281 and ISO 16281
-reference_speed   - thermal reference speed, ISO 15312
-relubrication     - interval of relubrication of a bearing with grease
 """

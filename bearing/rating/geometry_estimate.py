@@ -15,7 +15,7 @@ from typing import Any
 from ehl.units import MILLIMETRE
 
 from ..geometry import Bearing, contact_angle_to_clearance
-from ..library import typical_geometry as typical
+from ..library import catalogue as typical
 from ..library.catalogue import (
     Geometry,
     estimated_entry,

@@ -2,5 +2,4 @@
 
 compliance   - movement of a groove at one ball by the force of another
 elastic_ring - an elastic ring: section, material, seat
-seat_places  - reactions of a seat that presses a ring at supports only
 """

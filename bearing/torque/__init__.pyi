@@ -1,8 +1,6 @@
 from .breakdown import TorqueBreakdown, torque_breakdown
-from .inputs import FrictionInput
-from .integrated import law_torque, solved_shear
-from .models import ModelTorque
-from .shear_torque import IntegratedTorque, SolvedShear
+from .integrated import IntegratedTorque, SolvedShear, law_torque, solved_shear
+from .models import FrictionInput, ModelTorque
 from .starved import StarvedTorque
 
 __all__ = [

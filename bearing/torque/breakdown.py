@@ -13,10 +13,10 @@ from ..films.operating import OilAtInlets, supplied_films
 from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import Supply
-from .inlet import InletFactors
-from .inputs import FrictionInput
+from .integrated import SolvedShear
 from .models import (
     ROUND_OFF,
+    FrictionInput,
     ModelTorque,
     coulomb_coefficient,
     coulomb_model,
@@ -25,7 +25,7 @@ from .models import (
     summed,
 )
 from .paper_models import line_models, yao_model
-from .shear_torque import SolvedShear
+from .skf import InletFactors
 from .starved import StarvedTorque, starved_torque
 
 INTEGRATED = "integrated"

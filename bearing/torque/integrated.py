@@ -7,40 +7,249 @@ over the shaft's speed. Motion and forces are those under the hypothesis of the 
 those in traction equilibrium. A table and a law have one moment about the transverse axis, which
 is the rolling resistance with the curvature slip or the slip alone, and no minimum film, from
 which a share of asperities would follow.
+
+Torque of the friction of all contacts, under a hypothesis of the balls' motion and with the
+balls in balance.
+
+How far the oil of the films reaches, and what of the rolling part hangs on it.
+
+The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the layer that its
+oil ends in (`ehl.traction.rolling_moment`). The integrated torque takes that of the oil up to the
+layer that the lubricant states: here stand its uncertainty, what the solved boxes alone would
+give, and what twice the layer adds, at the same motion.
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ehl.arrays import Array
 from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
+from ehl.solution import ContactSolution
+from ehl.traction.rolling_moment import RollingMoment, rolling_moment
 
 from ..contacts.contact import BearingContact
-from ..contacts.motion import MotionMap, ball_speeds, motion_map
-from ..contacts.traction import ContactTraction, contact_traction
-from ..films.film import ContactFilm, FilmOrigin, Films
+from ..contacts.motion import ContactTraction, MotionMap, ball_speeds, contact_traction, motion_map
+from ..films.film import ContactFilm, FilmOrigin, Films, first_same
 from ..films.operating import OilAtInlets, operating_films, with_formulas
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
 from ..friction.film_nodes import film_nodes
 from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
 from ..friction.law import ContactFriction
-from ..friction.resistance import NO_RESISTANCE, Resistance
+from ..friction.resistance import NO_RESISTANCE, NOTHING_RESISTED, Resistance, ResistedPower
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
-from .inlet import InletFactors
-from .inputs import FrictionInput
-from .shear_torque import (
-    IntegratedTorque,
-    SolvedShear,
-    cage_driven_balls,
-    imbalance_message,
-    no_balance_message,
-    orbit_lag,
-)
+from .models import FrictionInput
+from .skf import InletFactors
+
+# rings' power less heat and drag over the heat up to which balls count as balanced [-]
+POWER_TOLERANCE = 1.0e-6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class IntegratedTorque:
+    """Heat of the contacts over the shaft's speed, by what it works against, and the balance of
+    power.
+    """
+
+    # rolling or curvature is None where the friction has no such part of its own; the other then
+    # holds both
+    rolling: float | None  # of the oil that the pressure pumps [N m]
+    sliding: float  # at the centres of the contacts [N m]
+    spin: float  # [N m]
+    curvature: float | None  # sliding by the surfaces' curvature [N m]
+    shaft_power: float  # what the two rings feed into the contacts [W]
+    heat: float  # what the contacts turn into heat [W]
+    per_ball: Array  # (balls,) torque by ball [N m]
+    # of asperities that touch [N m]; the oil's shear is then the rest. None where the friction has
+    # no share of them
+    asperity: float | None = 0.0
+    # what goes into the oil around the balls, their pockets and the cage's land [W]
+    resistance: ResistedPower = NOTHING_RESISTED
+    speed: float = 0.0  # of the rings against each other [rad/s]
+
+    @property
+    def total(self) -> float:
+        """Sum of the parts [N m]."""
+        return sum(self.parts.values())
+
+    @property
+    def contacts(self) -> dict[str, float]:
+        """Parts of the contacts that the friction distinguishes, by name [N m]."""
+        names = ("rolling", "sliding", "spin", "curvature", "asperity")
+        return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
+
+    @property
+    def parts(self) -> dict[str, float]:
+        """Those of the contacts, cage with its pockets, and drag of the balls [N m]."""
+        if self.speed == 0.0:
+            return self.contacts
+        cage = self.cage_power / self.speed
+        return {**self.contacts, "cage": cage, "drag": self.resistance.drag / self.speed}
+
+    @property
+    def cage_power(self) -> float:
+        """Heat of the cage's land and pockets [W]."""
+        return self.resistance.land + self.resistance.pocket
+
+    @property
+    def rings_power(self) -> float:
+        """What the rings feed into contacts and the cage's land [W]."""
+        return self.shaft_power + self.resistance.guiding
+
+    @property
+    def resisted(self) -> float:
+        """What the balls give beside the contacts [W]."""
+        return self.resistance.of_balls
+
+    @property
+    def imbalance(self) -> float:
+        """Rings' power less heat and drag, over the heat [-]; it speeds up the balls."""
+        left = self.shaft_power - self.heat - self.resisted
+        return left / self.heat if self.heat > 0.0 else 0.0
+
+    @property
+    def relative_error(self) -> float:
+        """Torque times speed less what the rings feed in, over the larger, magnitude [-]."""
+        spent = self.total * abs(self.speed)
+        largest = max(abs(spent), abs(self.rings_power))
+        return abs(spent - self.rings_power) / largest if largest > 0.0 else 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SolvedShear:
+    """Shear of all films of a bearing: under the hypothesis of the ball's motion, and with the
+    balls in balance.
+    """
+
+    hypothesis: IntegratedTorque  # at the motion that the equilibrium of the loads assumed
+    # in traction equilibrium; None where it was not sought or not found
+    balanced: IntegratedTorque | None = None
+    # of the same films, flooded and isothermal, in traction equilibrium; None as `balanced`
+    flooded: IntegratedTorque | None = None
+    # part of the sum of all loads on asperities [-]; None without roughness
+    asperity_share: float | None = None
+    # numbers of balls, from 1, loaded at the inner race, which cannot drive them, so that the cage
+    # does
+    cage_driven: tuple[int, ...] = ()
+    # of every contact with a solved film, at the motion of `torque`
+    tractions: tuple[ContactTraction, ...] = ()
+    films: Films = ()  # operating ones of all contacts; empty where a friction law has none
+    # contacts of all lubricated ones whose film is that of a formula [-]
+    by_formula: int = 0
+    by_atlas: int = 0  # of these, that of the film atlas [-]
+    lubricated: int = 0
+    # part by which the balls' orbits lag behind those of the hypothesis, seen from the outer ring,
+    # mean by load of the balls that the inner race drives [-]; None without a balance
+    orbit_lag: float | None = None
+    balance: BalancedFriction | None = None  # of `balanced`, where films shear
+    note: str = ""  # why there is no balanced one, or why it does not count as one
+    # why parts of the torque are None, by name
+    missing_components: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def torque(self) -> IntegratedTorque:
+        """In traction equilibrium where it was found, else under the hypothesis [N m]."""
+        return self.hypothesis if self.balanced is None else self.balanced
+
+    @property
+    def closed(self) -> bool:
+        """Whether the balls are balanced: their motion was found, and there the rings' power is
+        heat and drag [-].
+        """
+        return self.balanced is not None and abs(self.balanced.imbalance) <= POWER_TOLERANCE
+
+
+def no_balance_message(balance: BalancedFriction) -> str:
+    """Message why a search for the motion of the balls does not count: no ball that the inner race
+    drives, or force left on a ball and push of the cage.
+
+    Parameters
+    ----------
+    balance : BalancedFriction
+        motion of the balls
+
+    Returns
+    -------
+    str
+        sentence
+    """
+    if not balance.driven.any():
+        return (
+            "the inner race can drive no ball against drag and rolling resistance, so that all "
+            "slide (more axial load, or less oil in the cavity); the hypothesis of the motion is "
+            "kept"
+        )
+    return (
+        f"no traction equilibrium found (residual {balance.residual:.1e}, push of the cage known "
+        f"to {balance.cage_change:.1e} of it), the hypothesis of the motion is kept"
+    )
+
+
+def imbalance_message(torque: IntegratedTorque) -> str:
+    """Message why the torque at a motion does not count as that of balanced balls.
+
+    Parameters
+    ----------
+    torque : IntegratedTorque
+        at the motion
+
+    Returns
+    -------
+    str
+        sentence; empty if it counts
+    """
+    if abs(torque.imbalance) <= POWER_TOLERANCE:
+        return ""
+    return (
+        "balls nearly balanced, the rings' power misses heat and drag by "
+        f"{torque.imbalance:.1e} of the heat"
+    )
+
+
+def cage_driven_balls(solution: QuasistaticSolution, balance: BalancedFriction) -> tuple[int, ...]:
+    """Numbers of balls, from 1, loaded at the inner race but not driven by it.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    balance : BalancedFriction
+        motion of the balls
+
+    Returns
+    -------
+    tuple[int, ...]
+        numbers [-]
+    """
+    return tuple(int(i) + 1 for i in np.flatnonzero((solution.inner_load > 0.0) & ~balance.driven))
+
+
+def orbit_lag(solution: QuasistaticSolution, balance: BalancedFriction) -> float:
+    """Part by which the orbits of the balls that the inner race drives lag behind those of the
+    solution, seen from the outer ring, mean weighted by the inner loads.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    balance : BalancedFriction
+        motion of the balls
+
+    Returns
+    -------
+    float
+        lag [-]
+    """
+    outer = solution.operation.outer_speed
+    orbits = np.array([motion.orbit_speed for motion in balance.motions]) - outer
+    ratio = orbits / (solution.orbit_speed - outer)
+    weights = np.where(balance.driven, solution.inner_load, 0.0)
+    return float(1.0 - np.average(ratio, weights=weights))
+
 
 # why a law of friction lacks parts of the torque
 ONE_MOMENT = (
@@ -453,3 +662,124 @@ def _torque_of_powers(
         per_ball=per_ball.astype(np.float64),
         speed=speed,
     )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RollingExtent:
+    """Rolling torque of all films by where their oil ends."""
+
+    within_extent: float  # of the oil up to its meniscus, as in the integrated torque [N m]
+    uncertainty: float  # of meshes, residuals and far fields [N m]
+    box: float  # of the solved boxes alone [N m]
+    doubling: float  # what twice the layer adds [N m]
+    layer: float  # of oil at the inlets, as wide as the gap at the meniscus [m]
+    notes: tuple[str, ...] = ()  # contacts whose oil ends elsewhere, or does not flood them
+
+    def scaled(self, factor: float) -> "RollingExtent":
+        """The same of what inlet heating and replenishment leave of the moments.
+
+        Parameters
+        ----------
+        factor : float
+            that they leave [-]
+
+        Returns
+        -------
+        RollingExtent
+            torques [N m]
+        """
+        names = ("within_extent", "uncertainty", "box", "doubling")
+        return replace(self, **{name: factor * getattr(self, name) for name in names})
+
+
+def rolling_moments(
+    films: Sequence[ContactSolution | None], factor: float = 1.0
+) -> tuple[RollingMoment | None, ...]:
+    """Rolling moment of every film, equal films once.
+
+    Parameters
+    ----------
+    films : Sequence[ContactSolution | None]
+        solutions, None where there is none
+    factor : float, default 1.0
+        on the layer of their lubricant [-]
+
+    Returns
+    -------
+    tuple[RollingMoment | None, ...]
+        moments [N m]; None where there is no film
+    """
+    first = first_same(films)
+    moments = {
+        number: rolling_moment(film, factor * _layer(film))
+        for number, film in enumerate(films)
+        if film is not None and first[number] == number
+    }
+    return tuple(moments.get(number) for number in first)
+
+
+def rolling_extent(
+    solution: QuasistaticSolution,
+    tractions: Sequence[ContactTraction | None],
+    films: Sequence[ContactSolution | None],
+    moments: Sequence[RollingMoment | None] | None = None,
+) -> RollingExtent | None:
+    """Rolling torque by where the oil ends: the power of the moment at the motion of the tractions
+    over
+    the speed of the shaft.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    tractions : Sequence[ContactTraction | None]
+        of all contacts, None where there is none
+    films : Sequence[ContactSolution | None]
+        solutions of all contacts, None where there is none
+    moments : Sequence[RollingMoment | None] | None, optional
+        of the films, where they are computed already [N m]
+
+    Returns
+    -------
+    RollingExtent | None
+        torques [N m]; None if the rings do not turn against each other, or without films
+    """
+    speed = solution.operation.shaft_speed
+    if moments is None:
+        moments = rolling_moments(films)
+    rows = zip(tractions, films, moments, strict=True)
+    known = [(t, f, m) for t, f, m in rows if t is not None and f and m]
+    if speed == 0.0 or not known:
+        return None
+    farther = rolling_moments([film for _, film, _ in known], 2.0)
+    ratios = [_ratio(traction) / speed for traction, _, _ in known]
+    pairs = [(ratio, moment) for ratio, (_, _, moment) in zip(ratios, known, strict=True)]
+    within = sum(ratio * moment.value for ratio, moment in pairs)
+    return RollingExtent(
+        within_extent=within,
+        uncertainty=sum(abs(ratio) * moment.uncertainty for ratio, moment in pairs),
+        box=sum(ratio * moment.box for ratio, moment in pairs),
+        doubling=sum(r * m.value for r, m in zip(ratios, farther, strict=True) if m) - within,
+        layer=pairs[0][1].layer,
+        notes=tuple(_notes([(traction.contact, moment) for traction, _, moment in known])),
+    )
+
+
+def _layer(film: ContactSolution) -> float:
+    """Of the lubricant of a film [m]."""
+    return film.conditions.lubricant.flooded_layer
+
+
+def _ratio(traction: ContactTraction) -> float:
+    """Speed that the rolling moment works at [rad/s]."""
+    k = traction.kinematics
+    return k.rolling + 0.5 * k.curvature_difference * k.sliding_x
+
+
+def _notes(known: Sequence[tuple[BearingContact, RollingMoment]]) -> list[str]:
+    """Each note once, with the contacts it holds for."""
+    places: dict[str, list[str]] = {}
+    for contact, moment in known:
+        if moment.note:
+            places.setdefault(moment.note, []).append(f"{contact.ball} {contact.race.value}")
+    return [f"ball {', '.join(balls)}: {note}" for note, balls in places.items()]

@@ -16,7 +16,7 @@ import numpy as np
 from ehl.compiled import compiled
 from ehl.oil._kernels import copy
 
-from .arrays import (
+from .assembly import (
     BALLS,
     BY_FORM,
     DAMPING,

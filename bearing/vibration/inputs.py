@@ -1,8 +1,33 @@
-"""Inputs of the vibration of a bearing, in SI."""
+r"""Inputs of the vibration of a bearing, in SI.
+
+Transmission of waves of a surface into the bearing: the contact is as long as a short wave.
+
+A small height g(x, y) under a contact moves the bodies apart, under the same load, by
+
+.. math:: \Delta = \iint g\, \frac{\partial p}{\partial F}\, dx\, dy
+
+(reciprocity). The dry contact of Hertz has dp/dF = 1/(2 pi a b sqrt(1 - x^2/a^2 - y^2/b^2)), whose
+integral across is even over the contact's length 2a, so of a wave of the wavelength l along the
+rolling direction sin(k a)/(k a), k = 2 pi/l, is left: the mean of the height over the contact.
+
+With a film the same part follows from the derivative of the discrete equations at the solved
+contact, for the wave that passes at the speed of rolling, the film squeezed and carried with it
+(`ehl.traction.response`). The amplitude that is left in the film itself (Venner and Lubrecht,
+2000) is another number: a long wave leaves none in the film and moves the bodies by all of it.
+"""
 
 from dataclasses import dataclass, field
 from enum import Enum
 from math import isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from ehl.arrays import Array
+from ehl.conditions import ContactConditions
+from ehl.options import SolverOptions
+from ehl.traction.linear_response import wave_transmission
 
 from ..geometry import Race
 from .form import SurfaceForm
@@ -114,3 +139,112 @@ class VibrationModel:
     options: VibrationOptions = field(default_factory=VibrationOptions)
     # part of the heaviest contacts' loads that films carry, the rest is on asperities; else all
     film_load_fractions: dict[Race, float] = field(default_factory=dict)  # [-]
+
+
+STEP = 0.8  # of k a at most, between waves that are solved; splines between them
+LEAST = 3  # waves that are solved at least
+FASTEST = 4.0  # k a beyond which the dry part counts: less than a quarter of a wave is left there
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Transmission:
+    """Part of waves that enters the bearing, complex, over k a; without samples the dry one."""
+
+    semi_axis: float  # a, along the rolling direction [m]
+    numbers: Array  # k a, from zero [-]
+    parts: NDArray[np.complex128]  # [-]
+
+    def of(self, orders: Array, radius: float) -> NDArray[np.complex128]:
+        """Transmission of orders around a track.
+
+        Parameters
+        ----------
+        orders : Array
+            waves over a turn, shape (n,) [-]
+        radius : float
+            radius of the track [m]
+
+        Returns
+        -------
+        NDArray[np.complex128]
+            transmitted fraction, complex, shape (n,) [-]
+        """
+        number = orders * self.semi_axis / radius
+        dry: NDArray[np.complex128] = np.sinc(number / np.pi).astype(np.complex128)
+        if self.numbers.size < 2:
+            return dry
+        spline = CubicSpline(self.numbers, self.parts)
+        last = self.numbers[-1]
+        inside = number <= last
+        result = dry.copy()
+        result[inside] = spline(number[inside])
+        return result
+
+
+def dry_transmission(semi_axis: float) -> Transmission:
+    """Transmission of Hertz' contact.
+
+    Parameters
+    ----------
+    semi_axis : float
+        semi-axis along the rolling direction [m]
+
+    Returns
+    -------
+    Transmission
+        transmission without samples
+    """
+    return Transmission(
+        semi_axis=semi_axis, numbers=np.zeros(0), parts=np.zeros(0, dtype=np.complex128)
+    )
+
+
+def film_transmission(
+    conditions: ContactConditions, semi_axis: float, largest: float, options: SolverOptions
+) -> Transmission:
+    """Transmission of a lubricated contact, solved on the points of the options.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        conditions of the film
+    semi_axis : float
+        semi-axis along the rolling direction [m]
+    largest : float
+        k a of the shortest wave [-]
+    options : SolverOptions
+        mesh of the film
+
+    Returns
+    -------
+    Transmission
+        transmission with samples over k a
+    """
+    top = min(max(largest, STEP), FASTEST)
+    numbers = np.linspace(0.0, top, max(int(np.ceil(top / STEP)), LEAST) + 1)
+    parts = wave_transmission(conditions, options, numbers[1:].tolist())
+    return Transmission(
+        semi_axis=semi_axis, numbers=numbers, parts=np.concatenate([[1.0 + 0.0j], parts])
+    )
+
+
+def filtered(profile: Array, transmission: Transmission, radius: float) -> Array:
+    """Heights over a turn that enter the bearing, order by order.
+
+    Parameters
+    ----------
+    profile : Array
+        heights, shape (n,) [m]
+    transmission : Transmission
+        transmission of the contact
+    radius : float
+        radius of the track [m]
+
+    Returns
+    -------
+    Array
+        heights, shape (n,) [m]
+    """
+    spectrum = np.fft.rfft(profile)
+    orders = np.arange(spectrum.size, dtype=np.float64)
+    return np.asarray(np.fft.irfft(spectrum * transmission.of(orders, radius), profile.size))

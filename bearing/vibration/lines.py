@@ -19,9 +19,8 @@ from ..geometry import Race
 from ..operation import Operation
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.frequencies import Frequencies, kinematic_frequencies
-from .assembly import Assembled
+from .assembly import Assembled, mean_angle
 from .form import Place, SurfaceForm
-from .laws import mean_angle
 
 LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as one [-]
 HARMONICS = 3  # of what repeats with each ball, smoothly

@@ -10,8 +10,7 @@ from ehl.arrays import Array
 
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import advance
-from .arrays import BALLS, INNER, OUTER, SENSOR, STORED
-from .assembly import Assembled
+from .assembly import BALLS, INNER, OUTER, SENSOR, STORED, Assembled
 from .inputs import VibrationModel
 
 OVERSAMPLED = 4  # rows kept for each sample of the record, against aliasing

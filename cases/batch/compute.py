@@ -6,9 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.friction.race_tables import Tables
-from bearing.friction.sources import LawTraction
-from bearing.friction.table_files import save_race_tables
+from bearing.friction.laws import LawTraction
+from bearing.friction.tables import Tables, save_race_tables
 from postprocess import summary
 from postprocess.batch.summary import OUTSIDE
 from postprocess.bearing.results import BearingResults

@@ -172,7 +172,7 @@ def _keep(
     """Write what an interrupted simulation has so far, and the file to go on from."""
     if directory is None:
         return
-    from bearing.dynamics.restart import save_restart
+    from bearing.dynamics.simulation import save_restart
     from postprocess.dynamics.write import write_dynamics
 
     from ..runs.dynamics import case_key

@@ -273,12 +273,12 @@ def listing(kind: str) -> dict[str, str]:
 
         return {name: _properties(load_material(name)) for name in list_materials()}
     if kind == "greases":
-        from bearing.library.greases import list_greases, load_grease
+        from bearing.library.lubricants import list_greases, load_grease
 
         greases = (load_grease(name) for name in list_greases())
         return {grease.name: f"{grease.oil}; {grease.thickener}" for grease in greases}
     if kind == "typical":
-        from bearing.library.names import library_data
+        from bearing.library.plugins import library_data
 
         return {key: _range(data) for key, data in library_data("typical.toml").items()}
     if kind == "plugins":

@@ -8,8 +8,8 @@ from typing import Annotated
 
 from bearing.films.asperities import LoadSharing, Spectrum
 from bearing.geometry import ANGULAR_CONTACT, Bearing, BearingType, contact_angle_to_clearance
+from bearing.library.bearings import TOLERANCE_CLASSES
 from bearing.library.catalogue import CLEARANCE_CLASSES, clearance_class
-from bearing.library.tolerances import TOLERANCE_CLASSES
 from bearing.material import Material
 from bearing.operation import RatingInput
 from bearing.torque.skf import Series, series_of, skf_series

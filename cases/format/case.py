@@ -9,17 +9,16 @@ from typing import Any
 
 from bearing.fits.clearance import ClearanceBudget
 from bearing.friction.law import BallTraction
-from bearing.geometry import Bearing
+from bearing.geometry import Bearing, Row
 from bearing.library.bearings import warn_of_estimates
-from bearing.library.greases import load_grease
+from bearing.library.lubricants import load_grease
 from bearing.material import Material
 from bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
 from bearing.rating.load_rating import capacity
-from bearing.rows import Row
-from bearing.supply.solved_track import TrackPasses
 from bearing.supply.supply import Supply
-from bearing.torque.inlet import NO_LOSS, InletFactors, inlet_factors
-from bearing.torque.inputs import FrictionInput
+from bearing.supply.track import TrackPasses
+from bearing.torque.models import FrictionInput
+from bearing.torque.skf import NO_LOSS, InletFactors, inlet_factors
 from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
 from ehl.oil.rheology import Rheology
 from ehl.transient.inputs import TransientConditions, TransientOptions

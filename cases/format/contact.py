@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from bearing.material import Material, reduced_modulus
-from bearing.supply.solved_track import TrackPasses
+from bearing.supply.track import TrackPasses
 from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions
 from ehl.conditions import surface_motion
 from ehl.options import GENERALIZED_POINTS, TOLERANCE

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
-from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
+from bearing.dynamics.inputs import Guidance, LoadType, NormalLaw, RaceStiffness, Start
 from bearing.friction.resistance import Cage
 from bearing.geometry import Race
 from ehl.traction.coefficients import COEFFICIENTS

@@ -15,14 +15,13 @@ from bearing.fits.clearance import (
     cage_clearance,
     clearance_budget,
 )
-from bearing.geometry import Bearing, Race
-from bearing.heating.heat_balance import HIGHEST_TEMPERATURE
+from bearing.geometry import Bearing, Race, shoulder_diameter
+from bearing.heating.heat_state import HIGHEST_TEMPERATURE
 from bearing.heating.paths import PUMPED_TO_OIL, Surroundings
-from bearing.library.tolerances import TOLERANCE_CLASSES, inner_interference, outer_interference
+from bearing.library.bearings import TOLERANCE_CLASSES, inner_interference, outer_interference
 from bearing.material import Material, load_material
 from bearing.operation import Operation
 from bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
-from bearing.shoulder_diameter import shoulder_diameter
 from bearing.torque.skf import Lubrication
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology

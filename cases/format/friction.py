@@ -11,11 +11,10 @@ from bearing.films.asperities import LoadSharing
 from bearing.friction.resistance import Cage
 from bearing.library.bearings import named_designation
 from bearing.library.catalogue import nearest_series
-from bearing.library.lubricants import lubricant_data
-from bearing.library.oil_sets import limiting_coefficient
+from bearing.library.lubricants import limiting_coefficient, lubricant_data
 from bearing.operation import BallKinematics
 from bearing.supply.supply import CAPTURED, InletFilm, Supply
-from bearing.torque.inputs import FrictionInput
+from bearing.torque.models import FrictionInput
 from bearing.torque.skf import Lubrication, series_of
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology, ShearLaw

@@ -4,9 +4,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any
 
 from bearing.library.bearings import catalogue_name, list_bearings, load_catalogue_entry
-from bearing.library.greases import list_greases, load_grease
-from bearing.library.lubricants import list_lubricants
-from bearing.library.names import matching_name
+from bearing.library.lubricants import list_greases, list_lubricants, load_grease
+from bearing.library.plugins import matching_name
 from bearing.material import STRENGTH, Material, MaterialKind, list_materials, load_material
 from ehl.units import from_si
 

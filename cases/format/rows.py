@@ -6,10 +6,9 @@ from dataclasses import replace
 from itertools import combinations
 from typing import Annotated, Any, Literal
 
-from bearing.geometry import Bearing
-from bearing.library.names import library_data
+from bearing.geometry import Bearing, Row
+from bearing.library.plugins import library_data
 from bearing.operation import QuasistaticModel
-from bearing.rows import Row
 from bearing.studies.preload import preloaded_row
 
 from .fields import (

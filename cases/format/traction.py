@@ -7,17 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from bearing.friction.law import BallTraction, FrictionSource
-from bearing.friction.race_tables import Solids, Tables
-from bearing.friction.sources import (
-    CoefficientTraction,
-    CoulombTraction,
-    FilmTraction,
-    LawTraction,
-)
-from bearing.friction.table_files import load_tables
+from bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction, LawTraction
+from bearing.friction.tables import Solids, Tables, load_tables
 from bearing.geometry import Bearing, contact_modulus, reduced_radii
-from bearing.torque.inlet import InletFactors
-from bearing.torque.inputs import FrictionInput
+from bearing.torque.models import FrictionInput
+from bearing.torque.skf import InletFactors
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
 from ehl.traction.coefficients import COEFFICIENTS

@@ -12,15 +12,13 @@ from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_fin
 from bearing.films.film import ContactFilm, Films
 from bearing.films.formula import formula_film
 from bearing.films.operating import solved_films
-from bearing.friction.sources import FilmTraction, LawTraction
+from bearing.friction.laws import FilmTraction, LawTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
-from bearing.rating.load_rating import static_rating
-from bearing.rating.reference_speed import reference_speed
+from bearing.rating.load_rating import reference_speed, static_rating
 from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
-from bearing.torque.integrated import bearing_films, films_torque, law_torque
-from bearing.torque.shear_torque import SolvedShear
+from bearing.torque.integrated import SolvedShear, bearing_films, films_torque, law_torque
 from ehl import ContactSolution
 from ehl.arrays import Array
 from postprocess.bearing.results import BearingResults

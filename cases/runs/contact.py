@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 
-from bearing.supply.solved_track import SolvedPass, solved_passes
+from bearing.supply.track import SolvedPass, solved_passes
 from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.conditions import contact_kinematics
 from ehl.finite_element.solver import solve_contact_finite_element

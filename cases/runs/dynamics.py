@@ -11,11 +11,19 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+from bearing.dynamics.assembly import race_stiffnesses
 from bearing.dynamics.bodies import cage_body, ring_body
-from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness
 from bearing.dynamics.friction import RaceFriction
-from bearing.dynamics.inputs import CageBody, DynamicsModel, DynamicsOptions, NormalContact
-from bearing.dynamics.laws import race_stiffnesses
+from bearing.dynamics.inputs import (
+    CageBody,
+    DynamicsModel,
+    DynamicsOptions,
+    Guidance,
+    LoadType,
+    NormalContact,
+    NormalLaw,
+    RaceStiffness,
+)
 from bearing.dynamics.model import (
     CAGE_MATERIAL,
     ball_drag,
@@ -25,11 +33,14 @@ from bearing.dynamics.model import (
     viscosity_over_time,
     with_race_friction,
 )
-from bearing.dynamics.restart import load_restart
-from bearing.dynamics.simulation import Simulation, simulation
-from bearing.dynamics.starts import other_start, simulated_statistics
-from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics
-from bearing.friction.sources import CoefficientTraction
+from bearing.dynamics.simulation import Simulation, load_restart, simulation
+from bearing.dynamics.statistics import (
+    RunningStatistics,
+    SimulationStatistics,
+    other_start,
+    simulated_statistics,
+)
+from bearing.friction.laws import CoefficientTraction
 from bearing.geometry import Race
 from bearing.library.lubricants import dynamic_viscosity
 from ehl.traction.coefficients import COEFFICIENTS, RampedCoulomb

@@ -8,11 +8,10 @@ from typing import Any
 import numpy as np
 
 from bearing.friction.equilibrium import solve_traction_equilibrium
-from bearing.geometry import Bearing
+from bearing.geometry import SINGLE, Bearing, Row
 from bearing.operation import BallKinematics, Operation, QuasistaticModel
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.quasistatic.solver import solve_quasistatic
-from bearing.rows import SINGLE, Row
 
 from ..format.case import Case
 from .traction_films import with_workers

@@ -11,20 +11,22 @@ import numpy as np
 from bearing.contacts.contact import BearingContact
 from bearing.films.film import Films
 from bearing.friction.balance import BalancedFriction
-from bearing.heating.films_heat import (
+from bearing.geometry import SINGLE
+from bearing.heating.friction_heat import FrictionHeat, heat_of_torque
+from bearing.heating.heat_state import (
     FilmsHeat,
+    FrictionModel,
     OperatingState,
+    SelfHeatingProblem,
     film_conductances,
     formula_conductances,
+    heat_state,
 )
-from bearing.heating.friction_heat import FrictionHeat, heat_of_torque
-from bearing.heating.heat_state import FrictionModel, SelfHeatingProblem, heat_state
 from bearing.heating.network import NODES
 from bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.rows import SINGLE
 from bearing.torque.breakdown import INTEGRATED, model_torque
-from bearing.torque.inlet import InletFactors, inlet_factors
+from bearing.torque.skf import InletFactors, inlet_factors
 from ehl import Lubricant
 from ehl.arrays import Array
 from ehl.units import ZERO_CELSIUS, from_si

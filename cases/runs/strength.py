@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from bearing.contacts.surface_tension import SurfaceTension, surface_tensions
-from bearing.contacts.traction import ContactTraction
+from bearing.contacts.motion import ContactTraction
+from bearing.contacts.stress import SurfaceTension, surface_tensions
 from bearing.fits.ring_strength import Strength, ring_strengths, strength_map
 from ehl import ContactSolution
 

@@ -4,10 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from bearing.contacts.contact import BearingContact
-from bearing.contacts.motion import bearing_kinematics
-from bearing.contacts.traction import ContactTraction, contact_traction
+from bearing.contacts.motion import ContactTraction, bearing_kinematics, contact_traction
 from bearing.friction.law import BallTraction
-from bearing.friction.sources import FilmTraction, LawTraction
+from bearing.friction.laws import FilmTraction, LawTraction
 from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution

@@ -7,7 +7,7 @@ from itertools import pairwise
 from math import inf
 from time import perf_counter
 
-from bearing.friction.race_tables import build_race_tables, build_temperature_tables, race_progress
+from bearing.friction.tables import build_race_tables, build_temperature_tables, race_progress
 from ehl import Lubricant, SolverOptions
 from ehl.multigrid.starved import cores
 from ehl.oil.rheology import Rheology

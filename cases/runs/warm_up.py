@@ -10,13 +10,13 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from bearing.dynamics import _kernels
+from bearing.dynamics import _motion_kernels
+from bearing.dynamics._cage_kernels import cage_land, pocket_forces
+from bearing.dynamics._implicit_kernels import implicit_friction
+from bearing.dynamics._integration_kernels import renew_friction, renew_pockets
 from bearing.dynamics.assembly import assemble
-from bearing.dynamics.choices import LoadType
-from bearing.dynamics.contact._cage_kernels import cage_land, pocket_forces
-from bearing.dynamics.contact._implicit_kernels import implicit_friction
 from bearing.dynamics.initial import StartingPoint
-from bearing.dynamics.integration._clock_kernels import renew_friction, renew_pockets
+from bearing.dynamics.inputs import LoadType
 from bearing.friction.law import ContactFriction, Dissipation
 from bearing.friction.newton import MotionProblem, minimise
 from ehl.arrays import Array
@@ -82,15 +82,15 @@ def _motion() -> None:
     balls = data.balls
     y = data.whole
     dy = data.rates
-    inner, outer, cage = _kernels.place_bodies(case.bearing.balls, y, 1.0, 0.0)
+    inner, outer, cage = _motion_kernels.place_bodies(case.bearing.balls, y, 1.0, 0.0)
     renew_pockets(p, balls, y, 1, 1e-6, 1.0)
     renew_friction(data, y, 1, 1e-6, 1.0)
     implicit_friction(p, balls, y, inner, outer)
     cage_land(p, data.memory, 0, inner, cage)
     pocket_forces(p, balls, data.memory, cage, y)
-    _kernels.cage_equations(p, y, cage, dy)
-    _kernels.ring_equations(p, 0.0, y, 0.0, inner, dy)
-    _kernels.energies(y, data, np.zeros(3))
+    _motion_kernels.cage_equations(p, y, cage, dy)
+    _motion_kernels.ring_equations(p, 0.0, y, 0.0, inner, dy)
+    _motion_kernels.energies(y, data, np.zeros(3))
 
 
 KINDS: dict[str, Callable[[], None]] = {"bearing": _bearing, "motion": _motion}

@@ -6,11 +6,10 @@ from math import hypot, isfinite
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.contacts.stress import ContactStress, contact_stresses
-from bearing.contacts.surface_tension import SurfaceTension, edge_tension
+from bearing.contacts.stress import ContactStress, SurfaceTension, contact_stresses, edge_tension
 from bearing.films.film import ContactFilm, FilmOrigin
 from bearing.films.formula import too_thick
-from bearing.heating.conductances import Conductance
+from bearing.heating.network import Conductance
 from bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
 from ehl.units import to_si
 

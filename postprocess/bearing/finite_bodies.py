@@ -5,9 +5,8 @@ that shoulders cut.
 from collections.abc import Iterator
 from typing import Any
 
-from bearing.contacts.shoulder import Truncation, truncation
-from bearing.geometry import Race
-from bearing.shoulder_diameter import ESTIMATED_HEIGHT, shoulder_diameter
+from bearing.contacts.stress import Truncation, truncation
+from bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from ehl.units import from_si
 
 from ..quantities import quantities, values_of

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from bearing.heating.network import NODES
-from bearing.heating.required_cooling import required_heat_transfer, required_oil_flow
+from bearing.heating.over_speed import required_heat_transfer, required_oil_flow
 from bearing.heating.self_heating import SelfHeatingSolution
 from ehl.arrays import Array
 from ehl.units import from_si

@@ -5,8 +5,12 @@ from typing import Any
 
 from bearing.library.bearings import named_designation
 from bearing.rating.film_life import ContactKappa, FilmLife, film_life
-from bearing.rating.life import LARGEST_A_ISO, LARGEST_KAPPA, SMALLEST_KAPPA
-from bearing.rating.relubrication import relubrication_interval
+from bearing.rating.life import (
+    LARGEST_A_ISO,
+    LARGEST_KAPPA,
+    SMALLEST_KAPPA,
+    relubrication_interval,
+)
 from ehl.units import from_si, to_si
 
 from ..quantities import values_of

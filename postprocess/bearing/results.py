@@ -7,23 +7,23 @@ from typing import Any
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.finite_bodies import FiniteBodies
-from bearing.contacts.surface_tension import SurfaceTension
-from bearing.contacts.traction import ContactTraction
+from bearing.contacts.motion import ContactTraction
+from bearing.contacts.stress import SurfaceTension
 from bearing.films.decay import FilmDecay
 from bearing.films.film import NO_HEAT, ContactFilm, first_same, heated_solution
 from bearing.films.operating import operating_films, solved_films
 from bearing.fits.clearance import ClearanceBudget
 from bearing.fits.ring_strength import Strength
-from bearing.heating.conductances import Conductance
+from bearing.heating.network import Conductance
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.duty_cycle import DutyCycle
 from bearing.rating.frequencies import Frequencies
 from bearing.rating.life import LifeRating
-from bearing.supply.oil_balance import GrooveOil
+from bearing.supply.supply import GrooveOil
 from bearing.torque.breakdown import TorqueBreakdown
-from bearing.torque.rolling_extent import RollingExtent, rolling_extent, rolling_moments
-from bearing.torque.supply_band import SupplyBand, SupplyTorque
+from bearing.torque.integrated import RollingExtent, rolling_extent, rolling_moments
+from bearing.torque.starved import SupplyBand, SupplyTorque
 from ehl import ContactSolution, Lubricant
 from ehl.arrays import Array
 from ehl.traction.instruments import FilmInstruments, film_instruments

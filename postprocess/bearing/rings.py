@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from bearing.geometry import Race
-from bearing.quasistatic.ring_displacement import ball_forces, seat_reactions
+from bearing.quasistatic.ring import ball_forces, seat_reactions
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rings.compliance import response_of
 from bearing.rings.elastic_ring import ElasticRing

@@ -5,8 +5,8 @@ from typing import Any
 
 from bearing.operation import BallKinematics
 from bearing.torque.breakdown import NAMES, TorqueBreakdown
+from bearing.torque.integrated import SolvedShear
 from bearing.torque.models import ModelTorque
-from bearing.torque.shear_torque import SolvedShear
 from ehl.units import from_si
 
 from ..quantities import values_of

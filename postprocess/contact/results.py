@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from bearing.supply.solved_track import SolvedPass
+from bearing.supply.track import SolvedPass
 from ehl import ContactSolution
 from ehl.traction import NormalResponse
 from ehl.traction.shear import TractionResult

@@ -10,8 +10,7 @@ import h5netcdf
 import h5py
 import numpy as np
 
-from bearing.dynamics.arrays import CONTACT, ContactColumns
-from bearing.dynamics.layout import Layout
+from bearing.dynamics.arrays import CONTACT, ContactColumns, Layout
 from bearing.dynamics.record import Record
 from bearing.dynamics.statistics import MECHANISMS
 from bearing.files import require_room

@@ -5,10 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from bearing.dynamics._integration_kernels import EVALUATIONS, REJECTED, STEPS
 from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
-from bearing.dynamics.integration._kernels import EVALUATIONS, REJECTED, STEPS
 from bearing.dynamics.simulation import Simulation
-from bearing.dynamics.starts import states
 from bearing.dynamics.statistics import (
     FEWEST_PLACES,
     INPUTS,
@@ -16,6 +15,7 @@ from bearing.dynamics.statistics import (
     MECHANISMS,
     SimulationStatistics,
     simulation_statistics,
+    states,
 )
 from bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
 from ehl.units import from_si

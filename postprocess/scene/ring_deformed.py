@@ -7,7 +7,7 @@ import numpy as np
 
 from bearing.files import atomic_path
 from bearing.geometry import Race
-from bearing.quasistatic.ring_displacement import ring_displacements
+from bearing.quasistatic.ring import ring_displacements
 from ehl.arrays import Array
 from ehl.units import MICROMETRE, MILLIMETRE
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from bearing.studies.stiffness import StiffnessOverSpeed
+from bearing.studies.preload import StiffnessOverSpeed
 
 from ..results import Results
 

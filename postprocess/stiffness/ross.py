@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bearing.studies.stiffness import StiffnessOverSpeed
+from bearing.studies.preload import StiffnessOverSpeed
 from ehl.arrays import Array
 
 # ROSS' x, y, z (z along the shaft) in ours

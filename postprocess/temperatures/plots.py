@@ -7,7 +7,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from bearing.heating.limiting_speed import SpeedLimit
+from bearing.heating.over_speed import SpeedLimit
 
 from ..plot_style import PAGE_WIDTH, write_figure
 from .results import TemperatureResults

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from bearing.heating.limiting_speed import SpeedBranch, SpeedLimit
+from bearing.heating.over_speed import SpeedBranch, SpeedLimit
+from bearing.heating.over_time import WarmUp
 from bearing.heating.self_heating import SelfHeatingSolution
-from bearing.heating.warm_up import WarmUp
 
 from ..results import Results
 

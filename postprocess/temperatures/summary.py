@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from bearing.heating.limiting_speed import SpeedLimit
 from bearing.heating.network import NODES
+from bearing.heating.over_speed import SpeedLimit
 from ehl.units import from_si
 
 from ..files import plain

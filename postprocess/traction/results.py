@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from bearing.friction.race_tables import Tables, TemperatureTables
+from bearing.friction.tables import Tables, TemperatureTables
 
 from ..results import Results
 

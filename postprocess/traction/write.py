@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from bearing.friction.table_files import save_race_tables, save_temperature_tables
+from bearing.friction.tables import save_race_tables, save_temperature_tables
 
 from .plots import write_traction_plots
 from .results import TractionResults

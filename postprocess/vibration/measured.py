@@ -5,8 +5,7 @@ from math import pi
 
 import numpy as np
 
-from bearing.vibration.arrays import BALLS, INNER, OUTER, SENSOR
-from bearing.vibration.assembly import AXES
+from bearing.vibration.assembly import AXES, BALLS, INNER, OUTER, SENSOR
 from bearing.vibration.inputs import Direction
 from bearing.vibration.simulation import OVERSAMPLED, VibrationRun
 from ehl.arrays import Array

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from bearing.vibration.arrays import BALLS
+from bearing.vibration.assembly import BALLS
 from bearing.vibration.inputs import ContactLaw, WaveFilter
 from bearing.vibration.lines import expected_lines, kinematic, passing
 from bearing.vibration.simulation import VibrationRun

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from bearing.vibration.arrays import INNER, OUTER, SENSOR
+from bearing.vibration.assembly import INNER, OUTER, SENSOR
 from bearing.vibration.simulation import OVERSAMPLED
 
 from ..files import Table

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 from bearing import Operation, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
 from bearing.geometry import contact_modulus
 from bearing.operation import Curvature
-from bearing.quasistatic.contact_stiffness import stiffness_at, stiffness_series
+from bearing.quasistatic.kinematics import stiffness_at, stiffness_series
 from ehl.closed_form.hertz import contact_stiffness
 
 

@@ -23,10 +23,9 @@ from bearing import (
     preloaded_row,
     solve_quasistatic,
 )
+from bearing.geometry import SINGLE
 from bearing.operation import HYPOTHESES
-from bearing.rows import SINGLE
-from bearing.torque.inputs import FrictionInput
-from bearing.torque.models import skf_model
+from bearing.torque.models import FrictionInput, skf_model
 from ehl import Lubricant
 
 WIDTH = 16e-3  # [m]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from bearing import solve_quasistatic
-from bearing.friction.race_tables import table_contacts, table_range
+from bearing.friction.tables import table_contacts, table_range
 from ehl.traction_table.compression import stored_values
 from ehl.traction_table.table import TableError, TractionTable
 

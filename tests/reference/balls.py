@@ -4,10 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bearing.quasistatic._equilibrium_kernels import BALL_TARGET, BALL_TOLERANCE, MAX_BALL_STEPS, MAX_HALVINGS
-from bearing.quasistatic.ball_equilibrium import LIGHT_LOAD_RATIO, BallsEquilibrium, _start
-from bearing.quasistatic.balls import BallProblem, BallState, ball_state
-from bearing.quasistatic.limits import ROUND_OFF
+from bearing.quasistatic._kernels import BALL_TARGET, BALL_TOLERANCE, MAX_BALL_STEPS, MAX_HALVINGS
+from bearing.quasistatic.balls import LIGHT_LOAD_RATIO, BallProblem, BallsEquilibrium, BallState, _start, ball_state
+from bearing.quasistatic.kinematics import ROUND_OFF
 
 STEP = 1.0e-30  # [m]
 

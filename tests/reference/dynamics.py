@@ -21,9 +21,9 @@ from bearing.dynamics.arrays import (
     CoefficientData,
     Constants,
     EquationData,
+    Layout,
     TableData,
 )
-from bearing.dynamics.layout import Layout
 from ehl.arrays import Array
 from ehl.traction._kernels import LOAD_POWER
 from ehl.traction_table.splines import spline_weights

@@ -13,7 +13,7 @@ from math import isfinite
 
 import scipy
 
-from bearing.heating.heat_balance import HIGHEST_TEMPERATURE, HeatBalance
+from bearing.heating.heat_state import HIGHEST_TEMPERATURE, HeatBalance
 from ehl.units import ZERO_CELSIUS
 
 FIRST_RISE = 10.0  # of the search; doubled until the cooling exceeds the friction [K]

@@ -16,8 +16,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from bearing import solve_quasistatic
-from bearing.friction.race_tables import table_contacts, table_range
-from bearing.friction.table_files import load_tables, save_race_tables
+from bearing.friction.tables import load_tables, save_race_tables, table_contacts, table_range
 from bearing.geometry import Race
 from cases import load_case
 from ehl import SolverOptions, solve_contact

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from bearing import contact_conditions, solve_quasistatic
-from bearing.friction.race_tables import build_race_tables
-from bearing.friction.sources import LawTraction
+from bearing.friction.laws import LawTraction
+from bearing.friction.tables import build_race_tables
 from bearing.torque.integrated import law_torque
 from cases.format.case import case_of_document
 from ehl.traction_table.build import TableOptions, atlas_sampler

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.fft import irfft2, rfft2
 
-from bearing.contacts.shoulder import cut_approach
+from bearing.contacts.stress import cut_approach
 from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 from ehl.solid.compliance import corner_integrals
 

@@ -29,8 +29,8 @@ from bearing.dynamics.record import join
 from bearing.dynamics.simulation import simulation
 from bearing.friction.balance import balance_driven_balls
 from bearing.friction.law import BallTraction
-from bearing.friction.race_tables import build_race_tables
-from bearing.friction.sources import CoefficientTraction, LawTraction
+from bearing.friction.laws import CoefficientTraction, LawTraction
+from bearing.friction.tables import build_race_tables
 from cases import load_case
 from ehl import Lubricant
 from ehl.traction.coefficients import FourConstants

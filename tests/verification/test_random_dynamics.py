@@ -13,13 +13,22 @@ import pytest
 
 from bearing import Bearing, Material, Operation, contact_angle_to_clearance
 from bearing.dynamics.bodies import cage_body, ring_body
-from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, Start
 from bearing.dynamics.friction import RaceFriction, race_friction
-from bearing.dynamics.inputs import CageBody, DynamicsModel, DynamicsOptions, NormalContact, Schedule
+from bearing.dynamics.inputs import (
+    CageBody,
+    DynamicsModel,
+    DynamicsOptions,
+    Guidance,
+    LoadType,
+    NormalContact,
+    NormalLaw,
+    Schedule,
+    Start,
+)
 from bearing.dynamics.record import Record
 from bearing.dynamics.simulation import Simulation, from_state, simulation
 from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
-from bearing.friction.sources import CoefficientTraction
+from bearing.friction.laws import CoefficientTraction
 from ehl.traction.coefficients import FourConstants, RampedCoulomb
 
 SEED = 734821

@@ -13,7 +13,7 @@ from bearing.dynamics.friction import RaceFriction, race_friction
 from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from bearing.dynamics.simulation import simulation
 from bearing.friction.law import BallTraction
-from bearing.friction.sources import CoefficientTraction, LawTraction
+from bearing.friction.laws import CoefficientTraction, LawTraction
 from ehl.traction.coefficients import FourConstants
 
 from .test_dynamics_equilibrium import BEARING, OIL, motion, settled

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import least_squares
 
-from bearing.films.moment import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
+from bearing.films.formula import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
 from ehl import Lubricant, atlas_films
 from ehl.atlas.films import NotInAtlasError
 from ehl.scaling import scale_contact

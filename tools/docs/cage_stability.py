@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from dynamics_runs import changed
 
-from bearing.dynamics.choices import LoadType
+from bearing.dynamics.inputs import LoadType
 from bearing.dynamics.simulation import from_state, simulation
 from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
 from cases import Case, load_case

@@ -35,10 +35,10 @@ class Run:
     @property
     def surface_slides(self) -> Any:
         """As `slides`, and at a gap that of the nearest points of the surfaces [m/s]."""
-        from bearing.dynamics._kernels import place_bodies, schedule_at
+        from bearing.dynamics._motion_kernels import place_bodies, schedule_at
+        from bearing.dynamics._race_kernels import race_motion
         from bearing.dynamics._state_kernels import ball_motion
         from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
-        from bearing.dynamics.contact._race_kernels import race_motion
 
         data = self.simulation.data
         c = data.constants

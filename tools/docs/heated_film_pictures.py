@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from bearing import solve_quasistatic
-from bearing.friction.race_tables import table_contacts
+from bearing.friction.tables import table_contacts
 from bearing.geometry import Race
 from cases import load_case
 from ehl import SolverOptions

@@ -11,8 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearing.geometry import Race
-from bearing.vibration.assembly import track_radius
-from bearing.vibration.laws import mean_angle
+from bearing.vibration.assembly import mean_angle, track_radius
 from cases.format.case import case_of_document, load_case
 from cases.runs.equilibrium import case_equilibrium
 from cases.runs.studies.vibration import run_vibration

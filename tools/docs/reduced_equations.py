@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from dynamics_runs import RPM, changed
 
-from bearing.dynamics.choices import LoadType
+from bearing.dynamics.inputs import LoadType
 from bearing.dynamics.simulation import Simulation, simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from cases import Case, load_case

@@ -11,7 +11,7 @@ from bearing.geometry import Bearing
 from bearing.operation import Operation, QuasistaticModel
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.torque.breakdown import NAMES, torque_breakdown
-from bearing.torque.inputs import FrictionInput
+from bearing.torque.models import FrictionInput
 from ehl.arrays import Array
 from ehl.oil.lubricant import Lubricant
 

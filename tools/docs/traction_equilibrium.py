@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from bearing import BallKinematics, QuasistaticModel, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.contacts.motion import bearing_kinematics, motion_map
 from bearing.friction.law import BallTraction, FrictionSource
-from bearing.friction.sources import CoefficientTraction, CoulombTraction, FilmTraction
+from bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from cases import load_case
 from cases.format.case import Case

@@ -31,8 +31,7 @@ from validation_002_torque import (
 
 from bearing.films.decay import film_decay
 from bearing.films.operating import OilAtInlets, supplied_films
-from bearing.supply.oil_balance import groove_area, retained_time
-from bearing.supply.supply import AMPLE, InletFilm, Supply, cavity_volume, oil_fraction
+from bearing.supply.supply import AMPLE, InletFilm, Supply, cavity_volume, groove_area, oil_fraction, retained_time
 from cases.format.case import case_of_document
 from cases.runs.bearing import run_case
 from postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save

@@ -15,7 +15,7 @@ from printed import printed
 from bearing import BallKinematics, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.friction.coulomb import balanced_friction
 from bearing.friction.law import BallTraction
-from bearing.friction.sources import CoulombTraction
+from bearing.friction.laws import CoulombTraction
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.paper_models import sliding_contacts
 from cases import Case, load_case

@@ -10,15 +10,15 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from bearing.friction.race_tables import (
+from bearing.friction.laws import FilmTraction
+from bearing.friction.tables import (
     LOAD_SPAN,
     Tables,
     race_progress,
+    save_race_tables,
     table_contacts,
     table_range,
 )
-from bearing.friction.sources import FilmTraction
-from bearing.friction.table_files import save_race_tables
 from bearing.operation import BallKinematics
 from ehl import Lubricant
 from ehl.multigrid.starved import cores

@@ -11,9 +11,9 @@ from math import floor, log, log10, pi
 from typing import Any
 
 from bearing.library.lubricants import library_lubricant
-from bearing.library.names import library_data
+from bearing.library.plugins import library_data
 from bearing.rating.life import viscosity_ratio
-from bearing.torque.palmgren import palmgren_torque, viscous_factor
+from bearing.torque.skf import palmgren_torque, viscous_factor
 from ehl.oil.lubricant import Lubricant
 from ehl.units import MILLIMETRE, RPM, from_si, to_si
 

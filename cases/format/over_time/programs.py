@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from bearing.library.lubricants import list_lubricants, lubricant_data
-from bearing.library.names import matching_name
+from bearing.library.plugins import matching_name
 
 from ..fields import FREE_WORD
 from ..lubricant import VISCOSITIES, Oil, oil_of

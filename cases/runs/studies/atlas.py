@@ -9,8 +9,8 @@ from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
 from bearing.films.film import ContactFilm, FilmOrigin, Films
 from bearing.films.formula import formula_films, too_thick
+from bearing.geometry import SINGLE
 from bearing.quasistatic.solver import solve_quasistatic
-from bearing.rows import SINGLE
 from ehl import ContactConditions, atlas_films
 from ehl.atlas.films import NotInAtlasError
 from postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasRecord

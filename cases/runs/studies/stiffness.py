@@ -2,8 +2,8 @@
 
 from time import perf_counter
 
-from bearing.rows import SINGLE
-from bearing.studies.stiffness import stiffness_over_speed
+from bearing.geometry import SINGLE
+from bearing.studies.preload import stiffness_over_speed
 from postprocess.stiffness.results import StiffnessResults
 
 from ...format.case import Case

@@ -9,13 +9,12 @@ from bearing.contacts.contact import BearingContact
 from bearing.films.decay import film_decay
 from bearing.films.film import Films
 from bearing.films.operating import OilAtInlets, supplied_films
-from bearing.friction.sources import FilmTraction
+from bearing.friction.laws import FilmTraction
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.supply.oil_balance import GrooveOil, groove_oil
-from bearing.supply.supply import AMPLE, InletFilm, Supply
+from bearing.supply.supply import AMPLE, GrooveOil, InletFilm, Supply, groove_oil
 from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown
 from bearing.torque.integrated import bearing_films, solved_shear
-from bearing.torque.supply_band import SupplyTorque, Total, supply_band
+from bearing.torque.starved import SupplyTorque, Total, supply_band
 
 from ...format.case import Case
 

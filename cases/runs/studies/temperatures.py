@@ -6,9 +6,9 @@ from dataclasses import replace
 from time import perf_counter
 
 from bearing.heating.heat_state import SelfHeatingProblem
-from bearing.heating.limiting_speed import at_speed, balances_over_speed
+from bearing.heating.over_speed import at_speed, balances_over_speed
+from bearing.heating.over_time import warm_up
 from bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
-from bearing.heating.warm_up import warm_up
 from bearing.torque.breakdown import INTEGRATED
 from ehl.units import from_si
 from postprocess.bearing.results import BearingResults

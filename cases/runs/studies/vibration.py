@@ -8,9 +8,8 @@ from time import perf_counter
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.vibration.assembly import assembled
+from bearing.vibration.assembly import FilmsNotSolvedError, assembled, film_load_fractions
 from bearing.vibration.inputs import Direction
-from bearing.vibration.laws import FilmsNotSolvedError, film_load_fractions
 from bearing.vibration.simulation import VibrationRun, pieces, vibration_run
 from ehl.multigrid.newton import LinearSolverError
 from postprocess.vibration.results import VibrationResults

@@ -6,9 +6,8 @@ from math import log, pi, sqrt
 import numpy as np
 import pytest
 
-from bearing.contacts.hertz import hertz_contacts
-from bearing.films.formula import formula_central
-from bearing.films.moment import flooded_moment
+from bearing.contacts.contacts import hertz_contacts
+from bearing.films.formula import flooded_moment, formula_central
 from bearing.library.lubricants import library_lubricant
 from ehl import SolverOptions, ViscosityLaw, solve_contact
 from ehl.conditions import ContactConditions

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from bearing import Operation, Race, contact_conditions, contact_stress, solve_quasistatic
-from bearing.contacts.shape import groove_radius
-from bearing.contacts.shoulder import cut_approach, shoulder_angle, truncation
-from bearing.shoulder_diameter import shoulder_diameter
+from bearing.contacts.contact import groove_radius
+from bearing.contacts.stress import cut_approach, shoulder_angle, truncation
+from bearing.geometry import shoulder_diameter
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 

@@ -8,9 +8,9 @@ from numpy.testing import assert_allclose
 
 import ehl
 from bearing import Operation, solve_quasistatic
+from bearing.contacts.contact import groove_curvature_radius
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.motion import BallMotion, ball_speeds, bearing_kinematics, contact_frames, motion_map
-from bearing.contacts.shape import groove_curvature_radius
 from bearing.geometry import Race
 
 from ...reference.rolling import rolling_and_spin

@@ -11,11 +11,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing.dynamics.bodies import require_web
-from bearing.dynamics.choices import LoadType, Start
 from bearing.dynamics.friction import race_friction
+from bearing.dynamics.inputs import LoadType, Start
 from bearing.dynamics.simulation import from_state, simulation
 from bearing.dynamics.statistics import RunningStatistics, _cage_orbit, simulation_statistics
-from bearing.friction.sources import CoefficientTraction
+from bearing.friction.laws import CoefficientTraction
 from ehl.traction.coefficients import FourConstants
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from bearing.dynamics.arrays import CAGE_LOAD
-from bearing.dynamics.choices import Guidance, LoadType
+from bearing.dynamics.inputs import Guidance, LoadType
 from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
 

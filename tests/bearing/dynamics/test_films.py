@@ -9,11 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Race
-from bearing.dynamics.choices import LoadType, NormalLaw
-from bearing.dynamics.contact import _film_kernels as film_kernels
+from bearing.dynamics import _race_kernels as film_kernels
 from bearing.dynamics.friction import RaceFriction, check_film
-from bearing.dynamics.inputs import NormalContact, Schedule
-from bearing.dynamics.integration.methods import advance_implicit
+from bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
+from bearing.dynamics.integrators import advance_implicit
 from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics

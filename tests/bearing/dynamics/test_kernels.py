@@ -9,16 +9,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Race
-from bearing.dynamics import _kernels
+from bearing.dynamics import _motion_kernels
+from bearing.dynamics._integration_kernels import duration, jacobian
 from bearing.dynamics._state_kernels import ring_angle
-from bearing.dynamics.choices import Guidance, LoadType
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Schedule
-from bearing.dynamics.integration._jacobian_kernels import jacobian
-from bearing.dynamics.integration._kernels import duration
+from bearing.dynamics.inputs import Guidance, LoadType, Schedule
 from bearing.dynamics.reduction import derivative, solved_motion
 from bearing.dynamics.simulation import simulation
-from bearing.friction.sources import CoefficientTraction, LawTraction
+from bearing.friction.laws import CoefficientTraction, LawTraction
 from ehl.traction._kernels import hertz_friction
 from ehl.traction.coefficients import FourConstants, RampedCoulomb
 from ehl.traction.shear import ellipse_rings
@@ -110,11 +108,11 @@ def test_schedule_is_linear_between_its_rows():
     times = np.array([0.0, 0.1, 0.3])
     rows = np.array([[0, 0, 0, 0, 0, 0, 0], [100, 10, 1, 2, 3, 4, 5], [50, 10, 1, 2, 3, 4, 5.0]])
     out = np.zeros(7)
-    assert _kernels.schedule_at(times, rows, 0.05, out) == pytest.approx(1000.0)
+    assert _motion_kernels.schedule_at(times, rows, 0.05, out) == pytest.approx(1000.0)
     assert_allclose(out, [50.0, 5.0, 0.5, 1.0, 1.5, 2.0, 2.5])
-    assert _kernels.schedule_at(times, rows, 0.2, out) == pytest.approx(-250.0)
+    assert _motion_kernels.schedule_at(times, rows, 0.2, out) == pytest.approx(-250.0)
     assert_allclose(out[0], 75.0)
-    assert _kernels.schedule_at(times, rows, 1.0, out) == 0.0
+    assert _motion_kernels.schedule_at(times, rows, 1.0, out) == 0.0
     assert_allclose(out[0], 50.0)
 
 
@@ -125,7 +123,7 @@ def test_the_row_before_a_time_is_found_among_many():
     rows = random.normal(size=(times.size, 3))
     out = np.zeros(3)
     for t in [*times, *random.uniform(0.0, 1.1 * times[-1], 200)]:
-        _kernels.schedule_at(times, rows, float(t), out)
+        _motion_kernels.schedule_at(times, rows, float(t), out)
         assert_allclose(out, [np.interp(t, times, column) for column in rows.T], rtol=1e-12, atol=1e-14)
 
 
@@ -221,7 +219,7 @@ def test_jacobian_ball_by_ball_is_that_of_all_contacts(setup, cage, kind):
 
     def rates(y):
         dy = np.zeros_like(y)
-        _kernels.solved_derivative(0.0, y, motion.data.kernel, dy)
+        _motion_kernels.solved_derivative(0.0, y, motion.data.kernel, dy)
         return dy[:size]
 
     base = rates(y)

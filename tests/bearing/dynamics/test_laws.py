@@ -9,13 +9,18 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, Race
+from bearing.dynamics import _cage_kernels, _race_kernels
+from bearing.dynamics._cage_kernels import film_by_matrix, film_matrix, film_matrix_is_valid, pocket_film
 from bearing.dynamics.arrays import Constants
-from bearing.dynamics.assembly import constants
-from bearing.dynamics.choices import NormalLaw
-from bearing.dynamics.contact import _belt_kernels, _kernels
-from bearing.dynamics.contact._belt_kernels import film_by_matrix, film_matrix, film_matrix_is_valid, pocket_film
-from bearing.dynamics.inputs import NormalContact, Schedule
-from bearing.dynamics.laws import damping_factor, drag_of_force, drag_of_mixture, planar_stiffness, vibration_frequency
+from bearing.dynamics.assembly import (
+    constants,
+    damping_factor,
+    drag_of_force,
+    drag_of_mixture,
+    planar_stiffness,
+    vibration_frequency,
+)
+from bearing.dynamics.inputs import NormalContact, NormalLaw, Schedule
 
 from ...reference.dynamics import normal_force
 from ...reference.impact import restitution_returned
@@ -76,7 +81,7 @@ def test_kernel_agrees_with_its_twin_and_never_adheres():
     law = np.array([1.2e10, 1.5, 0.3])
     approach, speed = random.uniform(-2e-6, 5e-6, 300), random.uniform(-2.0, 2.0, 300)
     twin = normal_force(law, approach, speed, np.full(300, 0.3))
-    assert_allclose([_kernels.normal_force(law, d, v, 0.3) for d, v in zip(approach, speed, strict=True)], twin)
+    assert_allclose([_race_kernels.normal_force(law, d, v, 0.3) for d, v in zip(approach, speed, strict=True)], twin)
     assert twin.min() == 0.0
 
 
@@ -102,12 +107,12 @@ def film_pressure(eps, turn, squeeze):
 def test_land_film_is_the_integral_of_its_pressure(e, v):
     """Closed forms against the integral over what closes; journal moved along +y."""
     radius, clearance, width, viscosity, mean = 0.03, 1e-4, 3e-3, 0.02, 300.0
-    fy, fz, factor = _kernels.land_film(radius, clearance, width, viscosity, e * clearance, 0.0, *v, mean)
+    fy, fz, factor = _race_kernels.land_film(radius, clearance, width, viscosity, e * clearance, 0.0, *v, mean)
     along, across = film_pressure(e, mean * e - v[1] / clearance, v[0] / clearance)
     scale = viscosity * radius * width**3 / clearance**2
     assert_allclose([fy, fz], [scale * along, scale * across], rtol=1e-4, atol=1e-4 * scale)
     assert_allclose(factor, (1.0 - e * e) ** -0.5)
-    assert _kernels.land_film(radius, clearance, width, viscosity, 0.0, 0.0, 0.0, 0.0, mean) == (0.0, 0.0, 1.0)
+    assert _race_kernels.land_film(radius, clearance, width, viscosity, 0.0, 0.0, 0.0, 0.0, mean) == (0.0, 0.0, 1.0)
 
 
 def pocket_constants(setup):
@@ -126,7 +131,7 @@ def test_film_of_a_pocket_is_the_integral_of_its_shear_and_pressure(setup, eccen
     r, play, end = c.ball_radius, c.pocket_play, 0.5 * c.pocket_height
     place = eccentricity * play * np.array([np.cos(0.7), np.sin(0.7)])
     velocity, turn = np.array([0.03, 0.02, 0.05]), np.array([900.0, -100.0, 200.0])
-    found = _belt_kernels.pocket_film(c, FRAME, play, tuple(place), tuple(velocity), tuple(turn))
+    found = _cage_kernels.pocket_film(c, FRAME, play, tuple(place), tuple(velocity), tuple(turn))
     angle = np.linspace(-np.pi, np.pi, 20001)[:-1]
     n = np.stack([np.sin(angle), 0.0 * angle, np.cos(angle)], axis=1)  # axis, outward, around
     y = np.linspace(-end, end, 1001)
@@ -150,7 +155,7 @@ def test_a_ball_that_spins_in_the_middle_of_its_pocket_is_not_pushed(setup):
     c = pocket_constants(setup)
     spin, play = (1500.0, 0.0, 0.0), c.pocket_play
     forces = [
-        np.linalg.norm(_belt_kernels.pocket_film(c, FRAME, play, (e * play, 0.0), (0.0, 0.0, 0.0), spin)[0])
+        np.linalg.norm(_cage_kernels.pocket_film(c, FRAME, play, (e * play, 0.0), (0.0, 0.0, 0.0), spin)[0])
         for e in (0.0, 1e-6, 1e-3, 2e-3)
     ]
     assert forces[0] < 1e-15

@@ -9,15 +9,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, Start
+from bearing.dynamics._integration_kernels import TOO_SMALL
+from bearing.dynamics.assembly import damping_factor
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import NormalContact, Schedule
-from bearing.dynamics.integration._kernels import TOO_SMALL
-from bearing.dynamics.integration.methods import advance_implicit
-from bearing.dynamics.laws import damping_factor
+from bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
+from bearing.dynamics.integrators import advance_implicit
 from bearing.dynamics.record import empty_record
 from bearing.dynamics.simulation import from_state, simulation
-from bearing.friction.sources import CoefficientTraction
+from bearing.friction.laws import CoefficientTraction
 from ehl.traction.coefficients import FourConstants, RampedCoulomb
 
 from ...reference.impact import restitution_returned

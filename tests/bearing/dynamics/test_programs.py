@@ -11,15 +11,14 @@ from numpy.testing import assert_allclose
 from scipy.interpolate import PchipInterpolator
 
 from bearing import Operation
-from bearing.dynamics import _kernels
+from bearing.dynamics import _motion_kernels
 from bearing.dynamics.arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
 from bearing.dynamics.bodies import load_type, symmetric_until
-from bearing.dynamics.choices import Guidance, LoadType, Start
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Schedule, prescribed_values
+from bearing.dynamics.inputs import Guidance, LoadType, Schedule, Start, prescribed_values
 from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
-from bearing.friction.sources import CoefficientTraction
+from bearing.friction.laws import CoefficientTraction
 from bearing.quasistatic.solver import solve_quasistatic
 from ehl.traction.coefficients import FourConstants
 
@@ -195,7 +194,7 @@ def test_tables_at_other_times_leave_the_path_of_the_ring(setup):
     data = simulation(bearing, operation, setup.model(bearing, schedule=schedule)).data
     step = 1e-7
     for t in np.random.default_rng(515).uniform(0.0, 0.012, 50):
-        _kernels.schedule_at(data.times, data.schedule, t, data.given)
+        _motion_kernels.schedule_at(data.times, data.schedule, t, data.given)
         assert_allclose(
             data.given[PRESCRIBED_DISPLACEMENT:PRESCRIBED_RATE], wanted_places(times, places, min(t, 9e-3)), atol=1e-18
         )

@@ -11,9 +11,9 @@ from numpy.testing import assert_allclose
 from bearing import Race, solve_quasistatic
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.motion import ball_speeds, motion_map
+from bearing.dynamics._race_kernels import race_motion, straight_motion
 from bearing.dynamics.arrays import Body
 from bearing.dynamics.assembly import constants
-from bearing.dynamics.contact._race_kernels import race_motion, straight_motion
 from ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)

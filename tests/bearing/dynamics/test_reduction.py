@@ -12,12 +12,11 @@ from numpy.testing import assert_allclose
 from bearing import Operation, solve_quasistatic
 from bearing.dynamics.arrays import Constants, changed_data
 from bearing.dynamics.bodies import load_type
-from bearing.dynamics.choices import LoadType
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import RotatingLoad, Schedule
+from bearing.dynamics.inputs import LoadType, RotatingLoad, Schedule
 from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
-from bearing.friction.sources import CoefficientTraction
+from bearing.friction.laws import CoefficientTraction
 from bearing.quasistatic.symmetric import solve_symmetric, unknowns
 from ehl.traction._kernels import hertz_friction, straight_friction
 from ehl.traction.coefficients import FourConstants, RampedCoulomb

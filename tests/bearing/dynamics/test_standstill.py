@@ -15,7 +15,7 @@ from bearing.dynamics.friction import race_friction
 from bearing.dynamics.inputs import Schedule, prescribed_values
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
-from bearing.friction.sources import CoefficientTraction
+from bearing.friction.laws import CoefficientTraction
 from ehl.traction.coefficients import COULOMB, FourConstants, RampedCoulomb, coefficient
 
 LAW = FourConstants(-0.03, 3.644876513237464, 45.9363161820606, 0.03)

@@ -9,8 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.stats import t
 
-from bearing.dynamics.arrays import CONTACT
-from bearing.dynamics.layout import Layout
+from bearing.dynamics.arrays import CONTACT, Layout
 from bearing.dynamics.statistics import (
     BATCHES,
     INPUTS,

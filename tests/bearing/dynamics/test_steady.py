@@ -11,12 +11,11 @@ from printed import printed
 
 from bearing import BallKinematics, Operation, QuasistaticModel, solve_quasistatic
 from bearing.dynamics.bodies import equation_counts, load_type
-from bearing.dynamics.choices import LoadType
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import NormalContact, Schedule
+from bearing.dynamics.inputs import LoadType, NormalContact, Schedule
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
-from bearing.friction.sources import CoefficientTraction
+from bearing.friction.laws import CoefficientTraction
 from bearing.rating.frequencies import kinematic_cage_speed
 from ehl.traction.coefficients import FourConstants, RampedCoulomb
 

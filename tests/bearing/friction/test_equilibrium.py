@@ -19,12 +19,12 @@ from bearing import (
     solve_quasistatic,
     solve_traction_equilibrium,
 )
+from bearing.contacts.contact import contact_shape
 from bearing.contacts.motion import bearing_kinematics, motion_map
-from bearing.contacts.shape import contact_shape
 from bearing.friction.balance import balance_driven_balls, curvature_slip
 from bearing.friction.law import BallTraction
+from bearing.friction.laws import CoefficientTraction, CoulombTraction, LawTraction
 from bearing.friction.resistance import Cage, Resistance, resistance_of
-from bearing.friction.sources import CoefficientTraction, CoulombTraction, LawTraction
 from ehl import Lubricant
 from ehl.traction.coefficients import FourConstants, RampedCoulomb
 from ehl.traction.shear import EllipseLaw

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from bearing.contacts.hertz import hertz_contacts
+from bearing.contacts.contacts import hertz_contacts
 from bearing.films.formula import formula_values
 from bearing.library.lubricants import library_lubricant
 from cases import load_case, run_case

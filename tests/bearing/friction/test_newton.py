@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from bearing.friction._newton_kernels import damped_steps
+from bearing.friction._kernels import damped_steps
 from bearing.friction.law import ContactFriction, Dissipation
 from bearing.friction.newton import MotionProblem, _evaluate, _of_balls, pocket_power
 

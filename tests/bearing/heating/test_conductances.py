@@ -10,12 +10,16 @@ import pytest
 from scipy.integrate import solve_bvp
 
 from bearing import load_material
-from bearing.heating.conductances import (
+from bearing.heating.network import (
     AIR_CONDUCTIVITY,
     AIR_PRANDTL,
     AIR_VISCOSITY,
+    AMBIENT,
+    NODES,
     PLATE,
     Conductance,
+    HeatNetwork,
+    HeatPath,
     cylinder_conductance,
     fin_conductance,
     in_series,
@@ -23,8 +27,7 @@ from bearing.heating.conductances import (
     radiation_coefficient,
     ring_halves_conductance,
 )
-from bearing.heating.network import AMBIENT, NODES, HeatNetwork, HeatPath
-from bearing.rating.reference_speed import reference_speed
+from bearing.rating.load_rating import reference_speed
 
 STEEL = load_material("bearing steel")
 

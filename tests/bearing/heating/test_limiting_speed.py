@@ -10,15 +10,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from bearing import BallKinematics, Operation, QuasistaticModel, library_lubricant, load_material
-from bearing.heating.capacities import heat_capacities
-from bearing.heating.conductances import Conductance
 from bearing.heating.friction_heat import heat_of_torque
 from bearing.heating.heat_state import SelfHeatingProblem, heat_state
-from bearing.heating.limiting_speed import SpeedLimit, at_speed, balances_over_speed
-from bearing.heating.network import NODES
+from bearing.heating.network import NODES, Conductance
+from bearing.heating.over_speed import SpeedLimit, at_speed, balances_over_speed
+from bearing.heating.over_time import Slopes, heat_capacities, stability, warm_up
 from bearing.heating.self_heating import solve_self_heating
-from bearing.heating.stability import Slopes, stability
-from bearing.heating.warm_up import warm_up
 
 STEEL = load_material("bearing steel")
 MODEL = QuasistaticModel(ball_kinematics=BallKinematics.HALF_AND_HALF)

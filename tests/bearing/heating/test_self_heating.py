@@ -17,14 +17,13 @@ from bearing import (
     solve_quasistatic,
 )
 from bearing.friction.resistance import contact_rolling_power
-from bearing.heating.films_heat import formula_conductances
 from bearing.heating.friction_heat import heat_of_torque
-from bearing.heating.heat_state import SelfHeatingProblem
+from bearing.heating.heat_state import SelfHeatingProblem, formula_conductances
 from bearing.heating.network import NODES
 from bearing.heating.paths import Surroundings
 from bearing.heating.self_heating import solve_self_heating
 from bearing.supply.supply import InletFilm, Supply
-from bearing.torque.inputs import FrictionInput
+from bearing.torque.models import FrictionInput
 from bearing.torque.starved import starved_torque
 from ehl import ViscosityLaw
 

@@ -17,10 +17,9 @@ from bearing import (
     typical_geometry,
 )
 from bearing.library.bearings import catalogue_name, published_bearings, warn_of_estimates
-from bearing.library.catalogue import boundary_dimensions, clearance_class, nearest_series
+from bearing.library.catalogue import ball_sizes, boundary_dimensions, clearance_class, full_complement, nearest_series
 from bearing.library.designation import read_designation, why_unknown
-from bearing.library.names import matching_name, plain_name
-from bearing.library.typical_geometry import ball_sizes, full_complement
+from bearing.library.plugins import matching_name, plain_name
 from bearing.rating.geometry_estimate import _bearing, _pair
 from bearing.rating.load_rating import dynamic_rating, static_rating
 

@@ -10,9 +10,8 @@ from numpy.testing import assert_allclose
 
 from bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
 from bearing.operation import HYPOTHESES
-from bearing.quasistatic._equilibrium_kernels import differentiated
-from bearing.quasistatic.ball_equilibrium import _kernel_arguments, _prescribed, solve_balls
-from bearing.quasistatic.balls import ball_problem, ball_state
+from bearing.quasistatic._kernels import differentiated
+from bearing.quasistatic.balls import _kernel_arguments, _prescribed, ball_problem, ball_state, solve_balls
 from bearing.quasistatic.kinematics import PrescribedBalls
 from bearing.quasistatic.ring import ring_of
 

@@ -6,7 +6,7 @@ from math import pi
 
 import pytest
 
-from bearing.rating.relubrication import relubrication_interval
+from bearing.rating.life import relubrication_interval
 
 RPM = pi / 30.0
 

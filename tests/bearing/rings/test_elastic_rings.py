@@ -22,10 +22,10 @@ from bearing import (
     preload_offset,
     solve_quasistatic,
 )
-from bearing.quasistatic.ring_displacement import ball_forces, ring_displacements, seat_reactions
+from bearing.geometry import shoulder_diameter
+from bearing.quasistatic.ring import ball_forces, ring_displacements, seat_reactions
 from bearing.rings.compliance import response_of, ring_compliance
 from bearing.rings.elastic_ring import ElasticRings, elastic_ring
-from bearing.shoulder_diameter import shoulder_diameter
 from ehl.solid.bodies import RingCells, Seat
 from ehl.solid.bodies.compliance import _directions, _patch
 

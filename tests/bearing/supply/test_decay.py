@@ -12,9 +12,7 @@ from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.films.asperities import Asperities
 from bearing.films.decay import film_decay
 from bearing.films.operating import OilAtInlets, supplied_films
-from bearing.supply.oil_balance import OilBalance, groove_area, retained_time
-from bearing.supply.side_flow import side_flow_integral
-from bearing.supply.supply import AMPLE, InletFilm, Supply
+from bearing.supply.supply import AMPLE, InletFilm, OilBalance, Supply, groove_area, retained_time, side_flow_integral
 from ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)

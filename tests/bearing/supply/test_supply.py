@@ -13,7 +13,7 @@ from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.films.asperities import Asperities, asperity_share
 from bearing.films.formula import formula_values
 from bearing.films.operating import OilAtInlets, film_heat, least_lambda, mean_fraction, of_driven_balls, supplied_films
-from bearing.heating.heat_balance import HIGHEST_TEMPERATURE
+from bearing.heating.heat_state import HIGHEST_TEMPERATURE
 from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
 from bearing.supply.track import Track, steady_share
 from ehl import Lubricant, ViscosityLaw

@@ -12,9 +12,16 @@ import pytest
 import scipy
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.supply.side_flow import barus_integral, side_flow, side_flow_integral
-from bearing.supply.solved_track import TrackPasses, solved_passes
-from bearing.supply.track import Track, added_layer, after_passes, steady_layer, steady_share
+from bearing.supply.supply import barus_integral, side_flow, side_flow_integral
+from bearing.supply.track import (
+    Track,
+    TrackPasses,
+    added_layer,
+    after_passes,
+    solved_passes,
+    steady_layer,
+    steady_share,
+)
 from ehl import InletLayer, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from ehl.closed_form.starvation import starved_film_factor
 from ehl.conditions import MoesConditions

@@ -8,10 +8,9 @@ import pytest
 from bearing import BallKinematics, Operation, contact_conditions, solve_quasistatic
 from bearing.friction.resistance import Cage
 from bearing.operation import QuasistaticModel
-from bearing.torque.inlet import InletFactors, inlet_factors
-from bearing.torque.inputs import FrictionInput
 from bearing.torque.integrated import films_torque
-from bearing.torque.skf import Lubrication
+from bearing.torque.models import FrictionInput
+from bearing.torque.skf import InletFactors, Lubrication, inlet_factors
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology, ShearLaw
 

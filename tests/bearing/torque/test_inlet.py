@@ -7,8 +7,7 @@ from math import exp, sqrt
 
 import pytest
 
-from bearing.torque.inlet import NO_LOSS, inlet_factors, mean_diameter
-from bearing.torque.skf import Lubrication
+from bearing.torque.skf import NO_LOSS, Lubrication, inlet_factors, mean_diameter
 from ehl.units import RPM
 
 SPEED = 6000.0 * RPM

@@ -9,13 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.contacts.motion import ball_speeds, motion_map
-from bearing.contacts.traction import contact_traction
+from bearing.contacts.motion import ball_speeds, contact_traction, motion_map
 from bearing.films.film import NO_HEAT
 from bearing.films.operating import operating_films, solved_films
 from bearing.friction.films import film_law, sheared_films
-from bearing.torque.integrated import integrated_torque
-from bearing.torque.rolling_extent import rolling_extent, rolling_moments
+from bearing.torque.integrated import integrated_torque, rolling_extent, rolling_moments
 from ehl import Lubricant, SolverOptions, solve_contact
 from ehl.multigrid.supply.oil_supply import pressure_moment
 from ehl.oil.lubricant import FLOODED_LAYER
@@ -141,7 +139,7 @@ def test_no_torque_at_rest(rolling, bearings):
 @pytest.mark.usefixtures("no_inlet_heat")
 def test_balance_and_torque_sum_the_same_nodes(rolling, monkeypatch):
     """On films finer than what is summed: else the power of balls in balance does not close."""
-    for module in ("bearing.contacts.traction", "bearing.friction.film_nodes"):
+    for module in ("bearing.contacts.motion", "bearing.friction.film_nodes"):
         monkeypatch.setattr(f"{module}.TRACTION_POINTS", 33)
     state, _, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]

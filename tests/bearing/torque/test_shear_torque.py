@@ -16,8 +16,7 @@ from bearing.friction import balance as balancing
 from bearing.friction import cage
 from bearing.friction.films import film_balance, film_law
 from bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
-from bearing.torque.integrated import solved_shear
-from bearing.torque.shear_torque import POWER_TOLERANCE, SolvedShear
+from bearing.torque.integrated import POWER_TOLERANCE, SolvedShear, solved_shear
 from ehl import Lubricant, SolverOptions, solve_contact
 from ehl.oil.rheology import Rheology, ShearLaw
 

@@ -14,16 +14,19 @@ import pytest
 
 from bearing import Operation, solve_quasistatic
 from bearing.torque.models import ring_loads
-from bearing.torque.palmgren import directed_load, load_factor, palmgren_torque, viscous_factor
 from bearing.torque.skf import (
     Lubrication,
     Series,
     SkfBearing,
     SkfOperation,
+    directed_load,
+    load_factor,
+    palmgren_torque,
     skf_constants,
     skf_series,
     skf_torque,
     sliding_friction,
+    viscous_factor,
 )
 from ehl.units import MILLIMETRE as MM
 from ehl.units import NEWTON_MILLIMETRE as N_MM

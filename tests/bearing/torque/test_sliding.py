@@ -17,7 +17,7 @@ from bearing import (
     contact_conditions,
     solve_quasistatic,
 )
-from bearing.films.moment import heavy_moment
+from bearing.films.formula import heavy_moment
 from bearing.friction.resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power
 from bearing.torque.models import spent_powers
 from bearing.torque.paper_models import (

@@ -10,7 +10,7 @@ from torque_sweeps import TorqueStudy, torque_sweep
 
 from bearing import Operation, QuasistaticModel, contact_conditions, library_lubricant, solve_quasistatic
 from bearing.torque.breakdown import NAMES, torque_breakdown
-from bearing.torque.inputs import FrictionInput
+from bearing.torque.models import FrictionInput
 
 RPM = pi / 30.0
 

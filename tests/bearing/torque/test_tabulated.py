@@ -11,12 +11,12 @@ import pytest
 from bearing import Operation, Race, contact_conditions, reduced_radii, solve_quasistatic
 from bearing.contacts.motion import bearing_kinematics
 from bearing.friction.coulomb import balanced_friction
-from bearing.friction.sources import LawTraction
+from bearing.friction.laws import LawTraction
 from bearing.friction.tables import contact_law, law_gradient
 from bearing.geometry import contact_modulus
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.inputs import FrictionInput
 from bearing.torque.integrated import law_torque
+from bearing.torque.models import FrictionInput
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.rheology import Rheology

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 import postprocess
 from bearing import Race
-from bearing.friction.table_files import load_tables
+from bearing.friction.tables import load_tables
 from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
 from cases.batch.compute import torque_by_tables

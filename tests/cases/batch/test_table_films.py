@@ -9,7 +9,7 @@ from math import log
 import pytest
 
 from bearing import solve_quasistatic
-from bearing.friction.race_tables import table_contacts, table_range
+from bearing.friction.tables import table_contacts, table_range
 from bearing.geometry import Race
 from cases import load_case
 from cases.batch.shared import kept, table_films

@@ -19,7 +19,7 @@ from typer.testing import CliRunner
 
 from bearing.library.bearings import load_catalogue_entry
 from bearing.library.lubricants import library_lubricant
-from bearing.torque.palmgren import viscous_factor
+from bearing.torque.skf import viscous_factor
 from cases import load_case
 from cases.cli import compute, output, terminal
 from cases.cli.app import app

@@ -132,7 +132,7 @@ def test_a_law_without_constants_in_an_oil_of_ones_own_has_the_line_of_the_oil()
 
 def test_a_foreign_table_is_told_with_its_line(tmp_path):
     """Also in a sweep, at the key that varies."""
-    from bearing.friction.table_files import save_race_tables
+    from bearing.friction.tables import save_race_tables
 
     path = tmp_path / "made.zip"
     save_race_tables(made_up_tables(case_from_text(BEARING, "case.toml")), path)

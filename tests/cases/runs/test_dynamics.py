@@ -19,7 +19,7 @@ from rich.console import Console
 from typer.testing import CliRunner
 
 from bearing.dynamics.arrays import OIL_VISCOSITY
-from bearing.dynamics.starts import states
+from bearing.dynamics.statistics import states
 from bearing.library.lubricants import library_lubricant
 from bearing.quasistatic.solver import solve_quasistatic
 from cases import load_case, run_case
@@ -224,7 +224,7 @@ def test_an_interrupted_run_goes_on(tmp_path):
 
     with pytest.raises(Interrupted) as caught:
         run_dynamics(case, "case", tmp_path / "part.nc", progress=stop)
-    from bearing.dynamics.restart import save_restart
+    from bearing.dynamics.simulation import save_restart
 
     part = caught.value.simulation
     assert 0.0 < part.state.time < 0.004

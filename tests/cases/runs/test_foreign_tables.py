@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from bearing.friction.table_files import save_race_tables, save_temperature_tables
+from bearing.friction.tables import save_race_tables, save_temperature_tables
 from bearing.geometry import Race
 from bearing.material import load_material
 from cases.batch.shared.tables import tables_once

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import oilfilm
+from bearing.geometry import SINGLE
 from bearing.quasistatic.solver import solve_quasistatic
-from bearing.rows import SINGLE
 from cases.format.case import case_of_document
 from cases.runs import equilibrium
 from cases.runs.equilibrium import Equilibria, case_equilibrium

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from bearing.friction.table_files import load_tables
+from bearing.friction.tables import load_tables
 from bearing.geometry import Race
 from bearing.library.lubricants import library_lubricant
 from cases.batch.shared.tables import bodies_and_oil

@@ -6,8 +6,8 @@ from math import radians
 
 import pytest
 
-from bearing.friction.sources import CoefficientTraction, CoulombTraction, FilmTraction
-from bearing.friction.table_files import save_race_tables
+from bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction
+from bearing.friction.tables import save_race_tables
 from bearing.operation import BallKinematics
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError

@@ -10,8 +10,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from bearing.torque.breakdown import NAMES, TorqueBreakdown
+from bearing.torque.integrated import IntegratedTorque, SolvedShear
 from bearing.torque.models import ModelTorque, summed
-from bearing.torque.shear_torque import IntegratedTorque, SolvedShear
 from postprocess.bearing.plots_torque import KINDS, draw_models, draw_torque
 from postprocess.bearing.quantities import TORQUE_MODELS
 

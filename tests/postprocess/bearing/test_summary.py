@@ -10,8 +10,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing.torque.breakdown import TorqueBreakdown
+from bearing.torque.integrated import IntegratedTorque, SolvedShear
 from bearing.torque.models import summed
-from bearing.torque.shear_torque import IntegratedTorque, SolvedShear
 from postprocess import summary
 
 BEARING_KEYS = {

@@ -10,9 +10,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, QuasistaticModel, Race, load_material, solve_quasistatic
-from bearing.quasistatic.ring_displacement import ring_displacements
+from bearing.geometry import shoulder_diameter
+from bearing.quasistatic.ring import ring_displacements
 from bearing.rings.elastic_ring import ElasticRings, elastic_ring
-from bearing.shoulder_diameter import shoulder_diameter
 from ehl.solid.bodies import RingCells, Seat
 from postprocess import write_results
 from postprocess.bearing.rings import ring_messages

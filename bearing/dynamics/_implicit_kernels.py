@@ -12,12 +12,16 @@ of less than h/2. Forces and powers are of the friction that acts: energies clos
 
 from ehl.compiled import compiled
 
-from .._state_kernels import ball_velocity, cross, dot, norm, times, vector
-from ..arrays import CONTACT, FORCE, INNER, LINEAR, OUTER, WORK
-from ..layout import BODIES, FREE_TURN
-from ._friction_kernels import FORCES, LOAD_CHANGE, MOTIONS
-from ._kernels import elastic_force
-from ._race_kernels import add_friction, motion_on_race
+from ._race_kernels import (
+    FORCES,
+    LOAD_CHANGE,
+    MOTIONS,
+    add_friction,
+    elastic_force,
+    motion_on_race,
+)
+from ._state_kernels import ball_velocity, cross, dot, norm, times, vector
+from .arrays import BODIES, CONTACT, FORCE, FREE_TURN, INNER, LINEAR, OUTER, WORK
 
 STIFF = 2.0  # step times rate that the explicit stages are left with [-]
 FREEDOMS = 6  # velocity and angular velocity of a ball

@@ -10,6 +10,9 @@ import numpy as np
 
 from ehl.compiled import compiled, inlined
 
+from ._cage_kernels import cage_direction, cage_land, pocket_forces
+from ._implicit_kernels import friction_is_stiff, implicit_friction
+from ._race_kernels import ball_collisions, elastic_energy, race_forces
 from ._state_kernels import (
     accumulators,
     ball_position,
@@ -23,10 +26,15 @@ from ._state_kernels import (
     velocities,
 )
 from .arrays import (
+    BODIES,
+    CAGE,
     CAGE_LOAD,
+    CAGE_ROTATION,
+    CAGE_TILT,
     CONTACT,
     ELASTIC,
     FORCE,
+    FREE_TURN,
     GUIDED_BY_BALLS,
     GUIDED_BY_INNER_RING,
     INNER,
@@ -42,15 +50,11 @@ from .arrays import (
     PRESCRIBED_FORCE,
     PRESCRIBED_MOMENT,
     PRESCRIBED_RATE,
+    RING,
+    RING_TILT,
     WORK,
     Body,
 )
-from .contact._ball_kernels import ball_collisions
-from .contact._cage_kernels import cage_direction, cage_land, pocket_forces
-from .contact._implicit_kernels import friction_is_stiff, implicit_friction
-from .contact._kernels import elastic_energy
-from .contact._race_kernels import race_forces
-from .layout import BODIES, CAGE, CAGE_ROTATION, CAGE_TILT, FREE_TURN, RING, RING_TILT
 
 
 @compiled

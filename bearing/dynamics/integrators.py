@@ -11,13 +11,21 @@ from threadpoolctl import threadpool_limits
 
 from ehl.arrays import Array
 
-from .._kernels import solved_derivative
-from ..arrays import EquationData
-from ..record import ContactHistory, Record, SimulationState, StepControl, empty_record, first_rows
-from ..reduction import SolvedMotion
-from . import _kernels
-from ._jacobian_kernels import jacobian
-from ._kernels import DONE, EVALUATIONS, SOFT_SEEN, STAGE_ROWS, STEPS, STIFF_SEEN, TOO_SMALL
+from . import _integration_kernels
+from ._integration_kernels import (
+    DONE,
+    EVALUATIONS,
+    SOFT_SEEN,
+    STAGE_ROWS,
+    STEPS,
+    STIFF_SEEN,
+    TOO_SMALL,
+    jacobian,
+)
+from ._motion_kernels import solved_derivative
+from .arrays import EquationData
+from .record import ContactHistory, Record, SimulationState, StepControl, empty_record, first_rows
+from .reduction import SolvedMotion
 
 # over the tolerance of the explicit method: LSODA keeps its error less closely than a method of
 # order five [-]
@@ -57,7 +65,7 @@ def advance_explicit(
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
     stages = np.zeros((STAGE_ROWS, y.size))
-    status, rows, state.time, state.step = _kernels.advance_samples(
+    status, rows, state.time, state.step = _integration_kernels.advance_samples(
         state.time, y, state.step, motion.data.kernel, control, motion.scale(scale),
         stages, np.zeros(y.size), history, state.counters, record,
     )  # fmt: skip
@@ -120,7 +128,7 @@ def advance_implicit(
             limits = (float(time), control, motion.scale(scale))
             if not _advance_to(state, motion, (y, history), limits, progress):
                 break
-            _kernels.sample(y, motion.data.kernel, history, record, row)
+            _integration_kernels.sample(y, motion.data.kernel, history, record, row)
             reached = row + 1
     motion.finish(state, y, history)
     record = first_rows(motion.full_record(record), reached)
@@ -143,7 +151,7 @@ def _advance_to(
     data.linear[:] = 0.0  # each evaluation asks the laws of friction and films
     data.pocket_films[:] = 0.0
     solved_derivative(state.time, y, data.kernel, rates)
-    _kernels.begin_steps(data.kernel)
+    _integration_kernels.begin_steps(data.kernel)
     if limits[0] <= state.time:  # the explicit steps were given up right at a sample
         return True
     solver = _solver(state, data, y, limits)
@@ -157,7 +165,7 @@ def _advance_to(
         step = solver.t - solver.t_old
         y[: solver.n] = solver.y
         solved_derivative(solver.t, y, data.kernel, rates)
-        _kernels.end_step(solver.t, y, step, data.kernel, history)
+        _integration_kernels.end_step(solver.t, y, step, data.kernel, history)
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step

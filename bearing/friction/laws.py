@@ -16,8 +16,7 @@ from ehl.traction.law import TractionLaw
 from ehl.traction.shear import EllipseLaw
 from ehl.traction_table.table import TractionTable
 
-from ..contacts.contact import BearingContact
-from ..contacts.shape import contact_shape
+from ..contacts.contact import BearingContact, contact_shape
 from ..films.asperities import Asperities
 from ..films.film import ContactFilm
 from ..films.operating import operating_films, solved_films, with_formulas

@@ -12,19 +12,203 @@ film temperature that the last steps show, N_1 by the step before
 (exponential time differencing of second order, Cox and Matthews, 2002): one state of the bearing a
 step, however fast the oil in the cavity warms. (SciPy's BDF took several hundred: its steps shrink
 with what the iterations of the friction leave.)
+
+Heat capacities of the nodes of a bearing: they set how fast it warms, not where it ends.
+
+Stability of a balance of heat, and how far its temperatures go with the ranges of its paths.
+
+Near a balance the temperatures move as
+
+.. math:: C \dot T = (Q' - G)\, \delta T
+
+with G of the network and Q' = dQ/dT of the friction, which falls with the viscosity of warmer oil
+and rises with the preload of a warmer inner ring. The largest eigenvalue of C^-1 (Q' - G) is the
+rate at which the slowest disturbance dies out; where it is positive the bearing runs away. The
+margin is that rate over the rate with friction that does not change: 1 where it does not matter,
+above it where friction falls with the temperature, 0 at the limit.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import pi
 
 import numpy as np
 import scipy
 
 from ehl.arrays import Array
+from ehl.oil.lubricant import Lubricant
 
-from .capacities import heat_capacities
+from ..geometry import Bearing
+from ..material import Material
+from ..supply.supply import cavity_volume
+from .friction_heat import solid_thermal
 from .heat_state import HeatState, SelfHeatingProblem, heat_state
-from .network import NODES
+from .network import NODES, node_values
+from .paths import Surroundings, dimensions, with_dimensions
+
+OIL_SHARE = 0.1  # of the cavity that holds oil, where none is given, assumed [-]
+CAGE_SHARE = 0.1  # of the volume of the balls that a cage has, assumed, as dense as steel [-]
+CAGE_CAPACITY = 3.6e6  # rho c of steel [J/(m^3 K)]
+
+
+def heat_capacities(
+    bearing: Bearing,
+    around: Surroundings,
+    oil: Lubricant,
+    oil_share: float | None = None,
+    rows: int = 1,
+) -> Array:
+    """Heat capacities C of the nodes, rho c V; rings and housing as cylinders.
+
+    The shaft counts over its whole length.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    around : Surroundings
+        shaft, housing and surroundings
+    oil : Lubricant
+        oil in the cavity
+    oil_share : float | None, optional
+        fraction of the cavity that holds oil; None: `OIL_SHARE` [-]
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    Array
+        C, shape (nodes,) [J/K]
+    """
+    size = dimensions(bearing, around, rows)
+    length = size.width + 2.0 * size.shaft_length
+    outer = _capacity(bearing.outer_ring_material)
+    outer *= _ring(size.outer_track, size.outside, size.width)
+    balls = rows * bearing.balls * pi / 6.0 * bearing.ball_diameter**3
+    sized = with_dimensions(bearing, size.bore, size.outside, size.width / rows)
+    cavity = rows * cavity_volume(sized) * (OIL_SHARE if oil_share is None else oil_share)
+    fluid = oil.density * oil.thermal.specific_heat if oil.thermal else 0.0
+    values = {
+        "shaft": _capacity(around.shaft_material) * _ring(around.shaft_bore, size.bore, length),
+        "inner_ring": _capacity(bearing.inner_ring_material)
+        * _ring(size.bore, size.inner_track, size.width),
+        "balls": _capacity(bearing.ball_material) * balls,
+        "outer_ring_loaded": 0.5 * outer,
+        "outer_ring_unloaded": 0.5 * outer,
+        "cage": CAGE_CAPACITY * CAGE_SHARE * balls,
+        "oil": max(fluid * cavity, 1e-3 * outer),
+        "housing": _capacity(around.housing_material)
+        * _ring(size.outside, size.housing, size.housing_width),
+    }
+    return node_values(values)
+
+
+def _ring(inner: float, outer: float, width: float) -> float:
+    """Volume of a cylinder with a bore [m^3]."""
+    return 0.25 * pi * (outer**2 - inner**2) * width
+
+
+def _capacity(material: Material) -> float:
+    """Rho c [J/(m^3 K)]."""
+    solid = solid_thermal(material)
+    return solid.density * solid.specific_heat
+
+
+PROBE = 1.0  # of one node's temperature, for the slope of the clearance [K]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Slopes:
+    """A state and its neighbours."""
+
+    state: HeatState
+    warmer: HeatState  # of a higher film temperature
+    wider: HeatState | None  # of a larger clearance; None where the clearance stays
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stability:
+    """How a disturbance of the temperatures dies out, and ends of the temperatures."""
+
+    rate: float  # largest eigenvalue [1/s], negative: dies out
+    constant_friction_rate: float  # the same with friction that does not change [1/s]
+    # lowest and highest temperature of each node of three balances: this one, all paths at the
+    # low ends of their ranges, and all at the high ends [K]
+    coldest: Array
+    hottest: Array
+    time_constants: Array  # of the modes, longest first, of a stable balance [s]
+
+    @property
+    def longest_time(self) -> float | None:
+        """Time constant of the slowest mode of a stable balance [s]; None for an unstable one."""
+        return float(self.time_constants[0]) if self.rate < 0.0 else None
+
+    @property
+    def margin(self) -> float:
+        """Margin against runaway, zero or below without one [-]."""
+        return self.rate / self.constant_friction_rate
+
+
+def stability(
+    slopes: Slopes, problem: SelfHeatingProblem, capacities: Array, temperatures: Array
+) -> Stability:
+    """Stability of a balance of heat.
+
+    Parameters
+    ----------
+    slopes : Slopes
+        state at the balance and its neighbours
+    problem : SelfHeatingProblem
+        bearing, friction and surroundings
+    capacities : Array
+        heat capacities of the nodes, shape (nodes,) [J/K]
+    temperatures : Array
+        temperatures of the nodes in the balance, shape (nodes,) [K]
+
+    Returns
+    -------
+    Stability
+        rates of the modes, and ends of the temperatures
+    """
+    state = slopes.state
+    response = _response(slopes, problem)
+    leaving, _ = state.network.matrix()
+    rates = np.linalg.eigvals((response - leaving) / capacities[:, None]).real
+    constant = np.linalg.eigvals(-leaving / capacities[:, None]).real
+    ends = [temperatures, state.temperatures]
+    for end in (1, -1):
+        other, from_outside = state.network.matrix(end)
+        fixed = state.sources - response @ state.temperatures + from_outside
+        ends.append(np.asarray(np.linalg.solve(other - response, fixed), dtype=np.float64))
+    return Stability(
+        rate=float(rates.max()),
+        constant_friction_rate=float(constant.max()),
+        coldest=np.asarray(np.min(ends, axis=0), dtype=np.float64),
+        hottest=np.asarray(np.max(ends, axis=0), dtype=np.float64),
+        time_constants=np.sort(-1.0 / rates[rates < 0.0])[::-1],
+    )
+
+
+def _response(slopes: Slopes, problem: SelfHeatingProblem) -> Array:
+    """Heat into each node by the temperature of each, (nodes, nodes) [W/K]: by the films' own and
+    by the clearance.
+    """
+    state = slopes.state
+    at = state.temperatures
+    surplus = state.surplus(at)
+    step = slopes.warmer.film_temperature - state.film_temperature
+    by_film = (slopes.warmer.surplus(at) - surplus) / step
+    response = np.outer(by_film, state.weights)
+    if slopes.wider is None:
+        return response
+    step = slopes.wider.clearance - state.clearance
+    by_clearance = (slopes.wider.surplus(at) - surplus) / step
+    clearance = problem.clearance(at)
+    slope = [
+        (problem.clearance(at + PROBE * unit) - clearance) / PROBE for unit in np.eye(len(NODES))
+    ]
+    return np.asarray(response + np.outer(by_clearance, slope))
+
 
 FILM_STEP = 4.0  # of the film temperature in one step [K]
 CLEARANCE_STEP = 2.0e-6  # likewise [m]

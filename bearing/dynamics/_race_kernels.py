@@ -1,0 +1,616 @@
+"""Balls on races, compiled: where and how they meet, friction, forces."""
+
+import numpy as np
+
+from ehl.compiled import compiled, inlined
+from ehl.traction._kernels import CENTRAL_FILM as TABLE_CENTRAL_FILM
+from ehl.traction._kernels import LOAD_POWER, hertz_friction, straight_friction, table_lookup
+
+from ._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times, vector
+from .arrays import (
+    CENTRAL_FILM,
+    CONTACT,
+    DAMPING,
+    EXPONENT,
+    FILM,
+    FILM_DAMPING,
+    FORCE,
+    FORCE_X,
+    FORCE_Y,
+    FRICTION_COLUMNS,
+    FRICTIONLESS,
+    INNER,
+    LINEAR,
+    MOMENT,
+    POCKET,
+    ROLL_MOMENT,
+    SPIN_MOMENT,
+    STIFFNESS,
+    TABLE,
+    WORK,
+    RaceMotion,
+)
+
+# of the film of a land; beyond it its forces stay and the solid contact takes over [-]
+ECCENTRICITY_LIMIT = 0.95
+
+
+@compiled
+def elastic_force(law, approach):
+    """K approach^n, zero in the gap."""
+    if approach <= 0.0:
+        return 0.0
+    if law[EXPONENT] == 1.5:  # a root costs a fifth of a power
+        return law[STIFFNESS] * approach * np.sqrt(approach)
+    return law[STIFFNESS] * approach ** law[EXPONENT]
+
+
+@compiled
+def elastic_energy(law, approach):
+    """K approach^(n + 1)/(n + 1), stored in a contact."""
+    return elastic_force(law, approach) * max(approach, 0.0) / (law[EXPONENT] + 1.0)
+
+
+@compiled
+def normal_force(law, approach, speed, impact_speed):
+    """K approach^n (1 + chi speed/impact speed), never adhesive."""
+    return damped(law, elastic_force(law, approach), speed, impact_speed)
+
+
+@compiled
+def damped(law, elastic, speed, impact_speed):
+    """Elastic force with its damping, never adhesive."""
+    if elastic <= 0.0:
+        return 0.0
+    return max(0.0, elastic * (1.0 + law[DAMPING] * speed / impact_speed))
+
+
+@compiled
+def ramped(friction, slide, ramp):
+    """Coefficient of friction that rises linearly up to a sliding speed `ramp`."""
+    return friction if slide >= ramp else friction * slide / ramp
+
+
+@compiled
+def point_velocity(body, point):
+    """Velocity of a point of a body."""
+    return plus(body.velocity, cross(body.turn, minus(point, body.centre)))
+
+
+@compiled
+def add_load(load, body, point, force):
+    """Add a force at a point to the force on a body and to the moment about its centre."""
+    accumulate(load, FORCE, force)
+    accumulate(load, MOMENT, cross(minus(point, body.centre), force))
+
+
+@compiled
+def pressure_integrals(eps, cos_end, sin_end):
+    """Integrals of cos^2, cos sin and sin^2 of theta over (1 + eps cos theta)^3 along the half of
+    the circle that ends at (cos_end, sin_end).
+
+    By Sommerfeld's substitution (1904) 1 + eps cos theta = (1 - eps^2)/(1 - eps cos psi).
+    """
+    d = 1.0 - eps * eps
+    root = np.sqrt(d)
+    end = 1.0 + eps * cos_end
+    s = root * sin_end / end
+    c = (eps + cos_end) / end
+    start = 1.0 - eps * cos_end
+    s0 = -root * sin_end / start
+    c0 = (eps - cos_end) / start
+    arc = np.arctan2(s * c0 - c * s0, c * c0 + s * s0)
+    if arc < 0.0:
+        arc += 2.0 * np.pi
+    product = s * c - s0 * c0
+    along = 0.5 * (arc + product) - 2.0 * eps * (s - s0) + eps * eps * arc
+    mixed = 0.5 * (s * s - s0 * s0) + eps * (c - c0)
+    return along / (d * d * root), mixed / (d * d), 0.5 * (arc - product) / (d * root)
+
+
+@compiled
+def land_film(radius, clearance, width, viscosity, ex, ey, vx, vy, mean_speed):
+    """Film of a short journal bearing that carries pressure where it closes and is torn elsewhere:
+    force on the journal, and 1/sqrt(1 - eps^2).
+
+    p = (6 viscosity/h^3) (width^2/4 - z^2) max(0, -dh/dt) with dh/dt = clearance (turn sin theta -
+    squeeze cos theta) seen by an observer who goes with the mean surface, theta from the thinnest
+    film; Ocvirk (1952). Half the circle closes: which one, turning and squeezing decide together.
+    (ex, ey) is the journal's eccentricity, (vx, vy) its rate, mean_speed half the sum of the
+    speeds; the root is the factor of its friction.
+    """
+    e = np.sqrt(ex * ex + ey * ey)
+    ux, uy = (ex / e, ey / e) if e > 1e-15 else (1.0, 0.0)
+    eps = min(e / clearance, ECCENTRICITY_LIMIT)
+    squeeze = (vx * ux + vy * uy) / clearance
+    turn = mean_speed * eps - (vy * ux - vx * uy) / clearance  # (mean speed - whirl) eps
+    root = 1.0 / np.sqrt(1.0 - eps * eps)
+    closing = np.sqrt(squeeze * squeeze + turn * turn)
+    if closing == 0.0:
+        return 0.0, 0.0, root
+    # the half ends a quarter of the circle after the direction (-squeeze, turn) of fastest closing
+    cc, cs, ss = pressure_integrals(eps, -turn / closing, -squeeze / closing)
+    scale = viscosity * radius * width**3 / clearance**2
+    radial = scale * (-squeeze * cc + turn * cs)
+    across = scale * (-squeeze * cs + turn * ss)
+    return radial * ux - across * uy, radial * uy + across * ux, root
+
+
+@compiled
+def ball_collisions(p, balls, memory, y):
+    """Each ball and the next one: Hertz contact with Coulomb friction, in the places of the
+    pockets, of which there are none.
+    """
+    c = p.constants
+    law = p.normal[POCKET]
+    power = p.power
+    for j in range(c.balls):
+        k = (j + 1) % c.balls
+        out = balls[j].pocket_out
+        forces = balls[j].forces
+        next_forces = balls[k].forces
+        position, velocity, turn = ball_motion(y, c.balls, j)
+        other, other_velocity, other_turn = ball_motion(y, c.balls, k)
+        offset = minus(other, position)
+        distance = norm(offset)
+        normal = times(1.0 / distance, offset)
+        approach = 2.0 * c.ball_radius - distance
+        relative = minus(velocity, other_velocity)
+        rate = dot(relative, normal)
+        push = normal_force(law, approach, rate, memory[POCKET * c.balls + j])
+        out[CONTACT.load] = push
+        out[CONTACT.approach] = approach
+        out[CONTACT.approach_speed] = rate
+        if push <= 0.0:
+            continue
+        arm = times(c.ball_radius, normal)
+        slide = minus(plus(relative, cross(plus(turn, other_turn), arm)), times(rate, normal))
+        speed = norm(slide)
+        pull = push * ramped(c.ball_friction, speed, c.friction_ramp) / max(speed, 1e-300)
+        power[WORK.pocket_damping] += (push - elastic_force(law, approach)) * rate
+        power[WORK.pocket_friction] += pull * speed * speed
+        grip = times(-pull, slide)
+        force = minus(grip, times(push, normal))
+        moment = cross(arm, grip)
+        accumulate(forces, FORCE, force)
+        accumulate(next_forces, FORCE, times(-1.0, force))
+        accumulate(forces, MOMENT, moment)
+        accumulate(next_forces, MOMENT, moment)
+
+
+# of the axes of a table: rows, and columns
+LOAD, SPEED = range(2)
+FIRST, DENSITY, NODES = range(3)
+NEWTON_STEPS = 40
+# last step of Newton's iteration over the approach; the error left is its square [-]
+STEP_TOLERANCE = 1.0e-9
+
+
+@compiled
+def smallest_load(axes):
+    """Smallest load of a table."""
+    return (-axes[LOAD, FIRST]) ** (1.0 / LOAD_POWER)
+
+
+@compiled
+def weights(place, axis):
+    """Index, weights and slopes of a uniform cubic B-spline at a place clamped to its axis."""
+    t = min(max(place - axis[FIRST], 0.0) * axis[DENSITY], axis[NODES] - 1.0)
+    i = min(max(int(t), 0), int(axis[NODES]) - 2)
+    t -= i
+    r = 1.0 - t
+    second = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0
+    third = (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0
+    slopes = (-0.5 * r * r, 1.5 * t * t - 2.0 * t, 2.0 * r - 1.5 * r * r, 0.5 * t * t)
+    return i, (r * r * r / 6.0, second, third, t * t * t / 6.0), slopes
+
+
+@compiled
+def film_and_slope(axes, scalars, load, at_speed, share):
+    """A share of the central film at a load and the weights of a speed, and its slope over the
+    load.
+
+    Above the table's largest load the film is that of the largest.
+    """
+    place = -(load**LOAD_POWER)
+    axis = axes[LOAD]
+    i, w, d = weights(place, axis)
+    j, v, _ = at_speed
+    logarithm = 0.0
+    steep = 0.0
+    for a in range(4):
+        c = scalars[i + a, j : j + 4, TABLE_CENTRAL_FILM]
+        mean = v[0] * c[0] + v[1] * c[1] + v[2] * c[2] + v[3] * c[3]
+        logarithm += w[a] * mean
+        steep += d[a] * mean
+    film = share * np.exp(logarithm)
+    beyond = (place - axis[FIRST]) * axis[DENSITY] >= axis[NODES] - 1.0
+    return film, 0.0 if beyond else film * steep * axis[DENSITY] * LOAD_POWER * place / load
+
+
+@compiled
+def elastic_approach(axes, scalars, law, distance, speed):
+    """Root w of w = distance + h_c(K w^n, speed): the elastic approach, negative where the film is
+    not touched.
+
+    Below the table's smallest load the film goes on linearly in w: nothing jumps, neither load nor
+    stiffness. Below its smallest speed the film falls in proportion to the speed. Newton's steps
+    start left of the root; w - h_c is concave where the film falls ever less steeply, so they rise
+    to it.
+    """
+    at_speed = weights(np.log(max(speed, 1e-300)), axes[SPEED])
+    share = min(1.0, speed / np.exp(axes[SPEED, FIRST]))
+    lightest = smallest_load(axes)
+    least = (lightest / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
+    w = distance
+    if distance < least:
+        film, slope = film_and_slope(axes, scalars, lightest, at_speed, share)
+        w = least + (distance - least + film) / (1.0 - slope * law[EXPONENT] * lightest / least)
+        if w <= least:
+            return w
+    for _ in range(NEWTON_STEPS):
+        load = law[STIFFNESS] * w ** law[EXPONENT]
+        film, slope = film_and_slope(axes, scalars, load, at_speed, share)
+        step = (distance + film - w) / (1.0 - slope * law[EXPONENT] * load / w)
+        w = max(w + step, least)
+        if abs(step) <= STEP_TOLERANCE * w:
+            return w
+    return np.nan  # no root: the step in time is rejected
+
+
+FORCES = 4  # F_x, F_y, M_n, M_y: those that sliding changes
+MOTIONS = 3  # slide_x, slide_y, spin
+STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
+# load over that of the slopes, either way, up to which they hold [-]
+LOAD_CHANGE = 2.0
+# of the differences that slopes are taken from: over the entrainment [-], and at least [m/s]
+DIFFERENCE = 1.0e-6
+LEAST_DIFFERENCE = 1.0e-9
+SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that of the ball [-]
+
+
+@compiled
+def friction_law(mirrored, coefficient, table, load, speed, motions, friction):
+    """Friction of the law: a row of numbers, as the kernels of `ehl.traction` write them.
+
+    One of coefficient and table is None, which is a type: its branch is not compiled.
+    """
+    slide_x, slide_y, spin = motions
+    if coefficient is not None:
+        disc, law, shape = coefficient
+        if mirrored and disc.shape[0] == STRAIGHT_ROWS:
+            straight_friction(disc, law, shape, load, speed, slide_x, friction)
+        else:
+            hertz_friction(disc, law, shape, load, speed, slide_x, slide_y, spin, friction)
+    if table is not None:
+        table_lookup(
+            table.axes, table.constants, table.scalars, table.values,
+            load, speed, slide_x, slide_y, spin, friction,
+        )  # fmt: skip
+
+
+@compiled
+def load_changed(linear, load):
+    """Whether there are no slopes of about this load."""
+    base = linear[LINEAR.load]
+    return not base <= LOAD_CHANGE * load or load > LOAD_CHANGE * base or base <= 0.0
+
+
+@compiled
+def slopes_hold(linear, load, motion):
+    """Whether slopes are there, of about this load, and of rolling the same way round."""
+    if load_changed(linear, load):
+        return False
+    return dot(motion.x_axis, vector(linear, LINEAR.x_axis)) > 0.0
+
+
+@compiled
+def friction_by_slopes(mirrored, linear, load, motion, friction):
+    """Friction linearised in the sliding and in proportion to the load; films as they were."""
+    d_x = motion.slide_x - linear[LINEAR.motion]
+    if mirrored:
+        straight_by_slopes(linear, load / linear[LINEAR.load], d_x, friction)
+        return
+    d_y = motion.slide_y - linear[LINEAR.motion + 1]
+    d_n = motion.spin - linear[LINEAR.motion + 2]
+    share = load / linear[LINEAR.load]
+    growth = 1.0 + (share - 1.0) / 3.0  # its cube root, near 1
+    for k in range(FORCES):
+        share *= 1.0 if k < 2 else growth
+        s = LINEAR.slopes + MOTIONS * k
+        change = linear[s] * d_x + linear[s + 1] * d_y + linear[s + 2] * d_n
+        friction[k] = share * (linear[LINEAR.friction + k] + change)
+    for k in range(FORCES, FRICTION_COLUMNS):
+        friction[k] = linear[LINEAR.friction + k]
+
+
+@compiled
+def straight_by_slopes(linear, share, d_x, friction):
+    """`friction_by_slopes` where all sliding is along the entrainment: F_x and M_y alone."""
+    growth = 1.0 + (share - 1.0) / 3.0
+    last = FORCES - 1
+    friction[0] = share * (linear[LINEAR.friction] + linear[LINEAR.slopes] * d_x)
+    moment = linear[LINEAR.friction + last] + linear[LINEAR.slopes + MOTIONS * last] * d_x
+    friction[1] = 0.0
+    friction[2] = 0.0
+    friction[last] = share * growth * growth * moment
+    for k in range(FORCES, FRICTION_COLUMNS):
+        friction[k] = linear[LINEAR.friction + k]
+
+
+@compiled
+def set_friction(linear, load, motion, friction):
+    """Make a friction just taken from the law the base of the slopes."""
+    linear[LINEAR.load] = load
+    linear[LINEAR.motion] = motion.slide_x
+    linear[LINEAR.motion + 1] = motion.slide_y
+    linear[LINEAR.motion + 2] = motion.spin
+    for i in range(3):
+        linear[LINEAR.x_axis + i] = motion.x_axis[i]
+    for k in range(FRICTION_COLUMNS):
+        linear[LINEAR.friction + k] = friction[k]
+
+
+@compiled
+def difference(motion, force, mobility, least, time):
+    """Change of a motion that its slope is taken over, towards rest: what the friction itself does
+    to it in a step. A reversal within that is a slope of this step, not a jump.
+    """
+    size = max(least, 0.5 * time * mobility * abs(force))
+    return -size if motion > 0.0 else size
+
+
+@compiled
+def set_slopes(c, data, load, motion, linear, friction, time):
+    """Slopes of the law by differences at a load and motion for steps of some time, and the rate
+    at which a ball that slides comes to rest by them; the base is that of `set_friction`.
+    """
+    speed = motion.entrainment
+    least = max(DIFFERENCE * speed, LEAST_DIFFERENCE)
+    inertia = c.ball_inertia
+    mobility = 1.0 / c.ball_mass + c.ball_radius * c.ball_radius / inertia
+    f = LINEAR.friction
+    d_x = difference(motion.slide_x, linear[f], mobility, least, time)
+    d_y = difference(motion.slide_y, linear[f + 1], mobility, least, time)
+    least /= SPIN_RADIUS * c.ball_radius
+    d_n = difference(motion.spin, linear[f + 2], 1.0 / inertia, least, time)
+    motions = 1 if c.mirrored else MOTIONS
+    for i in range(motions):
+        size = d_x if i == 0 else (d_y if i == 1 else d_n)
+        moved = (
+            motion.slide_x + (size if i == 0 else 0.0),
+            motion.slide_y + (size if i == 1 else 0.0),
+            motion.spin + (size if i == 2 else 0.0),
+        )
+        friction_law(c.mirrored, data.coefficient, data.table, load, speed, moved, friction)
+        for k in range(FORCES):
+            change = friction[k] - linear[LINEAR.friction + k]
+            linear[LINEAR.slopes + MOTIONS * k + i] = change / size
+    s = LINEAR.slopes
+    along = abs(linear[s]) + abs(linear[s + MOTIONS + 1])
+    linear[LINEAR.rate] = along * mobility + abs(linear[s + 2 * MOTIONS + 2]) / inertia
+    if not np.isfinite(linear[LINEAR.rate]):
+        linear[LINEAR.load] = 0.0
+
+
+@compiled
+def groove_contact(body, centre_radius, reach, position):
+    """Ball in a groove: normal into the race, approach, cosine of the contact angle, distance from
+    the axis, direction of the azimuth; the contact angle itself.
+
+    reach = groove radius less ball radius; the approach is the distance of the ball from the
+    circle of the groove's centres, less the reach.
+    """
+    offset = minus(position, body.centre)
+    axial = dot(offset, body.axis)
+    outward = minus(offset, times(axial, body.axis))
+    rho = norm(outward)
+    outward = times(1.0 / rho, outward)
+    radial = rho - centre_radius
+    distance = max(np.sqrt(axial * axial + radial * radial), 1e-12)
+    inverse = 1.0 / distance
+    sine, cosine = axial * inverse, radial * inverse
+    normal = plus(times(sine, body.axis), times(cosine, outward))
+    angle = np.arctan(axial / radial)
+    return normal, distance - reach, cosine, rho, cross(body.axis, outward), angle
+
+
+@compiled
+def race_motion(c, body, centre_radius, groove_radius, position, velocity, turn):
+    """Motion of a ball on a race.
+
+    The entrainment is the mean speed of the two surfaces past the contact, which moves with the
+    ball's orbit.
+    """
+    normal, approach, cosine, rho, around, angle = groove_contact(
+        body, centre_radius, groove_radius - c.ball_radius, position
+    )
+    arm = times(c.ball_radius, normal)
+    point = plus(position, arm)
+    of_race = point_velocity(body, point)
+    of_ball = plus(velocity, cross(turn, arm))
+    slide = minus(of_ball, of_race)
+    centre = body.velocity
+    along = dot(velocity, around)
+    orbit = (along - centre[0] * around[0] - centre[1] * around[1] - centre[2] * around[2]) / rho
+    mean = 0.5 * dot(plus(of_ball, of_race), around)
+    entrainment = mean - along - orbit * c.ball_radius * cosine
+    x_axis = times(1.0 if entrainment >= 0.0 else -1.0, around)
+    y_axis = cross(normal, x_axis)
+    relative_turn = minus(turn, body.turn)
+    return RaceMotion(
+        normal=normal,
+        x_axis=x_axis,
+        y_axis=y_axis,
+        point=point,
+        slide_x=dot(slide, x_axis),
+        slide_y=dot(slide, y_axis),
+        spin=dot(relative_turn, normal),
+        roll=dot(relative_turn, y_axis),
+        entrainment=abs(entrainment),
+        approach_speed=dot(slide, normal),
+        angle=angle,
+        approach=approach,
+    )
+
+
+@compiled
+def straight_motion(c, body, centre_radius, groove_radius, position, velocity, turn):
+    """`race_motion` where all motion is in the middle plane and all turning about the axis."""
+    _, ry, rz = minus(position, body.centre)
+    rho = np.sqrt(ry * ry + rz * rz)
+    inverse = 1.0 / rho  # one division: they and the root are what this costs
+    ny, nz = ry * inverse, rz * inverse
+    radial = rho - centre_radius
+    side = 1.0 if radial >= 0.0 else -1.0  # of the race: outer, inner
+    arm = side * c.ball_radius
+    _, vy, vz = velocity
+    _, by, bz = body.velocity
+    along = vz * ny - vy * nz
+    drift = bz * ny - by * nz
+    of_ball = along + turn[0] * arm
+    of_race = drift + body.turn[0] * (rho + arm)
+    entrainment = 0.5 * (of_ball + of_race) - along - (along - drift) * inverse * arm
+    sense = 1.0 if entrainment >= 0.0 else -1.0
+    _, py, pz = position
+    return RaceMotion(
+        normal=(0.0, side * ny, side * nz),
+        x_axis=(0.0, -sense * nz, sense * ny),
+        y_axis=(side * sense, 0.0, 0.0),
+        point=(0.0, py + arm * ny, pz + arm * nz),
+        slide_x=sense * (of_ball - of_race),
+        slide_y=0.0,
+        spin=0.0,
+        roll=side * sense * (turn[0] - body.turn[0]),
+        entrainment=abs(entrainment),
+        approach_speed=side * ((vy - by) * ny + (vz - bz) * nz),
+        angle=0.0,
+        approach=abs(radial) - groove_radius + c.ball_radius,
+    )
+
+
+@compiled
+def motion_on_race(c, body, centre_radius, groove_radius, y, ball):
+    """`race_motion` of a ball of the state, or `straight_motion` where the middle plane is a
+    mirror.
+    """
+    position, velocity, turn = ball_motion(y, c.balls, ball)
+    if c.mirrored:
+        return straight_motion(c, body, centre_radius, groove_radius, position, velocity, turn)
+    return race_motion(c, body, centre_radius, groove_radius, position, velocity, turn)
+
+
+@compiled
+def elastic_and_film(kind, table, law, motion):
+    """Approach of the elastic bodies, and the film between them, 0 where the bodies meet dry."""
+    approach = motion.approach
+    if table is not None and kind == FILM:
+        approach = elastic_approach(table.axes, table.scalars, law, approach, motion.entrainment)
+    return approach, approach - motion.approach
+
+
+@compiled
+def fade_damping(table, load, friction):
+    """Damping of a film, which fades below the table's smallest load as friction does."""
+    if table is not None:
+        friction[FILM_DAMPING] *= min(1.0, load / smallest_load(table.axes))
+
+
+@inlined
+def race_friction(c, kind, data, load, motion, linear, friction):
+    """Friction of a race on a ball under a load, a row of numbers: by its slopes in `linear` where
+    they hold, else by the law.
+    """
+    if load <= 0.0 or kind == FRICTIONLESS:
+        friction[:] = 0.0
+    else:
+        if slopes_hold(linear, load, motion):
+            friction_by_slopes(c.mirrored, linear, load, motion, friction)
+        else:
+            speed = motion.entrainment
+            motions = (motion.slide_x, motion.slide_y, motion.spin)
+            friction_law(c.mirrored, data.coefficient, data.table, load, speed, motions, friction)
+        if kind == FILM:
+            fade_damping(data.table, load, friction)
+
+
+@compiled
+def record_contact(motion, approach, film, friction, out):
+    """State of a contact without its normal force; an open one has no motion and friction."""
+    out[:] = 0.0
+    out[CONTACT.approach] = approach
+    out[CONTACT.approach_speed] = motion.approach_speed
+    out[CONTACT.contact_angle] = motion.angle
+    out[CONTACT.film] = film
+    if approach <= 0.0:
+        return
+    out[CONTACT.entrainment_speed] = motion.entrainment
+    out[CONTACT.slide_x] = motion.slide_x
+    out[CONTACT.slide_y] = motion.slide_y
+    out[CONTACT.spin] = motion.spin
+    out[CONTACT.friction_x] = friction[FORCE_X]
+    out[CONTACT.friction_y] = friction[FORCE_Y]
+
+
+@compiled
+def add_friction(c, motion, body, along, roll, forces, load):
+    """Add friction to the loads of a ball and of its race: F_x, F_y, M_n in `along`, M_y."""
+    f_x, f_y, spin = along
+    grip = plus(times(f_x, motion.x_axis), times(f_y, motion.y_axis))
+    couple = plus(times(spin, motion.normal), times(roll, motion.y_axis))
+    add_load(load, body, motion.point, times(-1.0, grip))
+    accumulate(load, MOMENT, times(-1.0, couple))
+    accumulate(forces, FORCE, grip)
+    about_centre = cross(times(c.ball_radius, motion.normal), grip)
+    accumulate(forces, MOMENT, plus(about_centre, couple))
+
+
+@inlined
+def ball_on_race(p, ball, data, memory, race, body, y, j):
+    """Forces of one race on a ball and back; powers; state of the contact."""
+    c = p.constants
+    kind = p.friction_kind
+    law = p.normal[race]
+    friction = p.friction
+    power = p.power
+    centre_radius = c.inner_centre if race == INNER else c.outer_centre
+    groove_radius = c.inner_groove if race == INNER else c.outer_groove
+    # 1. motion, friction, normal force
+    motion = motion_on_race(c, body, centre_radius, groove_radius, y, j)
+    approach, film = elastic_and_film(kind, data.table, law, motion)
+    elastic = elastic_force(law, approach)
+    race_friction(c, kind, data, elastic, motion, ball.linear[race], friction)
+    if kind == TABLE:
+        film = friction[CENTRAL_FILM]
+    out = ball.race_out[race]
+    record_contact(motion, approach, film, friction, out)
+    if approach <= 0.0:
+        return
+    rate = motion.approach_speed
+    if kind == FILM:
+        push = max(0.0, elastic + friction[FILM_DAMPING] * rate)
+    else:
+        push = damped(law, elastic, rate, memory[race * c.balls + j])
+    out[CONTACT.load] = push
+    # 2. power lost
+    power[WORK.friction_inner + race] -= (
+        friction[FORCE_X] * motion.slide_x
+        + friction[FORCE_Y] * motion.slide_y
+        + friction[SPIN_MOMENT] * motion.spin
+        + friction[ROLL_MOMENT] * motion.roll
+    )
+    power[WORK.race_damping] += (push - elastic) * rate
+    # 3. loads on ball and ring
+    force = times(-push, motion.normal)
+    load = p.loads[race]
+    forces = ball.forces
+    add_load(load, body, motion.point, times(-1.0, force))
+    accumulate(forces, FORCE, force)
+    add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces, load)
+
+
+@compiled
+def race_forces(p, balls, data, memory, race, body, y):
+    """Forces of one race on every ball and back; powers; states of the contacts."""
+    for j in range(p.constants.balls):
+        ball_on_race(p, balls[j], data, memory, race, body, y, j)
