@@ -32,9 +32,8 @@ from cases.batch.pools import LocalPool
 from cases.batch.results import collect_results, write_batch
 from cases.batch.sweep import sweep_from_text
 from cases.runs.processes import POINTS, fork_server
-from postprocess.batch.parquet import write_batch_parquet
 from postprocess.batch.store import PointStore, StoredPoints
-from postprocess.batch.write import write_batch_csv
+from postprocess.batch.write import write_batch_csv, write_batch_parquet
 
 FILMS = """
 case = "6208_full_ceramic"

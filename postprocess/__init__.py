@@ -8,17 +8,15 @@ compare      - two results side by side
 contact      - results of one lubricated contact
 dynamics     - results of a time simulation
 files        - JSON and CSV files of results
-netcdf       - netCDF-4 files of results
+netcdf_read  - one loader for the folders of all commands
+netcdf_write - netCDF-4 files of results, written as `reader` reads them, without xarray
 plot_style   - common to all plots: type sizes, colours, colour maps, the part of a contact shown
 quantities   - output quantities: each is declared once: key, unit, title, getter
 report       - the HTML report of a result folder
-results      - what results of all kinds have in common
 scene        - three-dimensional views, files for ParaView, meshes for other programs
 slip         - results of a slip study
 stiffness    - results of a stiffness study
-table        - tables of results for a terminal of 80 columns
 temperatures - results of a study of temperatures
-text         - numbers and lists as text
 traction     - results of traction tables
 vibration    - results of a vibration
 writer       - all output of a run into one directory

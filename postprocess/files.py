@@ -10,7 +10,7 @@ from typing import Any
 
 from bearing.files import atomic_path, is_disk_failure, write_bytes
 
-Table = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
+CsvTable = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
 # types whose values are of JSON as they are, as finite floats are; the paths of others are built
 PLAIN = frozenset((str, int, bool, type(None)))
 LARGEST = sys.float_info.max

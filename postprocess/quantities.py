@@ -2,15 +2,27 @@
 
 The last words of the key are the unit (`ehl.units`); summary, CSV, netCDF attributes, the tables
 of terminal and report and the labels of pictures read the same declaration.
+
+Results as handed to the output, everything in SI: what is common to all kinds.
+
+Tables of results for a terminal of 80 columns.
+
+Numbers and lists as text.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, lru_cache
+from math import isfinite
 from operator import attrgetter
-from typing import Any
+from typing import Any, TypeGuard
 
-from ehl.units import from_si, is_si, si_unit_of, unit_of, unit_symbol, without_unit
+from rich import box
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from ehl.units import from_si, is_si, notebook_html, si_unit_of, unit_of, unit_symbol, without_unit
 
 # a part of a record by its path, what looks up several of its attributes, their keys, and which
 # of these have another unit than in SI
@@ -237,3 +249,235 @@ FREQUENCIES = quantities(  # in a block that has the unit
     ("ball_pass_inner", "", "", "BPFI"),
     ("ball_spin", "", "", "BSF"),
 )
+
+
+# kinds of pictures: those that need no more than the films, and those of all results
+FILMS = "films"
+OTHERS = "others"
+PARAVIEW = "ParaView"  # what is no picture
+STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")  # directions of a ring
+STIFFNESS_HEADLINES = {"axial stiffness": 0, "radial stiffness": 1}  # place on the diagonal
+STIFFNESS_UNITS = [  # force and moment over shift and tilt
+    *[["N/m"] * 3 + ["N/rad"] * 2 for _ in range(3)],
+    *[["N m/m"] * 3 + ["N m/rad"] * 2 for _ in range(2)],
+]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Results:
+    """Common to the results of all commands."""
+
+    version: str  # of the program
+    case: dict[str, Any]  # the document as run, plain JSON types
+    messages: tuple[str, ...] = ()
+    timing: dict[str, float] = field(default_factory=dict)  # wall time by part of the run [s]
+
+    @property
+    def title(self) -> str:
+        """Title of the case."""
+        return str(self.case.get("title", ""))
+
+    @property
+    def pictures(self) -> dict[str, int]:
+        """The most that are drawn apart from each other [-]: of the films alone, and others."""
+        return {FILMS: 0, OTHERS: 0}
+
+    def _repr_html_(self) -> str:
+        """Title, state and messages for a notebook; kinds that show more have their own."""
+        return notebook_html(self.title or type(self).__name__, self._facts())
+
+    def _facts(self) -> dict[str, Any]:
+        """State of convergence, and the messages."""
+        facts: dict[str, Any] = {"oilfilm": self.version}
+        if hasattr(self, "converged"):
+            facts["converged"] = str(self.converged)
+        return facts | {f"note {k + 1}": note for k, note in enumerate(self.messages)}
+
+    def head(self, converged: bool, messages: Iterable[str]) -> dict[str, Any]:
+        """First keys of a summary; the messages of the run stand before those given.
+
+        Parameters
+        ----------
+        converged : bool
+            State of the results.
+        messages : Iterable[str]
+            Further messages.
+
+        Returns
+        -------
+        dict[str, Any]
+            Version, case, converged, messages.
+        """
+        return {
+            "oilfilm": self.version,
+            "case": self.case,
+            "converged": converged,
+            "messages": [*self.messages, *messages],
+        }
+
+
+def titled(title: str, *parts: RenderableType) -> Group:
+    """Tables and lines of text below a title.
+
+    Parameters
+    ----------
+    title : str
+        Title of the case.
+    *parts : RenderableType
+        Tables and lines of text.
+
+    Returns
+    -------
+    Group
+        All of it for a terminal.
+    """
+    return Group(Text(title, style="bold"), *parts)
+
+
+def facts_table(rows: Mapping[str, str]) -> Table:
+    """Names and values side by side, without lines.
+
+    Parameters
+    ----------
+    rows : Mapping[str, str]
+        Value by name.
+
+    Returns
+    -------
+    Table
+        The table.
+    """
+    table = Table(box=None, show_header=False, pad_edge=False)
+    table.add_column(style="dim", no_wrap=True)
+    table.add_column()
+    for name, value in rows.items():
+        table.add_row(name, Text(value))
+    return table
+
+
+def number_table(
+    headers: Iterable[str], rows: Iterable[Iterable[str]], left: Iterable[str] = (), **style: Any
+) -> Table:
+    """Columns aligned right, those named in `left` aligned left, a line below the head.
+
+    Parameters
+    ----------
+    headers : Iterable[str]
+        Titles of the columns.
+    rows : Iterable[Iterable[str]]
+        Cells of each line.
+    left : Iterable[str], default ()
+        Titles of columns that hold words.
+    **style : Any
+        Further options of `rich.table.Table`.
+
+    Returns
+    -------
+    Table
+        The table.
+    """
+    own: dict[str, Any] = {"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"}
+    table = Table(**own | style)
+    for header in headers:
+        table.add_column(header, justify="left" if header in left else "right", no_wrap=True)
+    for row in rows:
+        table.add_row(*row)
+    return table
+
+
+NOTHING = "–"
+MOST_LISTED = 8  # balls are listed one by one up to this number
+
+
+def number(value: Any, digits: str = ".4g") -> str:
+    """Text of a number by a format; a dash for null, other values as they are.
+
+    Parameters
+    ----------
+    value : Any
+        Number in any unit, text or None.
+    digits : str, default '.4g'
+        Format of a float.
+
+    Returns
+    -------
+    str
+        The text.
+    """
+    if value is None or (isinstance(value, float) and not isfinite(value)):
+        return NOTHING
+    return f"{value + 0.0:{digits}}" if isinstance(value, float) else str(value)
+
+
+def in_figures(value: float, figures: int) -> str:
+    """A number to so many figures, without a power of ten.
+
+    Parameters
+    ----------
+    value : float
+        Positive number in any unit.
+    figures : int
+        Significant figures [-].
+
+    Returns
+    -------
+    str
+        The text.
+    """
+    text = f"{value:.{figures}g}"
+    return f"{float(text):.0f}" if float(text) >= 10.0 ** (figures - 1) else text
+
+
+def listed(names: list[str]) -> str:
+    """Names side by side; the ends alone of a long list.
+
+    Parameters
+    ----------
+    names : list[str]
+        Names in their order.
+
+    Returns
+    -------
+    str
+        The names, separated by commas.
+    """
+    if len(names) <= MOST_LISTED:
+        return ", ".join(names)
+    return f"{', '.join(names[:2])} ... {names[-1]}"
+
+
+def evenly_chosen(count: int, most: int) -> list[int]:
+    """Evenly spread indices of a list, the first and the last entry among them; of one index the
+    first.
+
+    Parameters
+    ----------
+    count : int
+        Entries of the list [-].
+    most : int
+        Indices at most [-].
+
+    Returns
+    -------
+    list[int]
+        Indices, ascending.
+    """
+    if count <= most:
+        return list(range(count))
+    return [round(k * ((count - 1) / max(most - 1, 1))) for k in range(most)]
+
+
+def is_number(value: Any) -> TypeGuard[float]:
+    """True of a number; a truth value is none.
+
+    Parameters
+    ----------
+    value : Any
+        Any value.
+
+    Returns
+    -------
+    TypeGuard[float]
+        True of int and float.
+    """
+    return isinstance(value, int | float) and not isinstance(value, bool)

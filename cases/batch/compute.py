@@ -12,11 +12,11 @@ from postprocess import summary
 from postprocess.batch.summary import OUTSIDE
 from postprocess.bearing.results import BearingResults
 from postprocess.bearing.write import write_bearing_netcdf
-from postprocess.contact.results import ContactResults
+from postprocess.contact.summary import ContactResults
 from postprocess.contact.write import write_contact_netcdf
-from postprocess.dynamics.summary import dynamics_summary
-from postprocess.slip.summary import slip_summary
-from postprocess.traction.summary import traction_summary
+from postprocess.dynamics.results import dynamics_summary
+from postprocess.slip.results import slip_summary
+from postprocess.traction.results import traction_summary
 
 from ..format.case import Case, ContactCase
 from ..format.traction import require_fitting_tables, resisted_traction

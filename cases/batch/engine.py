@@ -10,8 +10,7 @@ from pathlib import Path
 from time import perf_counter
 
 from ehl.units import notebook_html
-from postprocess.batch.records import FAILED, LOST
-from postprocess.batch.store import PointStore, StoredPoints, is_sound, store_files
+from postprocess.batch.store import FAILED, LOST, PointStore, StoredPoints, is_sound, store_files
 
 from ..format.problems import CaseError
 from ..runs.films import Progress

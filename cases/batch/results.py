@@ -15,9 +15,16 @@ from types import MappingProxyType
 from typing import IO, Any
 
 from postprocess.batch.columns import CHUNK, Columns, InMemory, Row, columns_of
-from postprocess.batch.records import DONE, FAILED, LOST, Record, summary_of
 from postprocess.batch.results import BatchPoint, BatchResults, Counts
-from postprocess.batch.store import StoredPoints, store_files
+from postprocess.batch.store import (
+    DONE,
+    FAILED,
+    LOST,
+    Record,
+    StoredPoints,
+    store_files,
+    summary_of,
+)
 from postprocess.batch.summary import batch_summary
 from postprocess.batch.write import write_batch_csv, write_batch_netcdf
 from postprocess.files import write_json

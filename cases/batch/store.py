@@ -15,13 +15,15 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from bearing.files import PARTIAL, write_bytes
-from postprocess.batch.records import DONE, Record, summary_of
 from postprocess.batch.store import (
+    DONE,
     PATTERN,
     PointStore,
+    Record,
     StoredPoints,
     holds_rows,
     store_files,
+    summary_of,
     whole_records,
 )
 

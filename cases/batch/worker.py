@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import cache, lru_cache
 from pathlib import Path
 
-from postprocess.batch.records import FAILED, Record, record_of
+from postprocess.batch.store import FAILED, Record, record_of
 
 from ..format.case import case_of_document
 from ..runs.equilibrium import Equilibria

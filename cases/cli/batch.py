@@ -204,7 +204,7 @@ def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
     """Writers of further files."""
     if not wanted.parquet:
         return {}
-    from postprocess.batch.parquet import write_batch_parquet
+    from postprocess.batch.write import write_batch_parquet
 
     from ..batch.store import PARQUET
 
@@ -309,8 +309,7 @@ def _report(
     results: BatchResults, columns: Columns, directory: Path | None, as_json: bool, quiet: bool
 ) -> int:
     """Print summary or table; exit code, in which a lost worker is a failure of the machine."""
-    from postprocess.batch.summary import batch_summary, counts_of
-    from postprocess.batch.table import batch_table
+    from postprocess.batch.summary import batch_summary, batch_table, counts_of
 
     document = batch_summary(results, columns)
     code = report(document, lambda: batch_table(results, columns), directory, as_json, quiet)

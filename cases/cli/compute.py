@@ -56,7 +56,7 @@ def run(
         directory = results_directory(case, output, as_json)
         from ehl.multigrid.starved import cores
         from postprocess import summary
-        from postprocess.bearing.table import bearing_table
+        from postprocess.bearing.write import bearing_table
 
         from ..runs.bearing import Interrupted, run_case
 
@@ -98,7 +98,7 @@ def contact(
         directory = results_directory(case, output, as_json)
         from ehl.multigrid.starved import cores
         from postprocess import summary
-        from postprocess.contact.table import contact_table
+        from postprocess.contact.write import contact_table
 
         from ..runs.contact import run_contact
 
@@ -158,9 +158,8 @@ def slip(
     except KeyboardInterrupt:
         print_message("oilfilm: of unfinished slip maps nothing is kept")
         raise
-    from postprocess.slip.summary import slip_summary
-    from postprocess.slip.table import slip_table
-    from postprocess.slip.write import write_slip
+    from postprocess.slip.results import slip_summary
+    from postprocess.slip.write import slip_table, write_slip
 
     save_with(lambda folder: write_slip(results, folder), directory)
     document = slip_summary(results)
@@ -198,9 +197,8 @@ def stiffness(
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
     with progress_bar(quiet=quiet) as progress:
         results = run_stiffness(loaded, case, ends, points, damping, progress)
-    from postprocess.stiffness.summary import stiffness_summary
-    from postprocess.stiffness.table import stiffness_table
-    from postprocess.stiffness.write import write_stiffness
+    from postprocess.stiffness.results import stiffness_summary
+    from postprocess.stiffness.write import stiffness_table, write_stiffness
 
     save_with(lambda folder: write_stiffness(results, folder), directory)
     document = stiffness_summary(results)
@@ -237,9 +235,8 @@ def temperatures(
     with progress_bar(quiet=quiet) as progress:
         study = partial(run_temperatures, loaded, case, run_case, duration, progress)
         results = interruptible(study)
-    from postprocess.temperatures.summary import temperatures_summary
-    from postprocess.temperatures.table import temperatures_table
-    from postprocess.temperatures.write import write_temperatures
+    from postprocess.temperatures.results import temperatures_summary
+    from postprocess.temperatures.write import temperatures_table, write_temperatures
 
     save_with(lambda folder: write_temperatures(results, folder), directory)
     document = temperatures_summary(results)
@@ -308,9 +305,8 @@ def table(
     atlas = loaded.file.friction.table_films == "atlas"
     cost = table_cost(points, count, workers or cores(), atlas=atlas)
     report_cost(cost, quiet=quiet)
-    from postprocess.traction.summary import traction_summary
-    from postprocess.traction.table import traction_table
-    from postprocess.traction.write import save_tables, write_traction
+    from postprocess.traction.results import traction_summary
+    from postprocess.traction.write import save_tables, traction_table, write_traction
 
     with _film_sampler(path) as sample:
         with progress_bar(quiet=quiet) as progress:

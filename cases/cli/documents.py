@@ -68,7 +68,7 @@ def compare(
     if as_json:
         print_json(comparison.document())
     elif not quiet:
-        from postprocess.compare.table import comparison_table
+        from postprocess.compare.summary import comparison_table
 
         print_table(comparison_table(comparison))
     for name, converged in zip(comparison.names, comparison.converged, strict=True):
@@ -97,7 +97,7 @@ def cut(
     ] = 0.0,
 ) -> None:
     """Write film and pressure along a line through a contact as CSV."""
-    from postprocess.contact.line_cut import write_line_cut
+    from postprocess.contact.plots import write_line_cut
 
     with reading(directory):
         file = lock_output_file(output or Path("cut.csv"))
@@ -125,7 +125,7 @@ def interferogram(
 ) -> None:
     """Draw the film of a contact as an optical interferometer would see it."""
     from ehl.units import NANOMETRE
-    from postprocess.contact.interferogram import SODIUM, Optics, write_interferogram
+    from postprocess.contact.plots import SODIUM, Optics, write_interferogram
 
     with reading(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
@@ -159,7 +159,7 @@ def diagram(
 ) -> None:
     """Draw numbers of a batch over its keys: film, torque and life over speed, a line per load."""
     from postprocess.batch.plots import write_diagram
-    from postprocess.batch.read import read_batch
+    from postprocess.batch.store import read_batch
 
     with reading(directory):
         file = lock_output_file(output or Path("diagram.png"))
@@ -206,7 +206,7 @@ def _write_document(directory: Path, file: Path, kind: str) -> tuple[Path, ...]:
     if kind not in DOCUMENTS:
         return ()
     if kind == "xlsx":
-        from postprocess.report.spreadsheet import write_workbook
+        from postprocess.report.plots_pdf import write_workbook
 
         return (write_workbook(directory, file),)
     from postprocess.report.plots_pdf import write_pdf

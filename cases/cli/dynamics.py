@@ -95,8 +95,8 @@ def dynamics(
         except Interrupted as stop:
             _keep(loaded, stop.results, stop.simulation, directory)
             raise KeyboardInterrupt from None
-        from postprocess.dynamics.summary import dynamics_summary
-        from postprocess.dynamics.table import dynamics_table
+        from postprocess.dynamics.results import dynamics_summary
+        from postprocess.dynamics.write import dynamics_table
 
         hurry = Event()
         save_with(lambda target: _write(results, target, hurry.is_set), directory, hurry.set)

@@ -105,7 +105,7 @@ def optimisation_table(found: OptimisationResult) -> Group:
     from rich.console import Group
     from rich.text import Text
 
-    from postprocess.text import evenly_chosen
+    from postprocess.quantities import evenly_chosen
 
     from ..optimise.proof import confirmation_messages, improvement
 
@@ -139,8 +139,7 @@ def _gain(gain: dict[str, Any]) -> str:
 
 def _columns(designs: dict[str, Design], keys: Sequence[str], names: Sequence[str]) -> Table:
     """Designs side by side: values of the keys, then goals and constraints."""
-    from postprocess.table import number_table
-    from postprocess.text import number
+    from postprocess.quantities import number, number_table
 
     own = list(designs.values())
     rows = [[_words(key), *(number(one.values[key], ".5g") for one in own)] for key in keys]

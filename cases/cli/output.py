@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rich.console import Group
 
     from postprocess.bearing.results import BearingResults
-    from postprocess.contact.results import ContactResults
+    from postprocess.contact.summary import ContactResults
 
     from ..format.case import Case
     from ..runs.drawing import Drawing

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ehl.units import notebook_html
-from postprocess.batch.main_results import point_error
-from postprocess.batch.results import BatchPoint
+from postprocess.batch.results import BatchPoint, point_error
 from postprocess.batch.summary import point_numbers
 
 from .study import Study

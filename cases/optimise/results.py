@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from postprocess.batch.plots_front import Designs, write_front
+from postprocess.batch.plots import Designs, write_front
 from postprocess.files import write_csv, write_json
 
 from ..runs.integrity import write_digests

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ehl.arrays import Array
-from postprocess.batch.main_results import result_names
+from postprocess.batch.results import result_names
 
 from ..batch.keys import value_in
 from ..batch.planning.alternatives import PointDocuments, with_values

@@ -11,7 +11,7 @@ from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.traction import NormalResponse, normal_response
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import TractionResult, integrate_traction
-from postprocess.contact.results import ContactResults
+from postprocess.contact.summary import ContactResults
 
 from ..format.case import ContactCase
 from ..format.contact import FilmModel

@@ -16,7 +16,7 @@ from typing import Any
 import postprocess
 from ehl.multigrid.starved import cores
 from postprocess.files import attempt
-from postprocess.results import FILMS, OTHERS, PARAVIEW
+from postprocess.quantities import FILMS, OTHERS, PARAVIEW
 
 from .processes import end_workers, prepare_worker, start_fork_server, worker_context
 
@@ -25,7 +25,7 @@ MOST_PROCESSES = 4
 EXTRAS = "VTK and plots"
 LOOK = 0.1  # from one look for an interrupt to the next [s]
 TERMINATION = 0.3  # for processes to end that were told to [s]
-LOADED = ["cases.runs.drawing", "postprocess.writer.extras"]
+LOADED = ["cases.runs.drawing", "postprocess.writer.run"]
 
 
 @dataclass(slots=True)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from ehl import ContactConditions
 from ehl.solid.layered import Coating
-from postprocess.netcdf.reader import open_results
+from postprocess.netcdf_read import open_results
 from postprocess.scene.export import export_results
 
 from ..format.case import ContactCase, case_of_document

@@ -7,8 +7,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from .records import BOOL, FLOAT, INTEGER, NOTHING, packed_numbers, unpacked_numbers
 from .results import BatchResults
+from .store import BOOL, FLOAT, INTEGER, NOTHING, packed_numbers, unpacked_numbers
 
 CHUNK = 5000  # points at a time: 10 MB with 250 numbers each
 STATE = ("point", "block", "status", "converged")  # columns of every batch, before the keys

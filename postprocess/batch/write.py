@@ -1,4 +1,7 @@
-"""Files of a batch: every number of every point, as one table and one data set."""
+"""Files of a batch: every number of every point, as one table and one data set.
+
+The table of a batch as a Parquet file: read by pandas, polars, DuckDB and Spark.
+"""
 
 import json
 from collections.abc import Callable, Iterator, Sequence
@@ -7,14 +10,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyarrow
+import pyarrow.parquet
 
+from bearing.files import atomic_path
 from ehl.units import unit_of
 
 from ..files import write_csv
-from ..netcdf.groups import DatasetParts, Variables, write_dataset_in_parts
+from ..netcdf_write import DatasetParts, Variables, write_dataset_in_parts
 from .columns import STATE, STATE_KINDS, Columns, Kinds, Numbers, Row
-from .records import BOOL, INTEGER, NOTHING
 from .results import BatchResults
+from .store import BOOL, INTEGER, NOTHING
 
 RACES = ("inner", "outer")
 NUMBERS = (bool, int, float, type(None))
@@ -240,3 +246,72 @@ def _named(part: str, over: tuple[str, ...], values: dict[str, Any]) -> Variable
     """Variables of a part of the bearing, with their units."""
     units = {name: {"units": unit_of(name)} if unit_of(name) else {} for name in values}
     return {f"{part}.{name}": (over, value, units[name]) for name, value in values.items()}
+
+
+PARQUET_TYPES = {
+    "bool": pyarrow.bool_(),
+    "int": pyarrow.int64(),
+    "float": pyarrow.float64(),
+    "nothing": pyarrow.float64(),
+    "word": pyarrow.string(),
+    "text": pyarrow.string(),
+}
+
+
+def write_batch_parquet(columns: Columns, path: Path) -> None:
+    """Write the columns of batch.csv with types, null for no value; units in the metadata of each.
+
+    A row group for some thousand points, compressed by zstd.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+    path : Path
+        File to write.
+    """
+    keys = columns.source.keys
+    schema = pyarrow.schema([_field(name, columns) for name in (*STATE, *keys, *columns.names)])
+    with (
+        atomic_path(path) as temporary,
+        pyarrow.parquet.ParquetWriter(temporary, schema, compression="zstd") as writer,
+    ):
+        for rows, values, kinds in columns.chunks():
+            arrays = [
+                pyarrow.array([row.number for row in rows], PARQUET_TYPES["int"]),
+                pyarrow.array([row.block for row in rows], PARQUET_TYPES["word"]),
+                pyarrow.array([row.status for row in rows], PARQUET_TYPES["word"]),
+                pyarrow.array([row.converged for row in rows], PARQUET_TYPES["bool"]),
+            ]
+            for key in keys:
+                given = [row.values.get(key) for row in rows]
+                arrays.append(_parquet_array(given, columns.kinds[key]))
+            for k, name in enumerate(columns.names):
+                arrays.append(_numbers(values[:, k], kinds[:, k], columns.kinds[name]))
+            writer.write_table(pyarrow.Table.from_arrays(arrays, schema=schema))
+
+
+def _field(name: str, columns: Columns) -> Any:
+    kind = columns.kinds.get(name) or STATE_KINDS[name]
+    unit = column_unit(name, columns)
+    return pyarrow.field(name, PARQUET_TYPES[kind], metadata={"units": unit} if unit else None)
+
+
+def _parquet_array(values: list[Any], kind: str) -> Any:
+    """Values of a key."""
+    if kind == "text":
+        texts = [value if isinstance(value, str) else json.dumps(value) for value in values]
+        values = [None if value is None else t for value, t in zip(values, texts, strict=True)]
+    elif kind == "float":
+        values = [None if value is None else float(value) for value in values]
+    elif kind == "word":
+        values = [None if value is None else str(value) for value in values]
+    return pyarrow.array(values, PARQUET_TYPES[kind])
+
+
+def _numbers(values: Numbers, kinds: Kinds, kind: str) -> Any:
+    """A column of numbers, null where a point has none."""
+    gaps = np.isnan(values)
+    whole = np.where(gaps, 0.0, values)
+    types = {"bool": bool, "int": np.int64}
+    return pyarrow.array(whole.astype(types.get(kind, float)), PARQUET_TYPES[kind], mask=gaps)

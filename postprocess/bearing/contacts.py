@@ -13,7 +13,7 @@ from bearing.heating.network import Conductance
 from bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
 from ehl.units import to_si
 
-from ..contact.quantities import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
+from ..contact.summary import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
 from ..quantities import by_key, quantities, values_of
 from .film_heat import HEAT_QUANTITIES, NO_FILM, film_values, heat_messages
 from .finite_bodies import shoulder_messages

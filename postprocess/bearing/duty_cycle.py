@@ -6,8 +6,7 @@ from typing import Any
 from bearing.rating.duty_cycle import LoadCase
 from ehl.units import from_si
 
-from ..quantities import values_of
-from ..text import in_figures
+from ..quantities import in_figures, values_of
 from .quantities import DUTY_CYCLE, LOAD_CASE
 from .results import BearingResults
 

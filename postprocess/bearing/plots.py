@@ -35,9 +35,7 @@ from ..plot_style import (
     logarithmic_ticks,
     write_figures,
 )
-from ..quantities import Quantity
-from ..results import FILMS, OTHERS
-from ..text import evenly_chosen
+from ..quantities import FILMS, OTHERS, Quantity, evenly_chosen
 from .film_heat import isothermal_note
 from .plots_torque import other_figures
 from .quantities import BALL_QUANTITY

@@ -30,9 +30,8 @@ from ehl.traction.instruments import FilmInstruments, film_instruments
 from ehl.traction.rolling_moment import RollingMoment
 from ehl.units import from_si, notebook_html
 
-from ..contact.quantities import oil_permittivity
-from ..results import FILMS, OTHERS, Results
-from ..text import listed
+from ..contact.summary import oil_permittivity
+from ..quantities import FILMS, OTHERS, Results, listed
 
 
 @dataclass(frozen=True, kw_only=True)  # without slots, which would keep no cached property

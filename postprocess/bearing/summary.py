@@ -1,7 +1,20 @@
-"""Summary of a bearing."""
+"""Summary of a bearing.
 
-from collections.abc import Iterator
+Rating life and clearance in the summary and in the terminal's table.
+
+Elastic rings in the summary: seat, compliance, what they yield, cost of the finite elements.
+
+Rows of balls and frequencies in the summary and in the terminal's table.
+
+The block `strength` of the summary: hoop tension of the rings, tension in the contacts.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from math import pi
 from typing import Any
+
+import numpy as np
 
 from bearing.contacts.electrical import (
     CERAMIC_PERMITTIVITY,
@@ -9,25 +22,777 @@ from bearing.contacts.electrical import (
     bearing_electrical,
     electrical_lack,
 )
+from bearing.fits.ring_strength import LARGE_SHARE, RingStrength, StrengthMap
+from bearing.geometry import Race
+from bearing.library.bearings import named_designation
+from bearing.quasistatic.ring import ball_forces, seat_reactions
 from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.rating.film_life import ContactKappa, FilmLife, film_life
+from bearing.rating.frequencies import bearing_frequencies, kinematic_frequencies
+from bearing.rating.life import (
+    LARGEST_A_ISO,
+    LARGEST_KAPPA,
+    SMALLEST_KAPPA,
+    relubrication_interval,
+)
+from bearing.rings.compliance import response_of
+from bearing.rings.elastic_ring import ElasticRing
+from ehl.solid.bodies import RingResponse, Seat
+from ehl.units import MEGAPASCAL, MICROMETRE, from_si, to_si
 
-from ..contact.quantities import oil_permittivity
-from ..contact.summary import solution_messages
+from ..contact.summary import oil_permittivity, solution_messages
 from ..files import plain_document
-from ..quantities import CAGE_SPEED, FREQUENCIES, rows_of, values_of
-from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS
+from ..quantities import (
+    CAGE_SPEED,
+    FREQUENCIES,
+    NOTHING,
+    STIFFNESS_ORDER,
+    STIFFNESS_UNITS,
+    in_figures,
+    rows_of,
+    values_of,
+)
 from .contacts import contact_messages, contact_records, contact_values
-from .duty_cycle import duty_cycle_block, duty_cycle_messages, load_case_blocks
+from .duty_cycle import duty_cycle_block, duty_cycle_messages, hours, load_case_blocks
 from .finite_bodies import finite_body_block, finite_body_messages
 from .heating import heating_block, heating_messages, network_blocks, temperature_messages
-from .quantities import BALL_QUANTITIES, ELECTRICAL, RING
-from .ratings import clearance_block, life_block, rating_messages
+from .quantities import (
+    BALL_QUANTITIES,
+    CLEARANCE,
+    ELECTRICAL,
+    FILM_LIFE,
+    LIFE_RATING,
+    LOAD_RATING,
+    RING,
+    RING_BODY,
+    RING_LOAD,
+    RING_STRENGTH,
+    ROW,
+)
 from .results import BearingResults, distinct_contacts
-from .rings import ring_blocks, ring_messages
-from .rows import kinematic_block, row_blocks, row_messages
-from .strength import strength_block, strength_messages
-from .supply import decay_block, decay_messages, supply_block, supply_messages
-from .torque import rolling_messages, torque_block, torque_messages
+from .torque import (
+    decay_block,
+    decay_messages,
+    rolling_messages,
+    supply_block,
+    supply_messages,
+    torque_block,
+    torque_messages,
+)
+
+AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
+RELUBRICATION = "relubrication_interval_h"
+
+
+def life_block(results: BearingResults) -> dict[str, Any]:
+    """Rating life, loads and the factors that led to it; None where it does not apply.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
+    life = results.life
+    loads = () if life is None else LOAD_RATING
+    films = values_of(life_by_films(results), FILM_LIFE)
+    interval = {RELUBRICATION: from_si(RELUBRICATION, relubrication_time(results))}
+    return values_of(life, (*LIFE_RATING, *loads)) | films | interval
+
+
+def relubrication_time(results: BearingResults) -> float | None:
+    """Time after which grease is to be renewed [s]; None without grease or bore.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    float | None
+        Interval [s].
+    """
+    bore = results.quasistatic.bearing.bore
+    grease = (results.case.get("friction") or {}).get("lubrication") == "grease"
+    if not grease or bore is None:
+        return None
+    operation = results.quasistatic.operation
+    return relubrication_interval(bore, operation.shaft_speed, operation.temperature)
+
+
+def _sealed(results: BearingResults) -> bool:
+    """True if seals or shields on both sides keep the first grease in, and any other out."""
+    designation = named_designation(results.quasistatic.bearing.name or "")
+    seals = (results.case.get("friction") or {}).get("sealed")
+    return bool(seals) or (designation is not None and designation.greased)
+
+
+def life_by_films(results: BearingResults) -> FilmLife | None:
+    """Life from the solved films in place of the viscosity; None without films or roughness.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    FilmLife | None
+        The life.
+    """
+    life = results.life
+    solved = any(film is not None for film in results.solutions)
+    if life is None or life.viscosity_ratio is None or not (solved and "surface" in results.case):
+        return None
+    records = contact_records(results)
+    ends = [_kappa([record.kappa_at(end) for record in records]) for end in (0.0, -1.0, 1.0)]
+    result = film_life(results.quasistatic, life, *ends)
+    return None if result.smallest_kappa is None else result
+
+
+def _kappa(values: list[float | None]) -> ContactKappa:
+    """kappa by race from that of all contacts, ball by ball and inner race first."""
+    return ContactKappa(inner=values[0::2], outer=values[1::2])
+
+
+def clearance_block(results: BearingResults) -> dict[str, float | None]:
+    """Clearance, its changes, pressures of the seats; without a budget the operating one alone.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, float | None]
+        Values by key.
+    """
+    values = values_of(results.clearance, CLEARANCE)
+    if results.clearance is None:
+        clearance = results.quasistatic.bearing.diametral_clearance
+        values["operating_um"] = from_si("clearance_um", clearance)
+    return values
+
+
+def rating_messages(results: BearingResults) -> Iterator[str]:
+    """Name the values of the blocks `life` and `clearance` that are null, with the reason.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    life = results.life
+    yield from ("life: null, no rating was asked for",) if life is None else life.messages
+    if relubrication_time(results) is None:
+        yield (
+            f"life.{RELUBRICATION}: null without grease (friction.lubrication), bore_mm and "
+            "rotation, and beyond the speeds of its formula"
+        )
+    else:
+        yield (
+            f"life.{RELUBRICATION}: rule for lithium grease, a horizontal shaft and clean "
+            "surroundings, with the temperature of the oil; the grease maker's data go before it"
+        )
+    if results.clearance is None:
+        yield (
+            "clearance: taken as the operating one, the case gives neither [fit] nor "
+            "[temperatures]; the rest null"
+        )
+    else:
+        yield from results.clearance.messages
+        yield from _cage_messages(results)
+    if life is None or life.viscosity_ratio is None:
+        return
+    films = life_by_films(results)
+    if films is None:
+        yield (
+            "life: kappa_film and what follows from it null, they need a resolved film and "
+            "[surface] roughness"
+        )
+    else:
+        if films.note:
+            yield f"life: modified rating with the film of each contact null, {films.note}"
+        exponent = results.case["surface"]["kappa_exponent"]
+        yield (
+            f"life: kappa_film is the smallest lambda_ratio to the power {exponent:g}, a rule "
+            "that is unverified; kappa of each contact likewise"
+        )
+
+
+def _cage_messages(results: BearingResults) -> Iterator[str]:
+    """Give the reason why the change of the cage's clearances is null."""
+    cage = None if results.clearance is None else results.clearance.cage
+    if cage is None:
+        yield (
+            "clearance: cage_pocket_change_um, cage_land_change_um null, the case gives no "
+            "temperatures.cage_C"
+        )
+    elif cage.land is None:
+        yield (
+            "clearance: cage_land_change_um null, no ring guides the cage, or no "
+            "cage.land_diameter_mm is given"
+        )
+    elif cage.land < 0.0:
+        given = (results.case.get("cage") or {}).get("land_clearance_um")
+        if given is not None and to_si("land_clearance_um", given) + cage.land <= 0.0:
+            yield (
+                "clearance: at its temperature the cage has no clearance left on its land, "
+                f"{given:g} um less {-from_si('cage_land_change_um', cage.land):.3g} um"
+            )
+
+
+def rating_rows(results: BearingResults) -> dict[str, str]:
+    """Lines of the terminal's table: clearance, rating life, static safety, viscosity ratio.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
+    budget = results.clearance
+    life = results.life
+    rows = {}
+    if budget is not None:
+        lengths = (budget.initial, budget.mounted, budget.operating)
+        values = [round(from_si("clearance_um", length), 1) + 0.0 for length in lengths]  # no -0.0
+        rows["clearance"] = "{:.1f} µm delivered, {:.1f} mounted, {:.1f} operating".format(*values)
+    if life is None:
+        return rows
+    available = values_of(life, (*LIFE_RATING, *LOAD_RATING))
+    revolutions = available["basic_reference_rating_Mrev"]
+    basic = available["basic_reference_rating_h"]
+    kappa = available["kappa"]
+    if revolutions is None:
+        rows["rating life"] = _why_none(life.messages)
+    if revolutions is not None and basic is not None:
+        rows["rating life"] = _life_text(available)
+    if (interval := relubrication_time(results)) is not None:
+        time = hours(from_si(RELUBRICATION, interval))
+        rows |= (
+            {"grease for life": time} if _sealed(results) else {"relubrication": f"every {time}"}
+        )
+    if available["static_safety_factor"] is not None:
+        rows["static safety"] = f"S_0 {available['static_safety_factor']:.3g}"
+        if available["static_safety"] is not None:
+            rows["static safety"] += f", by pressure {available['static_safety']:.3g}"
+    if kappa is not None:
+        rows["viscosity ratio"] = f"κ {kappa:.3g}"
+        films = life_by_films(results)
+        if films is not None:
+            rows["viscosity ratio"] += (
+                f" from the viscosity, {films.smallest_kappa:.3g} from the thinnest film"
+            )
+            rows |= film_row(values_of(films, FILM_LIFE))
+    return rows
+
+
+def _life_text(available: dict[str, Any]) -> str:
+    """Basic life with its revolutions, and the modified one with its factor."""
+    turns = in_figures(available["basic_reference_rating_Mrev"], 4)
+    text = f"L10h {hours(available['basic_reference_rating_h'])} ({turns} million revolutions)"
+    if available["modified_reference_rating_h"] is None:
+        return text
+    modified = hours(available["modified_reference_rating_h"])
+    limit = ", its limit" if available["a_iso"] >= AT_ITS_LIMIT * LARGEST_A_ISO else ""
+    return f"{text}, modified L10mh {modified} (a_ISO {available['a_iso']:.3g}{limit})"
+
+
+def _why_none(messages: Iterable[str]) -> str:
+    """Say "none", with the reason in the messages on the life."""
+    start = "life: null, "
+    reasons = [message.removeprefix(start) for message in messages if message.startswith(start)]
+    return ": ".join(["none", *reasons[:1]])
+
+
+def film_row(available: dict[str, Any]) -> dict[str, str]:
+    """Line of the terminal's table on the life with the film of each contact.
+
+    Parameters
+    ----------
+    available : dict[str, Any]
+        Values of `FILM_LIFE` by key.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
+    thinnest = available["kappa_film"]
+    if thinnest is not None and thinnest < SMALLEST_KAPPA:
+        below = f"below {SMALLEST_KAPPA:g}, the least of ISO 281"
+        return {"life by the films": f"none: κ of the thinnest film {thinnest:.2g} is {below}"}
+    ends = [
+        available[f"modified_reference_rating_contacts_{end}h"] for end in ("", "low_", "high_")
+    ]
+    if ends[0] is None:
+        return {}
+    text = f"L10mh {hours(ends[0])}"
+    if ends[1] is None or ends[2] is None:
+        return {"life by the films": text}
+    low, high = hours(ends[1]), hours(ends[2])
+    band = f"{low} to {high}" if low != high else _no_band(available)
+    return {"life by the films": f"{text} ({band})"}
+
+
+def _no_band(available: dict[str, Any]) -> str:
+    """Reason why the error bars of the films do not change the life."""
+    if available["a_iso_contacts"] >= AT_ITS_LIMIT * LARGEST_A_ISO:
+        return f"a_ISO at its limit of {LARGEST_A_ISO:g}"
+    if available["kappa_film"] >= LARGEST_KAPPA:
+        return f"every film counts as κ {LARGEST_KAPPA:g}, the limit of ISO 281"
+    return "the error bars of the films do not move it"
+
+
+SMALL_TENSION = 1e3  # of a loose seat, not worth a message [Pa]
+
+
+@dataclass(frozen=True, slots=True)
+class RingBody:
+    """One elastic ring of an equilibrium."""
+
+    race: str
+    ring: ElasticRing
+    response: RingResponse
+    movement: tuple[np.ndarray, np.ndarray]  # axial and radial at the balls [m]
+
+    @property
+    def axial_compliance(self) -> float:
+        """At a ball, of its own force, beyond Hertz' [m/N]."""
+        return float(self.response.at(np.zeros(1))[0, 0])
+
+    @property
+    def radial_compliance(self) -> float:
+        """Likewise [m/N]."""
+        return float(self.response.at(np.zeros(1))[1, 0])
+
+    @property
+    def deflection(self) -> float:
+        """Largest movement of the groove's centre at a ball [m]."""
+        return float(np.hypot(*self.movement).max())
+
+    @property
+    def ovality(self) -> float:
+        """Largest less smallest radial movement [m]."""
+        return float(np.ptp(self.movement[1]))
+
+
+def ring_bodies(state: QuasistaticSolution) -> tuple[RingBody, ...]:
+    """The elastic rings of an equilibrium, inner ring first.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    tuple[RingBody, ...]
+        The rings.
+    """
+    rings = state.model.rings
+    pairs = () if rings is None else (("inner", rings.inner), ("outer", rings.outer))
+    return tuple(
+        RingBody(
+            race,
+            ring,
+            response_of(ring),
+            (getattr(state, f"{race}_ring_axial"), getattr(state, f"{race}_ring_radial")),
+        )
+        for race, ring in pairs
+        if ring is not None
+    )
+
+
+def ring_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
+    """Seat, compliance, movements and finite elements of each elastic ring; none, if rigid.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Values by key, a dictionary for each ring.
+    """
+    return [
+        {
+            "race": body.race,
+            "seat": body.ring.seat.value,
+            **values_of(body, RING_BODY),
+            "shoulder_estimated": body.ring.estimated_shoulder,
+            "unknowns": body.response.unknowns,
+            "iterations": body.response.iterations,
+            "method": body.response.method,
+        }
+        for body in ring_bodies(state)
+    ]
+
+
+def ring_messages(state: QuasistaticSolution) -> Iterator[str]:
+    """Describe the seats of the elastic rings, and what was estimated.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    for body in ring_bodies(state):
+        estimate = ", its shoulders estimated" if body.ring.estimated_shoulder else ""
+        yield (
+            f"{body.race} ring: an elastic body, {body.ring.seat.value} on its seat{estimate}; "
+            f"grooves move by up to {body.deflection / MICROMETRE:.3g} um at the balls, beyond "
+            "Hertz' approach; films and pressures are those of half-spaces"
+        )
+        for forces, _ in zip(*seat_reactions(state, Race(body.race)), strict=True):
+            places = (
+                f"{np.degrees(azimuth):.4g} deg: {force:.4g} N"
+                for azimuth, force in zip(body.ring.supports, forces, strict=True)
+            )
+            yield f"{body.race} ring: pressed by its supports at {', '.join(places)}"
+        tension = seat_tension(state, body)
+        if tension > SMALL_TENSION:
+            yield (
+                f"{body.race} ring: its seat does not open: opposite the load it pulls with up to "
+                f"{tension / MEGAPASCAL:.3g} MPa, where a loose ring would lift off and bend more"
+            )
+
+
+def seat_tension(state: QuasistaticSolution, body: RingBody) -> float:
+    """Largest pull of a loose seat, F/(pi R B), with the cosine from the load; zero for other
+    seats.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+    body : RingBody
+        Elastic ring.
+
+    Returns
+    -------
+    float
+        Largest pull [Pa].
+    """
+    if body.ring.seat is not Seat.FREE:
+        return 0.0
+    radial = ball_forces(state, Race(body.race))[1].reshape(len(state.rows), -1)
+    turns = state.azimuth.reshape(radial.shape)
+    load = np.hypot((radial * np.cos(turns)).sum(axis=1), (radial * np.sin(turns)).sum(axis=1))
+    profile = body.ring.profile
+    return float(load.max() / (pi * profile.seat_radius * profile.width))
+
+
+def ring_lines(state: QuasistaticSolution) -> dict[str, str]:
+    """A line of the terminal's table for each elastic ring.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
+    lines = {}
+    for block in ring_blocks(state):
+        compliance = f"{block['radial_compliance_um_kN']:.3g} µm/kN beyond Hertz"
+        moves = f"moves {block['deflection_um']:.3g} µm, ovality {block['ovality_um']:.3g} µm"
+        lines[f"{block['race']} ring"] = f"elastic, seat {block['seat']}: {compliance}, {moves}"
+    return lines
+
+
+def kinematic_block(results: BearingResults) -> dict[str, float]:
+    """Frequencies of rolling at the nominal contact angle, as catalogues have them [Hz].
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, float]
+        Frequencies by key [Hz].
+    """
+    state = results.quasistatic
+    life = results.life
+    angle = state.bearing.free_contact_angle if life is None else life.rating.nominal_contact_angle
+    return values_of(kinematic_frequencies(state.bearing, state.operation, angle), FREQUENCIES)
+
+
+def frequency_lines(results: BearingResults) -> dict[str, str]:
+    """A line of the terminal's table [Hz]; none where the rings turn together.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
+    own = results.frequencies
+    texts = [f"{frequency.symbol} {frequency.value(own):.1f}" for frequency in FREQUENCIES]
+    return {"frequencies": f"{', '.join(texts)} Hz"} if own.ball_spin > 0.0 else {}
+
+
+def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
+    """Place, offset, load, cage and frequencies of each row.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Values by key, a dictionary for each row.
+    """
+    blocks = []
+    for index, row in enumerate(state.rows):
+        alone = state.row(index)
+        blocks.append(
+            {
+                "row": index + 1,
+                **values_of(row, ROW),
+                **values_of(alone, RING_LOAD),
+                "balls_loaded": int((alone.inner_load > 0.0).sum()),
+                CAGE_SPEED.key: CAGE_SPEED.value(alone),
+                "frequencies_Hz": values_of(bearing_frequencies(alone), FREQUENCIES),
+            }
+        )
+    return blocks
+
+
+def row_messages(results: BearingResults) -> Iterator[str]:
+    """Explain the values of the whole bearing where there are several rows.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    rows = len(results.quasistatic.rows)
+    if rows > 1:
+        own = "each row's own stand in rows"
+        yield f"cage_speed_rpm, frequencies_Hz: mean over {rows} rows, {own}"
+
+
+def row_lines(state: QuasistaticSolution) -> dict[str, str]:
+    """Lines of the terminal's table, one a row, none for a single row; loads in [N].
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
+    lines = {}
+    for block in row_blocks(state) if len(state.rows) > 1 else ():
+        x, y, z = (round(force, 1) + 0.0 for force in block["force_N"])
+        cage = f"{block['balls_loaded']} balls loaded, cage {block['cage_speed_rpm']:.1f} r/min"
+        lines[f"row {block['row']}"] = f"x {x:.1f}, y {y:.1f}, z {z:.1f} N, {cage}"
+    return lines
+
+
+PROBABILITY = "failure_probability"
+NEXT_TO_NONE = 1e-9  # of a probability of failure, in the terminal [-]
+NO_STANDARD = (
+    "strength: no standard rates ceramic rings; hoop tension by Lame's cylinders, probability of "
+    "failure by Weibull for flaws in the volume, its range that of the material's data "
+    "(docs/theory/ceramic_strength.md)"
+)
+NOT_BRITTLE = (
+    "strength: failure probabilities null, the rings have no bending_strength_MPa and "
+    "weibull_modulus, or no width_mm"
+)
+LOOSE = (
+    "strength: the case gives no [fit], rings of ceramic are taken as loose on shaft and in "
+    "housing; the interference of a seat, as of a warm steel shaft, is left out of their tension"
+)
+
+
+def strength_block(results: BearingResults) -> dict[str, Any]:
+    """Tension, strength and failure probability of both rings, and the map of the inner ring.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        The block.
+    """
+    strength = results.strength
+    rings = {} if strength is None else {ring.race: ring for ring in strength.rings}
+    blocks: dict[str, Any] = {
+        f"{race.value}_ring": _ring_strength(results, race, rings.get(race)) for race in Race
+    }
+    inner_map = None if strength is None else strength.inner_map
+    return blocks | {"inner_ring_map": None if inner_map is None else _map(inner_map)}
+
+
+def _ring_strength(
+    results: BearingResults, race: Race, ring: RingStrength | None
+) -> dict[str, Any]:
+    """One ring; the largest tension of its contacts, where films were solved."""
+    pairs = zip(results.contacts, results.tensions, strict=False)
+    solved = [t.ring for contact, t in pairs if t is not None and contact.race is race]
+    tension = from_si("tension_GPa", max(solved, default=None))
+    material = None if ring is None else ring.material.name
+    return {
+        "material": material,
+        **values_of(ring, RING_STRENGTH),
+        "surface_tension_maximum_GPa": tension,
+    }
+
+
+def _map(result: StrengthMap) -> dict[str, Any]:
+    """Rows over the temperature, columns over the speed."""
+    names = {"": "probability", "_low": "low", "_high": "high"}
+    failures = {end: getattr(result, f"failure_{name}") for end, name in names.items()}
+    return {
+        "temperature_C": [
+            round(from_si("temperature_C", float(t)), 9) for t in result.temperature
+        ],
+        "inner_speed_rpm": [round(from_si("speed_rpm", float(n)), 9) for n in result.speed],
+        "hoop_tension_MPa": from_si("tension_MPa", result.hoop_tension).tolist(),
+        **{
+            f"{PROBABILITY}{end}": None if values is None else np.asarray(values).tolist()
+            for end, values in failures.items()
+        },
+    }
+
+
+def strength_messages(results: BearingResults) -> Iterator[str]:
+    """Explain the numbers, name rings at risk, and give reasons for null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    strength = results.strength
+    if strength is None:
+        return
+    brittle = [ring for ring in strength.rings if ring.failure_probability is not None]
+    yield NO_STANDARD if brittle else NOT_BRITTLE
+    if brittle and not results.case.get("fit"):
+        yield LOOSE
+    for ring in strength.rings:
+        name = f"{ring.race.value} ring"
+        share = ring.strength_share
+        tension = from_si("tension_MPa", ring.hoop_tension)
+        if share is not None and share > LARGE_SHARE:
+            yield (
+                f"strength: the {name} has a hoop tension of {tension:.4g} MPa, {share:.0%} of "
+                f"the bending strength of {ring.material.name}, beyond {LARGE_SHARE:.0%}"
+            )
+    for name in dict.fromkeys(ring.material.name for ring in brittle if _assumed(ring)):
+        yield f"strength: the Weibull modulus of {name} is assumed, its range read in sources"
+    if not any(tension is not None for tension in results.tensions):
+        yield (
+            "contacts: surface_tension_ring_GPa and what belongs to it null, they need a film and "
+            "a ring or ball of known bending strength; edge_tension_GPa is without friction"
+        )
+
+
+def _assumed(ring: RingStrength) -> bool:
+    """True if no source was read for the modulus of a ring's material."""
+    return "weibull_modulus" in ring.material.unverified
+
+
+def strength_rows(results: BearingResults) -> dict[str, str]:
+    """Lines of the terminal's table, one for each brittle ring.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
+    rows = {}
+    for ring in () if results.strength is None else results.strength.rings:
+        if ring.failure_probability is None:
+            continue
+        parts = [ring.hoop_tension, ring.fit_tension, ring.rotation_tension]
+        tension, fit, rotation = (from_si("tension_MPa", part) for part in parts)
+        odds = (ring.failure_probability, ring.failure_low, ring.failure_high)
+        value, low, high = map(probability_text, odds)
+        rows[f"{ring.race.value} ring"] = (
+            f"hoop {tension:.3g} MPa (fit {fit:.3g}, rotation {rotation:.3g}), probability of "
+            f"failure {value} ({low} to {high})"
+        )
+    return rows
+
+
+def probability_text(value: float | None) -> str:
+    """A probability of failure in words of the table.
+
+    Parameters
+    ----------
+    value : float | None
+        Probability of failure [-], or None.
+
+    Returns
+    -------
+    str
+        The words.
+    """
+    if value is None:
+        return NOTHING
+    return (
+        "0" if value == 0.0 else f"< {NEXT_TO_NONE:g}" if value < NEXT_TO_NONE else f"{value:.1g}"
+    )
 
 
 def bearing_summary(results: BearingResults) -> dict[str, Any]:

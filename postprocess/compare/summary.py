@@ -1,16 +1,87 @@
-"""Two results side by side: what differs in the input and in the numbers, and by how much."""
+"""Two results side by side: what differs in the input and in the numbers, and by how much.
 
-from collections.abc import Iterator
-from math import hypot
+Differences of two results.
+
+A comparison as tables for a terminal of 80 columns.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from math import hypot, inf
 from pathlib import Path
 from typing import Any
 
+from rich import box
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
+
 from ehl.units import unit_of
 
-from ..batch.main_results import main_results
+from ..batch.results import main_results
 from ..files import read_summary
-from ..text import is_number
-from .results import Comparison, Difference
+from ..quantities import is_number, number
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Difference:
+    """One value in both results."""
+
+    path: str
+    first: Any
+    second: Any
+    relative: float | None  # second less first over the magnitude [-]
+    over_bars: float | None = None  # second less first over both error bars [-]; None without
+
+    @property
+    def covered(self) -> bool | None:
+        """True if the error bars of both enclose the difference; None without them."""
+        return None if self.over_bars is None else abs(self.over_bars) <= 1.0
+
+    @property
+    def differs(self) -> bool:
+        """True if the two are not the same."""
+        return self.first != self.second
+
+    def document(self) -> dict[str, Any]:
+        """The difference as plain JSON types."""
+        values = {"path": self.path, "first": self.first, "second": self.second}
+        values |= {"relative": self.relative, "within_error_bars": self.covered}
+        return values | {"over_error_bars": self.over_bars}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Comparison:
+    """Differences of two result folders; `main` are the main results, equal ones included.
+
+    Nodes, boxes, iterations and error bars are not compared; whether a result converged is.
+    """
+
+    names: tuple[str, str]
+    versions: tuple[str, str]
+    converged: tuple[bool, bool]
+    inputs: tuple[Difference, ...]
+    main: tuple[Difference, ...]
+    results: tuple[Difference, ...]
+
+    @property
+    def largest(self) -> float:
+        """Largest relative difference of a result [-]; infinite if one of them has it alone."""
+        sizes = (inf if d.relative is None else abs(d.relative) for d in self.results)
+        return max(sizes, default=0.0)
+
+    def document(self) -> dict[str, Any]:
+        """The comparison as plain JSON types."""
+        return {
+            "names": list(self.names),
+            "oilfilm": list(self.versions),
+            "converged": list(self.converged),
+            "largest_relative_difference": None if self.largest == inf else self.largest,
+            "inputs": [difference.document() for difference in self.inputs],
+            "main": [difference.document() for difference in self.main],
+            "results": [difference.document() for difference in self.results],
+        }
+
 
 NOT_COMPARED = frozenset(
     "oilfilm case messages timing_s sweep file resumed key keys point".split()
@@ -230,3 +301,71 @@ def _error_names(path: str) -> Iterator[str]:
     words = last.split("_")
     for k in range(1, len(words) + 1):
         yield block + dot + "_".join([*words[:k], "uncertainty", *words[k:]])
+
+
+MOST_ROWS = 25  # of the differences of all results, the largest first
+
+
+def comparison_table(comparison: Comparison) -> Group:
+    """Differences of input and main results, and the largest of all results, second less first
+    [%].
+
+    Parameters
+    ----------
+    comparison : Comparison
+        Differences of two result folders.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
+    ordered = sorted(
+        comparison.results, key=lambda d: -1.0 if d.relative is None else -abs(d.relative)
+    )
+    shown = ordered[:MOST_ROWS]
+    parts: list[Any] = [
+        Text(f"{which}: {name} (oilfilm {version})")
+        for which, name, version in zip(
+            ("first", "second"), comparison.names, comparison.versions, strict=True
+        )
+    ]
+    inputs = comparison.inputs
+    main = comparison.main
+    parts.append(_table("input", inputs) if inputs else Text("the inputs are equal"))
+    if any(d.first is not None for d in main):
+        parts.append(_table("main results", main))
+    title = "all results, largest differences first"
+    parts.append(_table(title, shown) if shown else Text("the results are equal"))
+    if len(ordered) > len(shown):
+        parts.append(Text(f"... and {len(ordered) - len(shown)} more differences; --json has all"))
+    if any(d.covered for d in (*main, *shown)):
+        parts.append(Text("±: the difference is within the error bars of the two"))
+    return Group(*parts)
+
+
+def _table(title: str, differences: Iterable[Difference]) -> Table:
+    table = Table(
+        box=box.SIMPLE_HEAD,
+        pad_edge=False,
+        padding=(0, 1, 0, 0),
+        title=title,
+        title_justify="left",
+    )
+    table.add_column("", overflow="fold", max_width=38)
+    for name in ("first", "second", "%"):
+        table.add_column(name, justify="right", overflow="fold", max_width=16)
+    for d in differences:
+        if d.first is None and d.second is None:
+            continue
+        percent = number(None if d.relative is None else 100.0 * d.relative, "+.3g")
+        percent = "0" if d.relative == 0.0 else percent
+        percent += " ±" if d.relative is not None and d.covered and d.differs else ""
+        cells = (d.path, _text(d.first), _text(d.second), percent)
+        table.add_row(*(Text(cell) for cell in cells))
+    return table
+
+
+def _text(value: Any) -> str:
+    text = number(value, ".6g")
+    return text if len(text) <= 60 else text[:57] + "..."

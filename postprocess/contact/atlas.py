@@ -13,9 +13,7 @@ from ehl.scaling import ScaledContact, scale_contact
 from ehl.units import from_si, value_with_error
 
 from ..files import plain_document
-from ..quantities import quantities, values_of
-from ..results import Results
-from ..table import facts_table, titled
+from ..quantities import Results, facts_table, quantities, titled, values_of
 
 SOURCE = "atlas"
 MODEL = "films: of the film atlas, flooded, isothermal, of a Newtonian oil; nothing is solved"

@@ -1,30 +1,590 @@
-"""Summary of a single contact."""
+"""Summary of a single contact.
+
+Results of one single contact.
+
+A track pass after pass: summary, message and netCDF group.
+
+Quantities of the film of one contact, single or in a bearing.
+
+Stiffness and damping of a single contact in its summary and in the terminal.
+
+Oil supply of a single contact: its film where the inlet layer starves it.
+
+The fields of contacts, read back from a result folder by their names.
+"""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from difflib import get_close_matches
+from math import sin
+from pathlib import Path
 from typing import Any
 
-from ehl import ContactConditions, ContactSolution
+import numpy as np
+import xarray
+
+from bearing.supply.supply import compression, starvation_law
+from bearing.supply.track import SolvedPass
+from ehl import ContactConditions, ContactSolution, ViscosityLaw
 from ehl.atlas.films import atlas_disagreements
-from ehl.traction.instruments import film_instruments
-from ehl.traction.rolling_moment import rolling_moment
-from ehl.units import MILLIMETRE, from_si
+from ehl.closed_form import film as film_formulas
+from ehl.traction import NormalResponse
+from ehl.traction.instruments import OIL_PERMITTIVITY, FilmInstruments, film_instruments
+from ehl.traction.rolling_moment import RollingMoment, rolling_moment
+from ehl.traction.shear import TractionResult
+from ehl.units import MILLIMETRE, from_si, notebook_html, to_si, value_with_error
 
 from ..files import plain_document
-from .passes import pass_messages, pass_values
-from .quantities import (
-    NO_CYCLE,
-    NO_INSTRUMENT,
-    NO_TRACTION,
-    FilmRecord,
-    film_values,
-    formula_films,
-    oil_permittivity,
-)
-from .response import response_messages, response_values
-from .results import ContactResults
-from .supply import contact_starved_values, contact_supply_messages
+from ..netcdf_read import open_results
+from ..netcdf_write import DataGroup, Variables
+from ..quantities import FILMS, OTHERS, Results, quantities, values_of
+from .view import half_extents, shown_part
 
-FILMS = ("film_central", "film_minimum")
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactResults(Results):
+    """One single contact, computed."""
+
+    solution: ContactSolution
+    traction: TractionResult | None = None
+    response: NormalResponse | None = None
+    no_response: str = ""  # why there is none
+    passes: tuple[SolvedPass, ...] = ()  # of the track, the solution the first of them
+
+    @property
+    def converged(self) -> bool:
+        """True if the film converged, and those of all passes."""
+        return self.solution.converged and all(one.solution.converged for one in self.passes)
+
+    def _repr_html_(self) -> str:
+        """The contact, its traction and stiffness, for a notebook."""
+        facts = self._facts()
+        if self.traction is not None:
+            facts["traction coefficient"] = f"{self.traction.coefficient:.4g}"
+        return notebook_html(self.title or "Contact", facts) + self.solution._repr_html_()
+
+    @property
+    def pictures(self) -> dict[str, int]:
+        """Pictures that are drawn [-]."""
+        return {FILMS: 0, OTHERS: 1}
+
+
+NOT_CONVERGED = "the film of this pass did not converge"
+PASS_QUANTITIES = quantities(
+    "",
+    NOT_CONVERGED,
+    ("inlet_ratio", "layer over the oil of the flooded film", "ratio"),
+    ("film_share", "central film over the flooded one", "share"),
+    ("film_central_um", "central film", "solution.film_central"),
+    ("film_minimum_um", "minimum film", "solution.film_minimum"),
+    ("oil_kept", "oil that leaves over oil that enters", "kept"),
+    ("ridge_ratio", "thickest part of the layer that leaves over its middle", "ridge_ratio"),
+)
+
+
+def pass_values(results: ContactResults) -> list[dict[str, Any]] | None:
+    """The passes one after the other; None where the contact stands alone.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    list[dict[str, Any]] | None
+        Values by key, a dictionary for each pass.
+    """
+    if not results.passes:
+        return None
+    rows = []
+    for number, one in enumerate(results.passes, 1):
+        available = one if one.solution.converged else None
+        head = {"pass": number, "converged": one.solution.converged}
+        rows.append(head | values_of(available, PASS_QUANTITIES))
+    return rows
+
+
+def pass_messages(results: ContactResults) -> Iterator[str]:
+    """Give the reason for missing passes, or explain those there are.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    asked = results.case.get("ehl", {}).get("track_passes")
+    if asked is None:
+        yield "passes: null, no ehl.track_passes"
+    elif not results.passes:
+        yield "passes: null, the first film did not converge"
+    elif not results.passes[-1].solution.converged:
+        last = results.passes[-1].solution.message
+        yield f"passes: ended after {len(results.passes)} of {asked}, not converged: {last}"
+    else:
+        yield (
+            "passes: each contact stands behind the profile that the last one left; what a mesh "
+            "does not see is the side flow inside the contact, where little oil is left"
+        )
+
+
+def pass_group(results: ContactResults) -> DataGroup | None:
+    """Layers over y and film ratios of all passes, SI; in Moes' groups in a and a^2/Rx.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    Group | None
+        The group; None without passes.
+    """
+    if not results.passes:
+        return None
+    first = results.solution
+    length, scale = first.semi_axis_x, first.film_scale
+    unit, layer_unit = ("m", "m") if length and scale else ("a", "a^2/Rx")
+
+    def over(name: str) -> Any:
+        rows = [np.interp(first.Y, p.solution.Y, getattr(p, name)) for p in results.passes]
+        return np.array(rows) * (scale or 1.0)
+
+    plane = ("pass", "y")
+    shares = np.array([p.share if p.solution.converged else np.nan for p in results.passes])
+    variables: Variables = {
+        "y": (("y",), first.Y * (length or 1.0), {"units": unit}),
+        "inlet_layer": (plane, over("inlet"), {"units": layer_unit}),
+        "outlet_layer": (plane, over("outlet"), {"units": layer_unit}),
+        "film_share": (("pass",), shares, {"units": "1"}),
+    }
+    return DataGroup(variables=variables, attributes={})
+
+
+ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
+FORMULAS = (
+    "hamrock_dowson_central hamrock_dowson_minimum chittenden_central nijenbanning_central".split()
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmRecord:
+    """The film of a contact and what is derived of it; None where it was not computed."""
+
+    film: ContactSolution | None
+    traction: TractionResult | None = None
+    rolling: RollingMoment | None = None
+    instruments: FilmInstruments | None = None
+
+    @property
+    def pressure_maximum(self) -> float | None:
+        """Largest pressure of the film [Pa]; None where the scale of pressure is open."""
+        film = self.film
+        return film.pressure_maximum if film is not None and film.hertz_pressure > 0.0 else None
+
+    @property
+    def residual(self) -> float | None:
+        """Residual of the film's equations after the last cycle [-]; None without a complete
+        cycle.
+        """
+        history = () if self.film is None else self.film.record.residual
+        return history[-1] if history else None
+
+    @property
+    def temperature_maximum(self) -> float | None:
+        """Largest mean temperature over the film [K]; None where it was solved without heat."""
+        film = self.film
+        if film is None or film.state is None or film.state.temperature is None:
+            return None
+        return float(film.state.temperature.max())
+
+    @property
+    def traction_force(self) -> list[float] | None:
+        """On body 1 along and across the grid's x [N]."""
+        return None if self.traction is None else [self.traction.force_x, self.traction.force_y]
+
+
+NO_FILM = "no film was computed, or it has no length"
+NO_TRACTION = "it needs a contact with lengths, and a film that converged"
+NO_INSTRUMENT = "it needs a solved film with lengths that converged"
+NO_CYCLE = "no film was computed, or not a single cycle of it was completed"
+FILM_QUANTITIES = (
+    *quantities(
+        "film.",
+        NO_FILM,
+        ("film_central_um", "central film", "film_central", "h_c", "film central"),
+        ("film_central_uncertainty_um", "central film uncertainty", "film_central_uncertainty"),
+        ("film_minimum_um", "minimum film", "film_minimum", "h_min", "film minimum"),
+        ("film_minimum_uncertainty_um", "minimum film uncertainty", "film_minimum_uncertainty"),
+    ),
+    *quantities(
+        "",
+        NO_FILM,
+        ("pressure_maximum_GPa", "maximum pressure", "pressure_maximum", "", "largest pressure"),
+    ),
+    *quantities("", NO_CYCLE, ("residual", "residual of the film's equations")),
+    *quantities(
+        "film.record.", NO_CYCLE, ("mass_imbalance", "oil gained in the film, over its flow")
+    ),
+    *quantities(
+        "",
+        "the film was solved without heat",
+        ("film_temperature_maximum_C", "largest film temperature", "temperature_maximum"),
+    ),
+    *quantities(
+        "",
+        NO_TRACTION,
+        ("traction_coefficient", "traction coefficient", "traction.coefficient", "", "traction"),
+        ("rolling_moment_N_mm", "rolling moment", "rolling.value"),
+        ("rolling_moment_uncertainty_N_mm", "rolling moment uncertainty", "rolling.uncertainty"),
+        ("rolling_moment_box_N_mm", "rolling moment of the box", "rolling.box"),
+    ),
+)
+FURTHER_QUANTITIES = (  # of the summary alone
+    *quantities(
+        "",
+        NO_TRACTION,
+        ("traction_force_N", "traction force", "traction_force"),
+        ("traction_power_W", "heat of the traction", "traction.power_loss"),
+        ("spin_moment_N_mm", "spin moment", "traction.spin_moment"),
+        ("rolling_extent_mm", "meniscus ahead of the centre", "rolling.extent"),
+        ("flooded_layer_um", "layer of oil at the inlet", "rolling.layer"),
+    ),
+    *quantities(
+        "traction.",
+        f"{NO_TRACTION}, or the oil does not shear by Eyring's law",
+        ("eyring_stress_MPa", "Eyring's stress"),
+    ),
+    *quantities(
+        "instruments.",
+        NO_INSTRUMENT,
+        ("capacitance_pF", "capacitance of film and wedge of oil"),
+        ("capacitance_uncertainty_pF", "its uncertainty by the film"),
+        ("capacitance_hertz_pF", "its part within Hertz' ellipse"),
+        ("breakdown_voltage_V", "voltage at which the minimum film breaks down"),
+        ("breakdown_voltage_low_V", "low end of its range"),
+        ("breakdown_voltage_high_V", "high end of its range"),
+        ("ultrasonic_stiffness_GPa_um", "bulk modulus over film at the centre"),
+        ("ultrasonic_stiffness_uncertainty_GPa_um", "its uncertainty by the film"),
+    ),
+)
+NO_LAYER = "the film stands behind no layer (ehl.starvation), or did not converge"
+SUPPLY_QUANTITIES = (
+    *quantities(
+        "film.",
+        NO_LAYER,
+        ("flooded_film_central_um", "flooded central film", "flooded_central"),
+        (
+            "flooded_film_central_uncertainty_um",
+            "flooded central film uncertainty",
+            "flooded_central_uncertainty",
+        ),
+        ("flooded_film_minimum_um", "flooded minimum film", "flooded_minimum"),
+        (
+            "flooded_film_minimum_uncertainty_um",
+            "flooded minimum film uncertainty",
+            "flooded_minimum_uncertainty",
+        ),
+    ),
+    *quantities(
+        "film.supply.",
+        NO_LAYER,
+        ("inlet_ratio", "layer over the oil of the flooded film"),
+        ("meniscus_position", "meniscus in semi-axes", "meniscus"),
+        ("rolling_moment_ratio", "share of the rolling moment"),
+        ("damping_ratio", "share of the damping at 0.3 u_m/a", "damping.value"),
+        ("damping_ratio_uncertainty", "share of the damping, uncertainty", "damping.uncertainty"),
+    ),
+)
+ALL_FILM_QUANTITIES = (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES)
+
+
+def film_values(record: FilmRecord) -> dict[str, Any]:
+    """Values of the film's quantities by key, in the units of the keys.
+
+    Parameters
+    ----------
+    record : FilmRecord
+        Film of a contact and what is derived of it.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
+    return values_of(record, ALL_FILM_QUANTITIES)
+
+
+def oil_permittivity(case: dict[str, Any]) -> float:
+    """Relative permittivity of a case's oil [-].
+
+    Parameters
+    ----------
+    case : dict[str, Any]
+        Case as run, plain JSON.
+
+    Returns
+    -------
+    float
+        Relative permittivity [-].
+    """
+    return case.get("lubricant", {}).get("relative_permittivity") or OIL_PERMITTIVITY
+
+
+def formula_films(conditions: object) -> dict[str, float | None]:
+    """Films of formulas [um]; None without dimensions, oblique, or for an isoviscous oil.
+
+    Parameters
+    ----------
+    conditions : object
+        Conditions of the contact.
+
+    Returns
+    -------
+    dict[str, float | None]
+        Film by the name of the formula [um].
+    """
+    if (
+        not isinstance(conditions, ContactConditions)
+        or abs(sin(conditions.entrainment_angle)) > ALIGNED
+        or conditions.lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
+    ):
+        return dict.fromkeys(FORMULAS)
+    films = {name: getattr(film_formulas, f"film_{name}")(conditions) for name in FORMULAS}
+    return {name: from_si("film_um", film) for name, film in films.items()}
+
+
+NO_RESPONSE = "it is that of a flooded, isothermal contact with lengths, solved and resolved"
+RESPONSE_QUANTITIES = quantities(
+    "",
+    NO_RESPONSE,
+    ("stiffness_N_um", "stiffness along the normal", "stiffness.value"),
+    ("stiffness_uncertainty_N_um", "stiffness uncertainty", "stiffness.uncertainty"),
+    ("damping_N_s_m", "squeeze damping", "damping.value"),
+    ("damping_uncertainty_N_s_m", "squeeze damping uncertainty", "damping.uncertainty"),
+)
+
+
+def response_values(response: NormalResponse | None) -> dict[str, Any]:
+    """Values by key in the units of the keys; over frequency in `response`, None where no
+    frequency was asked for.
+
+    Parameters
+    ----------
+    response : NormalResponse | None
+        Stiffness and damping along the normal, or None.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
+    available = (
+        response if response is not None and response.converged and response.resolved else None
+    )
+    over: dict[str, Any] | None = None
+    if available is not None and available.frequencies:
+        curves = (
+            ("stiffness", "N_um", available.stiffnesses),
+            ("damping", "N_s_m", available.dampings),
+        )
+        over = {"frequency_Hz": list(available.frequencies)}
+        for name, unit, samples in curves:
+            key = f"{name}_{unit}"
+            bar = f"{name}_uncertainty_{unit}"
+            over[key] = [from_si(key, sample.value) for sample in samples]
+            over[bar] = [from_si(bar, sample.uncertainty) for sample in samples]
+    return {**values_of(available, RESPONSE_QUANTITIES), "response": over}
+
+
+def response_messages(results: ContactResults) -> Iterator[str]:
+    """Give the reason why stiffness and damping are null, or remarks on them.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    response = results.response
+    keys = "stiffness_N_um, damping_N_s_m, response"
+    if response is None:
+        yield f"{keys}: null, {results.no_response}"
+    elif not response.converged:
+        yield f"{keys}: null, {response.message}"
+    elif not response.resolved:
+        yield f"{keys}: null, the mesh does not resolve the film; try more points"
+    else:
+        if response.message != "converged":
+            yield f"stiffness_N_um, damping_N_s_m: {response.message}"
+        if response.damping.value < 0.0:
+            yield (
+                "damping_N_s_m: negative, as in slow movement the oil that fills the inlet of "
+                "closing bodies is missing from the film; ehl.response_frequencies_Hz gives the "
+                "damping over frequency"
+            )
+        if not response.frequencies:
+            yield "response: null, no ehl.response_frequencies_Hz"
+
+
+def response_row(response: NormalResponse | None) -> str:
+    """Stiffness and damping with their error bars; empty where there are none.
+
+    Parameters
+    ----------
+    response : NormalResponse | None
+        Stiffness and damping along the normal, or None.
+
+    Returns
+    -------
+    str
+        The words.
+    """
+    values = response_values(response)
+    stiffness, bar, damping, other = (values[quantity.key] for quantity in RESPONSE_QUANTITIES)
+    if stiffness is None:
+        return ""
+    return f"{value_with_error(stiffness, bar)} N/µm, {value_with_error(damping, other)} N s/m"
+
+
+KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
+SOLVED = (
+    "inlet_ratio",
+    "meniscus_position",
+    "rolling_moment_ratio",
+    "damping_ratio",
+    "outlet_layer",
+)
+NAMES = ("central", "minimum")
+OUTLET_POINTS = 64  # of the layer left behind in the summary, at least
+LAW_MESSAGE = (
+    "supply: inlet film, by the law of starvation: film_... are the films that it leaves of "
+    "flooded_film_..., their error bars hold its own; pressure and shear are those of the flooded "
+    "pressure; meniscus_position, outlet_layer: null, the law knows none"
+)
+OUTSIDE_MESSAGE = (
+    "the contact lies outside those that the law of starvation was solved for; it takes the "
+    "nearest ones, with wider error bars"
+)
+
+
+def contact_starved_values(results: ContactResults) -> dict[str, Any]:
+    """Starved films over the flooded ones [-] and in [um]; None without an inlet film.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
+    left = {"outlet_layer": _outlet_layer(results.solution)}
+    return {**_films_left(results), **_flooded_films(results.solution), **left}
+
+
+def _outlet_layer(solution: ContactSolution) -> dict[str, Any] | None:
+    """Oil that leaves the box over the axis across, at ambient density; in Moes' groups over the
+    semi-axis along x; None where no film was solved behind a layer.
+    """
+    supply = solution.supply if solution.converged else None
+    if supply is None or supply.outlet_layer is None:
+        return None
+    step = max(solution.Y.size // OUTLET_POINTS, 1)
+    y, layer = solution.Y[::step], supply.outlet_layer[::step]
+    if solution.semi_axis_x is None or solution.film_scale is None:
+        return {"y_dimensionless": y.tolist(), "layer_dimensionless": layer.tolist()}
+    return {
+        "y_mm": [from_si("y_mm", value) for value in y * solution.semi_axis_x],
+        "layer_um": [from_si("film_um", value) for value in layer * solution.film_scale],
+    }
+
+
+def _films_left(results: ContactResults) -> dict[str, float | None]:
+    solution = results.solution
+    if solution.supply is not None and solution.converged:
+        flooded = solution.supply.flooded_central.value
+        share = solution.film_central_dimensionless.value / flooded
+        values = (share, solution.film_central, solution.film_minimum)
+        return {key: from_si(key, value) for key, value in zip(KEYS, values, strict=True)}
+    layer = results.case.get("lubricant", {}).get("inlet_film_um")
+    central, minimum = solution.film_central, solution.film_minimum
+    if layer is None or central is None or minimum is None or solution.supply is not None:
+        return dict.fromkeys(KEYS)
+    given = solution.conditions
+    assert isinstance(given, ContactConditions)  # the film has a length
+    compressed = compression(solution.hertz_pressure, given.lubricant) * central
+    shares = starvation_law(given, compressed)(to_si("inlet_film_um", layer) / compressed)
+    share = shares.central.value
+    values = (share, share * central, shares.minimum_film(central, minimum))
+    return {key: from_si(key, value) for key, value in zip(KEYS, values, strict=True)}
+
+
+def _flooded_films(solution: ContactSolution) -> dict[str, float | None]:
+    """Flooded films and their uncertainties in the same box [a^2/Rx]."""
+    supply = solution.supply if solution.converged else None
+    values: dict[str, float | None] = {}
+    for name in NAMES:
+        film = None if supply is None else getattr(supply, f"flooded_{name}")
+        for quantity, part in (("", "value"), ("_uncertainty", "uncertainty")):
+            number = None if film is None else getattr(film, part)
+            values[f"flooded_film_{name}{quantity}_dimensionless"] = number
+    return values
+
+
+def contact_supply_messages(results: ContactResults) -> Iterator[str]:
+    """Name the starved numbers, or the reason why there are none.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    solution = results.solution
+    given = results.case.get("lubricant", ())
+    solved = f"flooded_film_..., {', '.join(SOLVED)}"
+    if solution.supply is not None and solution.supply.law is not None:
+        yield LAW_MESSAGE
+        if not solution.supply.law.inside:
+            yield f"supply: {OUTSIDE_MESSAGE}"
+    elif solution.supply is not None:
+        if solution.supply.meniscus is None:
+            yield "meniscus_position: null, the layer is thicker than the gap where the box begins"
+        if solution.conditions.inlet_layer is not None and solution.film_scale is None:
+            yield "starved_film_..._um: null, the case gives no lengths"
+    elif solution.conditions.inlet_layer is not None:
+        yield f"starved_film_..., {solved}: null, the flooded film did not converge"
+    elif not {"inlet_film_um", "inlet_film_dimensionless"} & set(given):
+        yield f"starved_film_..., {solved}: null, the supply is flooded"
+    elif solution.converged:
+        keys = (
+            "starved are starved_film_... alone, by the law of starvation; all else is of the "
+            "flooded film"
+        )
+        yield f"supply: inlet film; {keys}"
+        yield f"{solved}: null, they need a film behind its layer (ehl.starvation)"
+    else:
+        yield f"starved_film_..., {solved}: null, the flooded film did not converge"
+
+
+FILM_KEYS = ("film_central", "film_minimum")
 WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is reported [-]
 
 
@@ -140,7 +700,7 @@ def _record(results: ContactResults) -> FilmRecord:
 def _dimensionless_films(solution: ContactSolution) -> dict[str, float | None]:
     """Extrapolated films and their uncertainties [-], units a^2/Rx; None where not converged."""
     values: dict[str, float | None] = {}
-    for name in FILMS:
+    for name in FILM_KEYS:
         film = getattr(solution, f"{name}_dimensionless")
         available = solution.converged
         values[f"{name}_dimensionless"] = film.value if available else None
@@ -164,9 +724,9 @@ def _centre(solution: ContactSolution) -> float:
 
 def _finest_grid(solution: ContactSolution) -> dict[str, float | None]:
     scale = solution.film_scale
-    films = {name: getattr(solution, f"{name}_dimensionless").finest for name in FILMS}
+    films = {name: getattr(solution, f"{name}_dimensionless").finest for name in FILM_KEYS}
     if not solution.converged:
-        films = dict.fromkeys(FILMS)
+        films = dict.fromkeys(FILM_KEYS)
     lengths = {
         name: None if scale is None or film is None else film * scale
         for name, film in films.items()
@@ -214,3 +774,104 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
         yield f"rolling_moment_N_mm: of the box; rolling_extent_mm: null, {record.rolling.note}"
     elif record.rolling.note:
         yield f"rolling_moment_N_mm: {record.rolling.note}"
+
+
+KINDS = ("bearing", "contact")  # of results that have contacts
+
+
+def require_contacts(directory: str | Path, tree: xarray.DataTree, lack: str) -> None:
+    """Refuse results of a kind without contacts.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    tree : xarray.DataTree
+        Opened results.
+    lack : str
+        What such results lack, for the message.
+
+    Raises
+    ------
+    ValueError
+        If results of this kind have no contacts.
+    """
+    kind = tree.attrs["kind"]
+    if kind not in KINDS:
+        allowed = ", ".join(KINDS)
+        raise ValueError(
+            f"{directory} holds results of kind {kind}, which have no {lack}; allowed: {allowed}"
+        )
+
+
+def film_maps(tree: xarray.DataTree) -> dict[str, xarray.DataTree]:
+    """Contacts with a film by their names, such as `ball01/inner`.
+
+    Parameters
+    ----------
+    tree : xarray.DataTree
+        Opened results.
+
+    Returns
+    -------
+    dict[str, xarray.DataTree]
+        Groups by the name of the contact.
+    """
+    leaves = tree["contacts"].leaves if "contacts" in tree.children else ()
+    names = {leaf.path.removeprefix("/contacts/"): leaf for leaf in leaves}
+    return {name: leaf for name, leaf in names.items() if "h" in leaf.data_vars}
+
+
+def open_contact(directory: str | Path, contact: str | None = None) -> tuple[str, xarray.Dataset]:
+    """Name and fields of one contact.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    contact : str | None, optional
+        `ball01/inner` or `contact`; the first with a film if None.
+
+    Returns
+    -------
+    value
+        Name of the contact.
+    value
+        Its fields, in memory.
+
+    Raises
+    ------
+    ValueError
+        If there are no fields, or none of this name.
+    """
+    with open_results(directory) as tree:
+        films = film_maps(tree)
+        if not films:
+            raise ValueError(f"{directory} holds no film maps")
+        name = next(iter(films)) if contact is None else contact
+        if name not in films:
+            matches = get_close_matches(name, films, n=1, cutoff=0.3)
+            hint = f"did you mean {matches[0]!r}?" if matches else f"there are {', '.join(films)}"
+            raise ValueError(f"{directory} has no film map of {name!r}; {hint}")
+        return name, films[name].to_dataset(inherit=False).load()
+
+
+def shown_nodes(data: xarray.Dataset) -> tuple[slice, slice]:
+    """Index ranges of the nodes shown of a contact's data set.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Fields of a contact.
+
+    Returns
+    -------
+    value
+        Range along the entrainment.
+    value
+        Range across it.
+    """
+    a = float(data.attrs["semi_axis_x"])
+    kappa = float(data.attrs["semi_axis_y"]) / a
+    half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)
+    return shown_part(data["x"].values, data["y"].values, data["P"].values, a * half_x, a * half_y)

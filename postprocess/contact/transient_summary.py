@@ -1,6 +1,10 @@
-"""Summary and table of a contact over time."""
+"""Summary and table of a contact over time.
+
+Results of a contact over time.
+"""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from math import inf
 from typing import Any
 
@@ -9,10 +13,28 @@ from rich.console import Group
 from rich.table import Table
 
 from ehl.transient.inputs import Feature
+from ehl.transient.record import TransientSolution
+from ehl.transient.waves import WaveResult
 from ehl.units import from_si
 
 from ..files import plain_document
-from .transient_results import TransientResults
+from ..quantities import Results
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TransientResults(Results):
+    """A contact over time, computed."""
+
+    solution: TransientSolution
+    waves: tuple[WaveResult, ...] = ()
+    resumed: int = 0  # step that the computation went on from
+    wall: float = 0.0  # of the steps made by this command [s]
+
+    @property
+    def converged(self) -> bool:
+        """True if all steps were computed and solved."""
+        return self.solution.converged
+
 
 FILMS = ("film_central", "film_minimum")
 

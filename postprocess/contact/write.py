@@ -1,17 +1,21 @@
-"""Fields of contacts as netCDF groups, and the file of a single contact."""
+"""Fields of contacts as netCDF groups, and the file of a single contact.
+
+A single contact in the terminal.
+"""
 
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from rich.console import Group
 
 from ehl import ContactSolution
 from ehl.solution import OilSupply
-from ehl.units import from_si
+from ehl.units import GIGAPASCAL, MICROMETRE, from_si, value_with_error
 
-from ..netcdf.groups import Group, Variables, root_attributes, write_groups
-from .passes import pass_group
-from .results import ContactResults
+from ..netcdf_write import DataGroup, Variables, root_attributes, write_groups
+from ..quantities import facts_table, titled
+from .summary import ContactResults, pass_group, response_row
 
 
 def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str, Any]) -> None:
@@ -26,13 +30,13 @@ def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str
     document : dict[str, Any]
         Summary of the results in named units.
     """
-    root = Group(attributes=root_attributes(document, "contact"))
+    root = DataGroup(attributes=root_attributes(document, "contact"))
     groups = {"/": root, "/contacts/contact": field_group(results.solution)}
     passes = pass_group(results)
     write_groups(groups if passes is None else groups | {"/passes": passes}, path)
 
 
-def field_group(solution: ContactSolution) -> Group:
+def field_group(solution: ContactSolution) -> DataGroup:
     """P and h over the contact plane, SI; in Moes' groups lengths in a, films in a^2/Rx.
 
     Parameters
@@ -68,7 +72,7 @@ def field_group(solution: ContactSolution) -> Group:
         fields[f"{name}_uncertainty"] = ((), value.uncertainty * h, of_film)
     fields["x"] = (("x",), solution.X * a, {"units": unit, "long_name": "along the entrainment"})
     fields["y"] = (("y",), solution.Y * a, {"units": unit, "long_name": "across the entrainment"})
-    return Group(
+    return DataGroup(
         variables=fields,
         attributes={
             "semi_axis_x": a,
@@ -100,3 +104,56 @@ def _supply_fields(supply: OilSupply, film: float | None) -> Variables:
         thickness = from_si("film_um", supply.outlet_layer * film)
         outlet = ("outlet_layer_um", thickness, layer | {"units": "um"})
     return {"filled": (("x", "y"), share, about), outlet[0]: (("y",), *outlet[1:])}
+
+
+DECIMALS = 4  # of films [um]
+
+
+def contact_table(results: ContactResults) -> Group:
+    """Title, films, pressure, traction, box and work, units beside the numbers.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
+    solution = results.solution
+    rows = {"M, L": f"{solution.moes_load:.4g}, {solution.moes_lubricant:.4g}"}
+    rows |= {f"{name} film": _film(solution, f"film_{name}") for name in ("central", "minimum")}
+    if solution.hertz_pressure > 0.0:
+        pressures = (solution.hertz_pressure / GIGAPASCAL, solution.pressure_maximum / GIGAPASCAL)
+        rows["pressure"] = "Hertz {:.4g} GPa, largest {:.4g} GPa".format(*pressures)
+    nx, ny = solution.P.shape
+    x_in, x_out, y_half = solution.domain
+    rows["box"] = f"x/a {x_in:.3g} ... {x_out:.3g}, |y|/b < {y_half:.3g}, {nx} x {ny} points"
+    rows["work"] = f"{solution.record.cycles} cycles, {solution.record.wall_time:.2f} s"
+    traction = results.traction
+    if traction is not None and traction.sliding_loss > 0.0:  # the surfaces slide
+        heat = f"heat {traction.power_loss:.4g} W"
+        rows["traction"] = f"coefficient {traction.coefficient:.4f}, {heat}"
+    if response := response_row(results.response):
+        rows["stiffness, damping"] = response
+    if results.passes:
+        films = ", ".join(f"{p.share:.3g}" for p in results.passes if p.solution.converged)
+        rows["film by pass"] = f"{films} of the flooded one"
+    if not solution.converged:
+        rows["NOT CONVERGED"] = solution.message
+    if not solution.resolved:
+        rows["NOT RESOLVED"] = f"{solution.message}; take a larger [ehl] points"
+    return titled(results.title, facts_table(rows))
+
+
+def _film(solution: ContactSolution, name: str) -> str:
+    """A film and its uncertainty, in units of a²/Rx and, where it has a length, in [um]."""
+    film = getattr(solution, f"{name}_dimensionless")
+    text = f"{value_with_error(film.value, film.uncertainty)} a²/Rx"
+    if solution.film_scale is None:
+        return text
+    value = getattr(solution, name) / MICROMETRE
+    error = getattr(solution, f"{name}_uncertainty") / MICROMETRE
+    return f"{text} = {value_with_error(value, error, most=DECIMALS)} µm"

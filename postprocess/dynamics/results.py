@@ -1,12 +1,39 @@
-"""A time simulation of one case."""
+"""A time simulation of one case.
 
+Quantities of a time simulation: of its run, its speeds, its balls, and of its pictures.
+
+The history of a time simulation, read from its file.
+
+Summary of a time simulation.
+"""
+
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+import xarray as xr
+
+from bearing.dynamics._integration_kernels import EVALUATIONS, REJECTED, STEPS
+from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
 from bearing.dynamics.simulation import Simulation
-from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics
+from bearing.dynamics.statistics import (
+    FEWEST_PLACES,
+    INPUTS,
+    LOSSES,
+    MECHANISMS,
+    RunningStatistics,
+    SimulationStatistics,
+    simulation_statistics,
+    states,
+)
+from bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
+from ehl.units import from_si
 
-from ..results import Results
+from ..files import plain
+from ..quantities import CAGE_SPEED, Results, by_key, quantities, rows_of, values_of
+from .history import FORMAT, HISTORY_FILE
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -18,3 +45,253 @@ class DynamicsResults(Results):
     history: Path  # file with the records themselves
     # ends of further starts, without a history; None: one did not get there
     others: tuple[SimulationStatistics | None, ...] = ()
+
+
+NO_INTERVAL = "there are fewer samples than a confidence interval needs"
+NO_WHIRL = "the centre stays on the axis or is fixed"
+STATES = ("free", "contact", "impact")  # of a ball at a race
+RUN = quantities(
+    "",
+    "",
+    ("simulated_s", "simulated time", "state.time"),
+    ("wall_s", "wall time", "wall"),
+    ("stiff", "", "state.stiff"),
+    ("load_type", "", "state.kind.value"),
+)
+SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ratios
+    CAGE_SPEED,
+    *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
+    *quantities("", "", ("ball_spin_speed_rpm", "", "spin_speed")),
+    *quantities("", "", ("contact_angle_deg", "mean contact angle", "contact_angle")),
+    *quantities("", "", ("kinematic_cage_speed_rpm", "", "kinematic_speed")),
+    *quantities("", "nothing turns", "cage_speed_ratio", "cage_slip_ratio"),
+    *quantities(
+        "",
+        NO_INTERVAL,
+        ("cage_speed_interval_rpm", "", "cage_interval"),
+        ("ball_orbit_speed_interval_rpm", "", "orbit_interval"),
+    ),
+    *quantities(
+        "",
+        NO_WHIRL,
+        ("ring_whirl_speed_rpm", "", "ring_whirl"),
+        ("cage_whirl_speed_rpm", "", "cage_whirl"),
+    ),
+    *quantities(
+        "",
+        "there is no cage, or samples are too few",
+        ("cage_whirl", "", "cage_whirls"),
+        words=True,
+    ),
+    *quantities("", NO_WHIRL, ("cage_orbit_radius_um", "", "cage_orbit")),
+    *quantities("", "", ("energy_balance_error", "", "energy_error")),
+)
+STARTS = (  # of the end of each
+    CAGE_SPEED,
+    *quantities("", NO_INTERVAL, ("cage_speed_interval_rpm", "", "cage_interval")),
+    *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
+)
+BALLS = quantities("", "", "largest_pocket_load_N")
+RACES = quantities(  # of each ball at each race; sliding and friction while it is loaded
+    "",
+    "",
+    "mean_load_N",
+    "largest_load_N",
+    ("mean_sliding_m_s", "", "mean_sliding"),
+    ("largest_sliding_m_s", "", "largest_sliding"),
+    ("mean_friction_N", "", "mean_friction"),
+)
+PLOTTED = by_key(
+    quantities(
+        "",
+        "",
+        "time_ms",
+        ("speed_rpm", "speed about the axis"),
+        ("spin_speed_rpm", "spin of the balls"),
+        ("normal_force_N", "normal force on ball 1"),
+        ("friction_N", "friction along the entrainment"),
+        ("sliding_speed_m_s", "sliding speed at the\ncontact's centre"),
+        "traction_factor",
+        ("azimuth_deg", "azimuth of ball 1"),
+        ("y_um", "y, along the load line"),
+        "z_um",
+        "frequency_Hz",
+        ("amplitude_um", "inner ring"),
+        "energy_J",
+    )
+)
+
+
+def open_history(path: str | Path) -> xr.Dataset:
+    """Open the history of a time simulation; quantities are read from disk when first used.
+
+    Parameters
+    ----------
+    path : str | Path
+        File or its folder.
+
+    Returns
+    -------
+    xr.Dataset
+        History, SI.
+
+    Raises
+    ------
+    ValueError
+        If there is no history, or one that this version does not read.
+    """
+    path = Path(path)
+    path = path / HISTORY_FILE if path.is_dir() else path
+    if not path.is_file():
+        raise ValueError(f"{path.parent} holds no history of a simulation: {path.name} is missing")
+    data = xr.open_dataset(path, engine="h5netcdf")
+    if data.attrs.get("oilfilm_history") != FORMAT:
+        data.close()
+        raise ValueError(f"{path} is no history of a simulation that this version reads")
+    return data
+
+
+ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
+
+
+def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
+    """The simulation as plain JSON: speeds [r/min], energies [J], loads [N], times [s].
+
+    What does not apply is None with the reason in `messages`.
+
+    Parameters
+    ----------
+    results : DynamicsResults
+        Results of the simulation.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
+    simulation = results.simulation
+    numbers = simulation_statistics(simulation, results.running)
+    counters = simulation.state.counters
+    balanced = numbers is not None and numbers.energy_error <= ENERGY_LIMIT
+    document = {
+        **values_of(simulation, RUN),
+        "steps": counters[STEPS],
+        "rejected_steps": counters[REJECTED],
+        "evaluations": counters[EVALUATIONS],
+        "equations": simulation.equations["dynamic"],
+        "equation_counts": simulation.equations,
+        **values_of(numbers, SPEEDS),
+        "energy": None if numbers is None else _energy(numbers),
+        "frequencies_Hz": None if numbers is None else _frequencies(simulation, numbers),
+        "balls": [] if numbers is None else _balls(simulation, numbers),
+        **_starts(results, numbers),
+        "timing_s": results.timing,
+    }
+    messages = (*_messages(numbers), *_start_messages(results, document))
+    head = results.head(simulation.converged and balanced, messages)
+    return head | dict(plain(document))
+
+
+def _starts(results: DynamicsResults, numbers: SimulationStatistics | None) -> dict[str, Any]:
+    """Ends of all starts and the number of states among them; one start shows one."""
+    ends = [end for end in (numbers, *results.others) if end is not None]
+    return {"states_found": len(states(ends)), "starts": [values_of(end, STARTS) for end in ends]}
+
+
+def _start_messages(results: DynamicsResults, document: dict[str, Any]) -> Iterator[str]:
+    lost = sum(end is None for end in results.others)
+    if lost:
+        yield f"dynamics: {lost} of the further starts did not reach the end"
+    if document["states_found"] > 1:
+        speeds = ", ".join(f"{end['cage_speed_rpm']:.1f}" for end in document["starts"])
+        yield (
+            f"dynamics: {document['states_found']} states found from {len(document['starts'])} "
+            f"starts, by the cage speed: {speeds} r/min; which one a bearing takes depends on its "
+            "history, and the intervals hold within a state"
+        )
+
+
+def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
+    if numbers is None:
+        yield "dynamics: not converged: no sample was reached; all results are null"
+        return
+    if numbers.energy_error > ENERGY_LIMIT:
+        error = f"{numbers.energy_error:.2g} of the work"
+        yield f"dynamics: not converged: the energies are off by {error}; lower tolerance"
+    if numbers.cage_interval is None:
+        yield "dynamics: fewer than 60 samples: no confidence interval of the speeds"
+    if numbers.cage_whirls:
+        yield _whirl(numbers)
+    if numbers.averaged < FEWEST_PLACES:
+        yield "dynamics: too few samples to tell whether ring and cage whirl"
+        return
+    still = [name for name in ("ring", "cage") if getattr(numbers, f"{name}_whirl") is None]
+    if still:
+        bodies = " and ".join(still)
+        yield f"dynamics: no whirl: the centre of {bodies} stays on the axis or is fixed"
+
+
+def _whirl(numbers: SimulationStatistics) -> str:
+    """Speed, size and forces of a cage that whirls."""
+    assert numbers.cage_whirl is not None  # of a cage that whirls
+    assert numbers.cage_orbit is not None
+    assert numbers.cage_play is not None
+    speed = f"{from_si('speed_rpm', numbers.cage_whirl):.0f} r/min"
+    ratio = numbers.cage_whirl / numbers.cage_speed if numbers.cage_speed else 0.0
+    radius, play = (from_si("orbit_um", size) for size in (numbers.cage_orbit, numbers.cage_play))
+    return (
+        f"dynamics: the cage whirls: its centre goes round at {speed}, {ratio:.2f} of the cage's "
+        f"speed, on a radius of {radius:.0f} of {play:.0f} um of play, with up to "
+        f"{numbers.largest_pocket_load.max():.2g} N in a pocket"
+    )
+
+
+def _energy(numbers: SimulationStatistics) -> dict[str, Any]:
+    """[J]."""
+    return {
+        "input_J": {name: numbers.work[name] for name in MECHANISMS[:INPUTS]},
+        "dissipated_J": {name: numbers.work[name] for name in MECHANISMS[LOSSES]},
+        "films_J": numbers.work["films"],
+        "stored_J": numbers.stored,
+    }
+
+
+def _frequencies(simulation: Simulation, numbers: SimulationStatistics) -> dict[str, Any]:
+    """Defect frequencies, kinematic and with the cage speed of the simulation [Hz]."""
+    schedule = simulation.data.schedule
+    bearing = simulation.bearing
+    balls = bearing.balls
+    inner = schedule[-1, INNER_SPEED] / (2.0 * np.pi)
+    outer = schedule[-1, OUTER_SPEED] / (2.0 * np.pi)
+    angle = numbers.contact_angle
+    ratio = bearing.ball_diameter / bearing.pitch_diameter
+    gamma = ratio * float(np.cos(angle))
+    rolling = ball_spin_without_slip(ratio, gamma, inner, outer)
+    speeds = {
+        "kinematic": (cage_speed_without_slip(gamma, inner, outer), rolling),
+        "with_slip": (numbers.orbit_speed / (2.0 * np.pi), numbers.spin_speed / (2.0 * np.pi)),
+    }
+    return {
+        name: {
+            "cage": abs(cage),
+            "ball_pass_outer": balls * abs(cage - outer),
+            "ball_pass_inner": balls * abs(inner - cage),
+            "ball_spin": spin,
+        }
+        for name, (cage, spin) in speeds.items()
+    }
+
+
+def _balls(simulation: Simulation, numbers: SimulationStatistics) -> list[dict[str, Any]]:
+    angles = np.degrees(simulation.data.pocket_angle) % 360.0
+    shares = np.moveaxis(numbers.shares, 2, 1)
+    loads = values_of(numbers, RACES)
+    races = {
+        race: rows_of(
+            dict(zip(STATES, shares[r], strict=True))
+            | {key: values[r] for key, values in loads.items()}
+        )
+        for r, race in enumerate(("inner", "outer"))
+    }
+    columns = {"ball": range(1, len(angles) + 1), "start_azimuth_deg": angles}
+    return rows_of(columns | races | values_of(numbers, BALLS))

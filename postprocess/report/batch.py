@@ -8,7 +8,7 @@ from markupsafe import Markup
 
 from ehl.units import unit_symbol
 
-from ..batch.main_results import MAIN_QUANTITY
+from ..batch.results import MAIN_QUANTITY
 from . import html
 
 MAX_ROWS = 500  # points listed; the CSV has all

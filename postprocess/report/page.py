@@ -8,9 +8,9 @@ from typing import Any
 from ehl.units import unit_symbol
 
 from ..files import read_summary, write_text
-from . import batch, bearing, dynamics, html
-from . import cards as headline
-from .vibration import PICTURES, vibration_section
+from . import batch, bearing, html, simulations
+from . import html as headline
+from .simulations import VIBRATION_PICTURES, vibration_section
 
 REPORT_FILE = "report.html"
 GENERATOR = '<meta name="generator" content="oilfilm'
@@ -114,8 +114,8 @@ def is_urgent(message: str) -> bool:
 def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
     """Anchor, title and content of every part of a single case's page."""
     yield "input", "Input", bearing.input_tables(summary["case"])
-    if dynamics.is_simulation(summary):
-        yield "dynamics", "Time simulation", dynamics.dynamics_section(summary, folder)
+    if simulations.is_simulation(summary):
+        yield "dynamics", "Time simulation", simulations.dynamics_section(summary, folder)
     else:
         yield from bearing.sections(summary, folder)
     yield "vibration", "Vibration", vibration_section(summary, folder)
@@ -139,8 +139,8 @@ def further_results(summary: dict[str, Any]) -> str:
     str
         Markup.
     """
-    is_simulation = dynamics.is_simulation(summary)
-    placed = bearing.PLACED | (dynamics.PLACED if is_simulation else frozenset())
+    is_simulation = simulations.is_simulation(summary)
+    placed = bearing.PLACED | (simulations.PLACED if is_simulation else frozenset())
     blocks = {
         key: value
         for key, value in summary.items()
@@ -178,9 +178,9 @@ def _rows(rows: list[Any]) -> html.Table | None:
 
 def _further_pictures(summary: dict[str, Any], folder: Path) -> str:
     """Pictures that no part of the page places: slip maps, what later versions draw."""
-    placed = bearing.known_pictures(summary) | dynamics.pictures(summary)
+    placed = bearing.known_pictures(summary) | simulations.pictures(summary)
     if "vibration" in summary:
-        placed |= {f"{name}.png" for name in PICTURES}
+        placed |= {f"{name}.png" for name in VIBRATION_PICTURES}
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
     pictures = [html.picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
     return html.side_by_side(*pictures, kind="gallery")

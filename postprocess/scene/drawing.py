@@ -1,10 +1,15 @@
-"""The scene of a result directory, drawn with pyvista; as a module it draws what `scene` asks."""
+"""The scene of a result directory, drawn with pyvista; as a module it draws what `scene` asks.
+
+Loads and rotation of the bearing of a scene as arrows with their sizes, and its axes.
+
+Elastic rings as a scene shows them: their displacement exaggerated, on their surface.
+"""
 
 import asyncio
 import json
 import sys
 from dataclasses import dataclass
-from math import pi
+from math import floor, log10, pi
 from pathlib import Path
 from typing import Any
 
@@ -13,21 +18,264 @@ import pyvista as pv
 import xarray
 
 from ehl.arrays import Array
-from ehl.units import MILLIMETRE
+from ehl.units import MICROMETRE, MILLIMETRE
 
-from ..contact.stored import film_maps
-from ..netcdf.reader import open_results
-from ..plot_style import INK, RULING_PRESSURE, common_film_range
-from . import arrows, parts
-from .controls import NUMBERS, add_controls, patch_numbers, write_movie
-from .deformed import deformed_rings, deformed_surface, shown_factor
-from .geometry import Placement
-from .page import Spot, add_flat_labels, add_overlay
+from ..contact.summary import film_maps
+from ..netcdf_read import open_results
+from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, RULING_PRESSURE, common_film_range
+from . import parts
+from .geometry import Placement, about_axis
 from .parts import ColourScale, Label
 from .patch import Patch
-from .rendering import read_request, require_rendering
-from .ring_deformed import DISTANCE
+from .rendering import (
+    NUMBERS,
+    Spot,
+    add_controls,
+    add_flat_labels,
+    add_overlay,
+    patch_numbers,
+    read_request,
+    require_rendering,
+    write_movie,
+)
 from .scene import LABELS, SceneOptions, check_scene
+from .vtk import DISPLACEMENT, DISTANCE, ring_files
+
+LOAD_COLOUR = "#b3202c"
+ROUND_OFF = 1e-6  # a load below this share of the other one is noise of the equilibrium [-]
+LONGEST = 1.3  # arrow of the largest load over the radius of the bore [-]
+SHORTEST = 0.45  # arrow of a smaller load, likewise [-]
+SPAN = 1.1  # of the arrow of a rotation [rad]
+SPEED_STEPS = 24  # of that arrow
+FORM: Any = {"shaft_radius": 0.025, "tip_radius": 0.06, "tip_length": 0.18}
+X = (1.0, 0.0, 0.0)  # axis of the bearing
+AXES = {"x": X, "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Room:
+    """Free places of a bearing for arrows, lengths in [mm]."""
+
+    ball_diameter: float
+    bore: float  # radius
+    front: float  # axial end on the side of +x
+    faces: dict[str, float]  # radius in the middle of each ring's face, by race
+    outside: float  # radius of the outer ring
+
+    @classmethod
+    def of(cls, bodies: Any, ball_diameter: float) -> "Room":
+        """Free space between the bodies of a scene.
+
+        Parameters
+        ----------
+        bodies : Any
+            Meshes of the scene by name [mm].
+        ball_diameter : float
+            Ball diameter [mm].
+
+        Returns
+        -------
+        Room
+            The free space.
+        """
+        faces = {}
+        bore = np.inf
+        for race in ("inner", "outer"):
+            points = np.asarray(bodies[f"{race} ring"].points)
+            radii = np.hypot(points[:, 1], points[:, 2])
+            ends = radii[points[:, 0] > points[:, 0].max() - 1e-3 * ball_diameter]
+            faces[race] = 0.5 * float(ends.min() + ends.max())
+            bore = min(bore, float(radii.min()))
+        front = max(float(bodies[f"{race} ring"].bounds[1]) for race in faces)
+        y, z = np.asarray(bodies["outer ring"].points)[:, 1:].T
+        outside = float(np.hypot(y, z).max())
+        return cls(
+            ball_diameter=ball_diameter, bore=bore, front=front, faces=faces, outside=outside
+        )
+
+
+def add_loads(plotter: Any, force: Array, room: Room) -> tuple[Label, ...]:
+    """Radial and axial load on the inner ring [N] as arrows in the bore, with their sizes.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    force : Array
+        Load on the inner ring, shape (3,) [N].
+    room : Room
+        Free space of the bearing.
+
+    Returns
+    -------
+    tuple[Label, ...]
+        Sizes of the loads as labels.
+    """
+    parts = {"radial": force * np.array([0.0, 1.0, 1.0]), "axial": force * np.eye(3)[0]}
+    sizes = {name: float(np.linalg.norm(part)) for name, part in parts.items()}
+    largest = max(sizes.values())
+    labels = []
+    for name, part in parts.items():
+        if sizes[name] <= ROUND_OFF * largest:
+            continue
+        direction = part / sizes[name]
+        length = max(LONGEST * sizes[name] / largest, SHORTEST) * room.bore
+        start = -0.5 * length * direction
+        # beside the shaft, the axes are on its other side
+        place = start + 0.35 * length * direction + 0.42 * room.bore * np.cross(X, direction)
+        if name == "axial":  # in front of the bore, out of it or into it
+            start = np.array([room.front + max(-direction[0], 0.0) * length, 0.0, 0.0])
+            place = start - 0.1 * length * direction
+        arrow = pv.Arrow(start=start, direction=direction, scale=length, **FORM)
+        plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4, name=f"{name} load")
+        labels.append(
+            Label(place=place, text=f"{sizes[name]:.4g} N", ball_diameter=room.ball_diameter)
+        )
+    return tuple(labels)
+
+
+def add_rotation(
+    plotter: Any, speeds: dict[str, float], room: Room, turn: float
+) -> tuple[Label, ...]:
+    """A bent arrow before the face of each ring that turns; positive from y to z, about +x.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    speeds : dict[str, float]
+        Speed of each ring [r/min].
+    room : Room
+        Free space of the bearing.
+    turn : float
+        Azimuth of the arrows [rad].
+
+    Returns
+    -------
+    tuple[Label, ...]
+        The speeds as labels.
+    """
+    labels = []
+    colours = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}
+    for race, speed in speeds.items():
+        if speed == 0.0:
+            continue
+        sense = 1.0 if speed > 0.0 else -1.0
+        angles = turn + sense * np.linspace(-0.5 * SPAN, 0.5 * SPAN, SPEED_STEPS)
+        front = room.front + 0.12 * room.ball_diameter
+        arc = np.array([about_axis(a) @ (front, room.faces[race], 0.0) for a in angles])
+        radius = 0.05 * room.ball_diameter
+        tube = pv.MultipleLines(arc).tube(radius=radius)
+        end = about_axis(angles[-1]) @ np.array([0.0, 0.0, sense])
+        height = 0.35 * room.ball_diameter
+        tip = pv.Cone(
+            center=arc[-1] + 0.4 * height * end, direction=end, height=height, radius=3.0 * radius
+        )
+        plotter.add_mesh(
+            tube.merge(tip), color=colours[race], ambient=0.4, name=f"rotation {race}"
+        )
+        tail = 2.0 * arc[0] - arc[4]  # behind it
+        text = f"{abs(speed):g} r/min"
+        labels.append(Label(place=tail, text=text, ball_diameter=room.ball_diameter))
+    return tuple(labels)
+
+
+def add_axes(plotter: Any, room: Room, turn: float) -> tuple[Label, ...]:
+    """The axes of the bearing's frame with their names, before the bore and beside the loads.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    room : Room
+        Free space of the bearing.
+    turn : float
+        Azimuth on top of the picture [rad].
+
+    Returns
+    -------
+    tuple[Label, ...]
+        Names of the axes as labels.
+    """
+    origin = about_axis(turn) @ (room.front, -0.25 * room.bore, -0.45 * room.bore)
+    length = 0.4 * room.bore
+    labels = []
+    for name, direction in AXES.items():
+        arrow = pv.Arrow(start=origin, direction=direction, scale=length, **FORM)
+        plotter.add_mesh(arrow, color=INK, ambient=0.4, name=f"axis {name}")
+        place = origin + 1.15 * length * np.array(direction)
+        labels.append(Label(place=place, text=name, ball_diameter=room.ball_diameter))
+    return tuple(labels)
+
+
+SHARE = 0.15  # of the ball diameter that the largest displacement takes in the picture, at most
+ROUND_FACTORS = (5.0, 2.0, 1.0)
+
+
+def deformed_rings(directory: Path) -> dict[str, Any]:
+    """Meshes of a result folder's elastic rings by their race.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+
+    Returns
+    -------
+    dict[str, Any]
+        Mesh by race.
+    """
+    return {path.stem.rsplit("_", 1)[1]: pv.read(path) for path in ring_files(directory)}
+
+
+def shown_factor(largest: float, ball_diameter: float) -> float:
+    """A round factor for the largest displacement in the picture; 1 at least.
+
+    Parameters
+    ----------
+    largest : float
+        Largest displacement [um].
+    ball_diameter : float
+        Ball diameter [mm].
+
+    Returns
+    -------
+    float
+        Factor [-].
+    """
+    if not largest > 0.0:
+        return 1.0
+    factor = SHARE * ball_diameter * MILLIMETRE / (largest * MICROMETRE)
+    power = 10.0 ** floor(log10(factor))
+    return max(power * max(n for n in ROUND_FACTORS if n * power <= factor), 1.0)
+
+
+def deformed_surface(ring: Any, factor: float, opening: Array | None) -> Any:
+    """Surface of a deformed ring with its displacement [um] as a field.
+
+    Parameters
+    ----------
+    ring : Any
+        Mesh of an elastic ring [mm].
+    factor : float
+        Exaggeration of the displacement [-].
+    opening : Array | None
+        Unit vector to the half that is left out; None for a whole ring.
+
+    Returns
+    -------
+    Any
+        The surface.
+    """
+    whole = ring
+    if opening is not None:
+        whole = ring.clip(normal=tuple(opening), origin=(0.0, 0.0, 0.0), invert=True)
+    surface = whole.extract_surface(algorithm=None)
+    surface["displacement"] = surface[DISTANCE]
+    scale = factor * MICROMETRE / MILLIMETRE
+    surface.points = np.asarray(surface.points + scale * surface[DISPLACEMENT])
+    return surface.compute_normals(split_vertices=True, feature_angle=40.0)
+
 
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
 PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
@@ -163,15 +411,15 @@ def _add_bearing(scene: Scene, directory: Path, tree: xarray.DataTree) -> None:
             for patch in patches
         )
     diameter /= MILLIMETRE
-    room = arrows.Room.of(bodies, diameter)
+    room = Room.of(bodies, diameter)
     turn = parts.most_loaded(balls)
     operation = json.loads(tree.attrs["case"]).get("operation", {})
     speeds = {race: float(operation.get(f"{race}_speed_rpm", 0.0)) for race in room.faces}
     scene.labels = (
         *parts.ball_labels(balls, diameter, room.outside, room.front),
-        *arrows.add_loads(scene.plotter, ring["force"].values[:3], room),
-        *arrows.add_rotation(scene.plotter, speeds, room, turn + pi),
-        *arrows.add_axes(scene.plotter, room, turn),
+        *add_loads(scene.plotter, ring["force"].values[:3], room),
+        *add_rotation(scene.plotter, speeds, room, turn + pi),
+        *add_axes(scene.plotter, room, turn),
     )
     scene.up = parts.aim(scene.plotter, turn)
 

@@ -19,13 +19,12 @@ from ehl.arrays import Array
 from ehl.solid.layered import Coating, layered_mesh
 from ehl.units import GIGAPASCAL, MILLIMETRE
 
-from ..contact.fields import shown
-from ..contact.frame import ALL, principal_coordinates
-from ..contact.stored import film_maps, require_contacts
+from ..contact.summary import film_maps, require_contacts
+from ..contact.view import ALL, principal_coordinates, shown
 from ..files import write_csv
-from ..netcdf.reader import open_results
+from ..netcdf_read import open_results
 from .geometry import Placement, contact_frame, crop_to_ball, grid_quads, place_patch
-from .ring_deformed import ring_files
+from .vtk import ring_files
 
 TITLES = {"P": "pressure", "h": "film thickness", "T": "film temperature"}
 RACES = ("inner", "outer")

@@ -1,4 +1,7 @@
-"""Shapes of the pictures: patches on balls, balls, cage, rings; NumPy, SI, bearing's frame."""
+"""Shapes of the pictures: patches on balls, balls, cage, rings; NumPy, SI, bearing's frame.
+
+Cells between the nodes of a grid in space.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -12,7 +15,7 @@ from bearing.contacts.contact import BearingContact
 from bearing.geometry import Bearing
 from ehl.arrays import Array
 
-from ..contact.frame import within
+from ..contact.view import within
 
 LENGTHS = (
     "ball_diameter pitch_diameter inner_groove_radius outer_groove_radius diametral_clearance "
@@ -444,3 +447,23 @@ def _cap(x: Array, r: Array, base: Array, angle: float) -> Surface:
     axial = np.broadcast_to(x, radius.shape)
     points = np.stack([axial, radius * np.cos(angle), radius * np.sin(angle)], axis=-1)
     return Surface(points=points.reshape(-1, 3), quads=grid_quads(2, x.size))
+
+
+def hexahedra(number: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Corners of the cells between the nodes of a grid.
+
+    Parameters
+    ----------
+    number : NDArray[np.int64]
+        Numbers of the nodes, shape (nx, ny, nz).
+
+    Returns
+    -------
+    NDArray[np.int64]
+        Corners, lower face first, shape (cells, 8).
+    """
+    low = slice(None, -1)
+    high = slice(1, None)
+    around = ((low, low), (high, low), (high, high), (low, high))
+    corners = [number[(*place, depth)].ravel() for depth in (low, high) for place in around]
+    return np.stack(corners, axis=1)

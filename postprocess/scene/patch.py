@@ -9,9 +9,8 @@ import xarray
 from ehl.arrays import Array
 from ehl.units import MICROMETRE, MILLIMETRE
 
-from ..contact.fields import shown
-from ..contact.frame import ALL, principal_coordinates, refined
-from ..contact.stored import shown_nodes
+from ..contact.summary import shown_nodes
+from ..contact.view import ALL, principal_coordinates, refined, shown
 from ..plot_style import film_range
 from .geometry import Placement, contact_frame, crop_to_ball, place_patch
 from .vtk import structured_grid

@@ -7,12 +7,11 @@ from dataclasses import asdict, dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..contact.stored import require_contacts
-from ..dynamics.stored import open_history
-from ..netcdf.reader import open_results
+from ..contact.summary import require_contacts
+from ..dynamics.results import open_history
+from ..netcdf_read import open_results
 from .rendering import PATIENCE, RenderingError, draw, require_display, run_module, with_suffix
-from .ring_deformed import ring_files
-from .vtk import COLLECTION_FILE
+from .vtk import COLLECTION_FILE, ring_files
 from .vtk_history import FRAMES, TURNS
 
 StrPath = str | Path

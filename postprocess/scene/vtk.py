@@ -1,31 +1,43 @@
 """Fields and bodies for ParaView: fields.pvd -> fields.vtm -> one block per ball and race.
 
 Only VTK's data and file modules are used, none that could open a window.
+
+Stress below the solved pressure of contacts, as volumes for VTK; computed on request only.
+
+Elastic rings with their displacement under all balls, as hexahedra, by meshio.
+
+Stress in rings as finite bodies below their heaviest contacts, as hexahedra, by meshio.
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from math import degrees, nan
 from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import quoteattr
 
+import meshio
 import numpy as np
+from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
 
 from bearing.contacts.contact import BearingContact
-from bearing.files import write_bytes
+from bearing.files import atomic_path, write_bytes
+from bearing.geometry import Race
+from bearing.quasistatic.ring import ring_displacements
 from ehl import ContactSolution
 from ehl.arrays import Array
+from ehl.solid.bodies.ring import RingStress
+from ehl.solid.subsurface import subsurface_stress
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 from ..bearing.results import BearingResults
-from ..contact.fields import shown_scales
-from ..contact.frame import principal_coordinates
-from ..contact.results import ContactResults
+from ..contact.summary import ContactResults
+from ..contact.view import principal_coordinates, resampled, shown_scales
 from ..files import contact_name, write_text
 from .geometry import (
     SET_BACK,
@@ -37,12 +49,93 @@ from .geometry import (
     cage_surface,
     contact_frame,
     crop_to_ball,
+    hexahedra,
     merge,
     place_patch,
     ring_shape,
     ring_surface,
 )
-from .subsurface import StressVolume, stress_volume
+
+CELLS = 81  # each way
+LEFT_OUT = 0.01  # pressure over the largest one below which the box may end [-]
+MARGIN = 1.15  # of the box beyond the nodes with more pressure than that [-]
+# in half the shorter side of the box; the largest shear lies at 0.48 (circle) to 0.78 (line) of
+# the shorter semi-axis, Johnson, Contact Mechanics (1985), section 4.2
+DEEPEST = 2.0
+LEVELS = 26  # depths from the surface to there
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StressVolume:
+    """Stress in the race below one contact."""
+
+    points: Array  # in the bearing's frame, shape (nx, ny, nz, 3) [m]
+    depth: Array  # shape (nz,) [m]
+    # xx, yy, zz, xy, yz, xz in the contact's frame, z into the race, shape (6, nx, ny, nz) [Pa]
+    stress: Array
+    von_mises: Array  # shape (nx, ny, nz) [Pa]
+    maximum_shear: Array  # shape (nx, ny, nz) [Pa]
+
+
+def stress_volume(
+    contact: BearingContact, solution: ContactSolution, ball_radius: float, poisson_ratio: float
+) -> StressVolume:
+    """Stress in a race below the solved pressure, which acts without friction on a half-space.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        Contact of a ball and a race.
+    solution : ContactSolution
+        Solved film of the contact.
+    ball_radius : float
+        Radius of the ball [m].
+    poisson_ratio : float
+        Poisson's ratio of the race [-].
+
+    Returns
+    -------
+    StressVolume
+        Stress in the race.
+
+    Raises
+    ------
+    ValueError
+        If the contact has no lengths.
+    """
+    long = solution.x
+    wide = solution.y
+    pressure = solution.pressure
+    if long is None or wide is None or solution.semi_axis_x is None:
+        raise ValueError("a contact given by Moes' groups has no lengths and no stress in pascals")
+    a = solution.semi_axis_x
+    b = solution.semi_axis_x * solution.semi_axis_ratio
+    pressed = pressure > LEFT_OUT * pressure.max()
+    x, y = _span(long, pressed.any(axis=1), a), _span(wide, pressed.any(axis=0), b)
+    depth = np.linspace(0.0, DEEPEST, LEVELS) * 0.5 * min(float(np.ptp(x)), float(np.ptp(y)))
+    even = resampled(long, wide, pressure, x, y, outside=0.0)
+    field = subsurface_stress(even, x, y, depth, poisson_ratio)
+    frame = contact_frame(contact, ball_radius)
+    along, across = principal_coordinates(x, y, solution.frame_angle)
+    levels = [
+        place_patch(along, across, frame, Placement(), np.full(along.shape, z)) for z in depth
+    ]
+    return StressVolume(
+        points=np.stack(levels, axis=2),
+        depth=depth,
+        stress=field.stress,
+        von_mises=field.von_mises,
+        maximum_shear=field.maximum_shear,
+    )
+
+
+def _span(axis: Array, pressed: NDArray[np.bool_], semi_axis: float) -> Array:
+    """Even nodes over the Hertz ellipse and all nodes that carry pressure [m]."""
+    ends = np.array([min(axis[pressed].min(), -semi_axis), max(axis[pressed].max(), semi_axis)])
+    middle = ends.mean()
+    half = 0.5 * np.ptp(ends)
+    return np.asarray(middle + MARGIN * half * np.linspace(-1.0, 1.0, CELLS))
+
 
 Blocks = dict[str, dict[str, str]]  # files by group and name
 Facts = dict[str, float | str]  # of a whole block, the unit in the name
@@ -555,3 +648,168 @@ def _write_azimuths(results: BearingResults, directory: Path, blocks: Blocks) ->
         write_text(directory / files[azimuth], _multiblock(groups))
     if files:
         write_text(directory / AZIMUTH_FILE, collection_text(files))
+
+
+DISPLACEMENT = "displacement [um]"
+DISTANCE = "displacement, size [um]"
+RADIAL = "displacement, radial [um]"
+
+
+def ring_file(race: str) -> str:
+    """Name of the file of a ring.
+
+    Parameters
+    ----------
+    race : str
+        "inner" or "outer".
+
+    Returns
+    -------
+    str
+        Name of the file.
+    """
+    return f"ring_deformed_{race}.vtu"
+
+
+def ring_files(directory: Path) -> tuple[Path, ...]:
+    """The files of deformed rings that a result folder holds, inner ring first.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The files.
+    """
+    paths = (directory / ring_file(race.value) for race in Race)
+    return tuple(path for path in paths if path.is_file())
+
+
+def write_ring_deformed(results: BearingResults, directory: Path) -> tuple[Path, ...]:
+    """Write ring_deformed_inner.vtu and ring_deformed_outer.vtu, of rings that are elastic bodies.
+
+    Nodes of the undeformed ring [mm] in the bearing's frame, with the displacement [um] from its
+    seat under all balls; what the ring moves as a whole is not in it.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The files.
+    """
+    written = []
+    for race in Race:
+        fields = ring_displacements(results.quasistatic, race)
+        if fields:
+            rows = [
+                (field.points + groove_axial(results, race.value, row) * np.eye(3)[0])
+                for row, field in enumerate(fields, 1)
+            ]
+            mesh = displacement_mesh(rows, [field.displacement for field in fields])
+            with atomic_path(directory / ring_file(race.value)) as path:
+                mesh.write(path)
+            written.append(directory / ring_file(race.value))
+    return tuple(written)
+
+
+def displacement_mesh(points: list[Array], displacements: list[Array]) -> meshio.Mesh:
+    """Rings of one or more rows as one mesh.
+
+    Parameters
+    ----------
+    points : list[Array]
+        Nodes of each row, shape (n, m, k, 3) [m].
+    displacements : list[Array]
+        Displacement at the nodes of each row, shape (n, m, k, 3) [m].
+
+    Returns
+    -------
+    meshio.Mesh
+        Mesh [mm] with displacements [um].
+    """
+    cells = []
+    first = 0
+    for place in points:
+        count = place[..., 0].size
+        numbers = first + np.arange(count).reshape(place.shape[:-1])
+        if (place[0, 0, 0, 1:] ** 2).sum() > (place[0, 0, -1, 1:] ** 2).sum():
+            numbers = numbers[:, :, ::-1]  # outwards, for a right-handed order
+        cells.append(hexahedra(np.concatenate([numbers, numbers[:1]])))  # closed around
+        first += count
+    place = np.concatenate([part.reshape(-1, 3) for part in points])
+    moved = np.concatenate([part.reshape(-1, 3) for part in displacements]) / MICROMETRE
+    outward = place[:, 1:] / np.linalg.norm(place[:, 1:], axis=1, keepdims=True)
+    data = {
+        DISPLACEMENT: moved,
+        DISTANCE: np.linalg.norm(moved, axis=1),
+        RADIAL: (moved[:, 1:] * outward).sum(axis=1),
+    }
+    row = [np.full(len(part), number) for number, part in enumerate(cells, 1)]
+    block = [("hexahedron", np.concatenate(cells))]
+    return meshio.Mesh(place / MILLIMETRE, block, data, {"row": [np.concatenate(row)]})
+
+
+COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
+
+
+def write_ring_stress(results: BearingResults, directory: Path) -> tuple[Path, ...]:
+    """Write ring_stress_inner.vtu and ring_stress_outer.vtu, where finite bodies were computed.
+
+    A box [mm] in the frame of the contact: x along the rolling direction, y across, z into the
+    ring; stresses [GPa] of the ring, and of the half-space beside them.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The files.
+    """
+    written = []
+    bodies = results.finite_bodies
+    for race in Race:
+        difference = None if bodies is None else bodies.at(race)
+        if difference is not None:
+            path = directory / f"ring_stress_{race.value}.vtu"
+            stress_mesh(difference.ring_stress).write(path)
+            written.append(path)
+    return tuple(written)
+
+
+def stress_mesh(stress: RingStress) -> meshio.Mesh:
+    """The box as a mesh, nodes in the order x, y, z, the last the fastest.
+
+    Parameters
+    ----------
+    stress : RingStress
+        Stress of ring and half-space in a box.
+
+    Returns
+    -------
+    meshio.Mesh
+        Mesh [mm] with stresses [GPa].
+    """
+    ring, flat = stress.ring, stress.half_space
+    grid = np.meshgrid(ring.x, ring.y, ring.depth, indexing="ij")
+    points = np.stack([axis.ravel() for axis in grid], axis=1) / MILLIMETRE
+    fields = {"von Mises [GPa]": ring.von_mises, "von Mises, half-space [GPa]": flat.von_mises}
+    for name, body in (("", ring), (", half-space", flat)):
+        for component, values in zip(COMPONENTS, body.stress, strict=True):
+            fields[f"stress {component}{name} [GPa]"] = values
+    data = {name: values.ravel() / GIGAPASCAL for name, values in fields.items()}
+    number = np.arange(ring.von_mises.size).reshape(ring.von_mises.shape)
+    return meshio.Mesh(points, [("hexahedron", hexahedra(number))], data)

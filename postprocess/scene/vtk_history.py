@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ehl.arrays import Array
 
-from ..dynamics.stored import open_history
+from ..dynamics.results import open_history
 from ..files import write_text
 from .geometry import (
     Surface,

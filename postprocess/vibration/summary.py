@@ -14,15 +14,18 @@ from bearing.vibration.simulation import VibrationRun
 from ehl.units import from_si
 
 from ..files import plain
-from .measured import Measured, envelope_band, measured
-from .results import ENERGY_LIMIT, VibrationResults
-from .signals import (
+from .results import (
     EDGE,
+    ENERGY_LIMIT,
+    Measured,
+    VibrationResults,
     amplitude_at,
     anderon,
     band_rms,
     envelope,
+    envelope_band,
     kurtosis,
+    measured,
     spectrum,
     speed_bands,
 )

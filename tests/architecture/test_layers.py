@@ -24,8 +24,8 @@ HOMES = {
         "postprocess/scene/*.py",
     ),
     "xarray": ("postprocess/*/*.py",),
-    "h5netcdf": ("postprocess/netcdf/groups.py", "postprocess/*/history.py"),
-    "h5py": ("postprocess/netcdf/groups.py", "postprocess/*/history.py"),
+    "h5netcdf": ("postprocess/netcdf_write.py", "postprocess/*/history.py"),
+    "h5py": ("postprocess/netcdf_write.py", "postprocess/*/history.py"),
     "typer": ("cases/cli/*.py", "cases/cli/over_time/*.py"),
     "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/batch/planning/*.py", "cases/optimise/*.py"),
     "pydantic_core": ("cases/format/*.py", "cases/batch/quick_json.py"),
@@ -35,7 +35,7 @@ HOMES = {
     "xlsxwriter": ("postprocess/report/*.py",),
     "jinja2": ("postprocess/report/*.py", "postprocess/scene/*.py"),
     "markupsafe": ("postprocess/*/*.py",),
-    "pyarrow": ("postprocess/batch/parquet.py", "cases/cli/batch.py"),
+    "pyarrow": ("postprocess/batch/write.py", "cases/cli/batch.py"),
     "distributed": ("cases/batch/pools.py",),
 }
 PRINTS = ("cases/cli/", "cases/runs/interrupt.py")

@@ -18,7 +18,7 @@ from ehl import (
 from ehl.scaling import scale_contact
 from postprocess import write_results
 from postprocess.bearing.results import BearingResults
-from postprocess.contact.results import ContactResults
+from postprocess.contact.summary import ContactResults
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, name="example oil")
 SILICON_NITRIDE = Material(name="silicon nitride", youngs_modulus=310e9, poisson_ratio=0.26, density=3250.0)

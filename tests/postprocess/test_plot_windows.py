@@ -10,7 +10,7 @@ import xarray
 from matplotlib.figure import Figure
 
 from postprocess.dynamics.plots import FEWEST_SAMPLES, _without_spikes, draw_spectrum
-from postprocess.slip.plots import draw_balls
+from postprocess.slip.write import draw_balls
 
 
 def drawn(*lines):

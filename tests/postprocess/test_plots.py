@@ -20,11 +20,10 @@ from postprocess.bearing.plots import (
     draw_per_azimuth,
     write_bearing_plots,
 )
-from postprocess.bearing.table import bearing_table
+from postprocess.bearing.write import bearing_table
 from postprocess.contact import plots
-from postprocess.contact.frame import principal_coordinates, refined
 from postprocess.contact.plots import write_contact_plots
-from postprocess.contact.view import contact_view
+from postprocess.contact.view import contact_view, principal_coordinates, refined
 from postprocess.plot_style import few_ticks
 
 pytest.importorskip("matplotlib")

@@ -56,7 +56,7 @@ def electrical_parts(stem):
 def slip_parts(folder):
     """Critical loads, slip factors and preloads of the 7000C on a coarse mesh."""
     from cases.runs.slip import run_slip
-    from postprocess.slip.summary import slip_summary
+    from postprocess.slip.results import slip_summary
 
     text = read_text(find_case("hirano_7000C")).replace("points = 51\n", "points = 3\ncritical_points = 2\n")
     path = folder / "slip.toml"
@@ -94,7 +94,7 @@ PROGRAMS = {"unbalance": unbalance_parts, "warming": warming_parts}
 def simulated(stem, changes, folder):
     """Numbers of a shipped simulation with changes of its text."""
     from cases.runs.dynamics import run_dynamics
-    from postprocess.dynamics.summary import dynamics_summary
+    from postprocess.dynamics.results import dynamics_summary
 
     text = read_text(find_case(stem))
     for old, new in changes:

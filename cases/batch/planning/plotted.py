@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from ehl.units import unit_of
-from postprocess.batch.main_results import result_names
+from postprocess.batch.results import result_names
 
 from ...format.problems import CaseProblem, nearest_name, shown
 

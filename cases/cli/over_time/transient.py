@@ -20,7 +20,7 @@ from ..progress import progress_bar
 from ..terminal import NOT_CONVERGED, guarded
 
 if TYPE_CHECKING:
-    from postprocess.contact.transient_results import TransientResults
+    from postprocess.contact.transient_summary import TransientResults
 
 
 @app.command()
@@ -86,7 +86,7 @@ def _writer(
     """Writes all files of a run into a folder; movie and fields for ParaView unless `hurried`."""
 
     def write(folder: Path) -> tuple[str, ...]:
-        from postprocess.contact.transient_write import write_transient
+        from postprocess.contact.transient_plots import write_transient
         from postprocess.scene.transient import MOVIE_FILE, write_movie, write_transient_series
 
         problems = write_transient(results, folder, is_interrupted)

@@ -57,8 +57,7 @@ def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool
         print_message("oilfilm: of an unfinished vibration nothing is kept")
         raise
     from postprocess.vibration.summary import vibration_summary
-    from postprocess.vibration.table import vibration_table
-    from postprocess.vibration.write import write_vibration
+    from postprocess.vibration.write import vibration_table, write_vibration
 
     hurry = Event()
     save_with(lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set)

@@ -7,7 +7,7 @@ from time import perf_counter
 
 from ehl.transient.run import TransientRun, transient_run
 from ehl.transient.waves import wave_results
-from postprocess.contact.transient_results import TransientResults
+from postprocess.contact.transient_summary import TransientResults
 
 from ...format.case import ContactCase
 from ...format.problems import CaseError

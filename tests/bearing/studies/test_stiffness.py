@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Arrangement, Operation, duplex, solve_quasistatic, stiffness_over_speed
-from postprocess.stiffness.ross import ross_table
+from postprocess.stiffness.results import ross_table
 
 LOAD = Operation(inner_speed=0.0, force=(400.0, 150.0, -60.0))
 

@@ -16,7 +16,7 @@ from bearing.vibration.inputs import ContactLaw, Support, VibrationModel, Vibrat
 from bearing.vibration.lines import expected_lines, passing
 from bearing.vibration.simulation import computed, vibration_run
 from cases.format.case import load_case
-from postprocess.vibration.signals import amplitude_at
+from postprocess.vibration.results import amplitude_at
 
 SLOW = pytest.mark.slow
 AMPLITUDE = 1e-8  # [m]: small against the approach, 2 um

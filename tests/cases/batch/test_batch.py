@@ -32,8 +32,7 @@ from cases.batch.worker import compute_block, compute_point
 from cases.cli.app import app
 from cases.format.film_model import NEWTONIAN
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
-from postprocess.batch.records import Record
-from postprocess.batch.store import PointStore, StoredPoints, store_files
+from postprocess.batch.store import PointStore, Record, StoredPoints, store_files
 
 HEAD = 'case = "6208_full_ceramic"\n'
 QUICK = (

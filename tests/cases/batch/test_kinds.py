@@ -25,10 +25,9 @@ from cases.batch.worker import compute_point
 from cases.cli.app import app
 from ehl.traction_table.build import TableOptions, build_table
 from postprocess import summary
-from postprocess.batch.keys import varied_keys
-from postprocess.batch.main_results import main_results
 from postprocess.batch.plots import quantities
-from postprocess.batch.records import summary_of
+from postprocess.batch.results import main_results, varied_keys
+from postprocess.batch.store import summary_of
 from postprocess.batch.summary import batch_summary
 
 from .test_batch import HerePool

@@ -14,7 +14,7 @@ from cases.batch.results import load_results
 from cases.batch.sweep import read_sweep
 from cases.cli.app import app
 from postprocess import open_results
-from postprocess.batch.read import read_batch
+from postprocess.batch.store import read_batch
 
 from .test_batch import HerePool
 

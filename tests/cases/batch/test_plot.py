@@ -17,15 +17,18 @@ from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.cli.app import app
 from cases.format.shipped import shipped_sweeps
 from postprocess.batch.columns import InMemory, columns_of
-from postprocess.batch.keys import Varied, families, varied_keys
-from postprocess.batch.main_results import result_names, thinnest_film
 from postprocess.batch.plots import draw_batch, draw_together, quantities, write_diagram
-from postprocess.batch.read import read_batch
-from postprocess.batch.records import record_of
-from postprocess.batch.results import BatchPoint, BatchResults
-from postprocess.batch.store import PointStore
-from postprocess.batch.summary import batch_summary
-from postprocess.batch.table import batch_table
+from postprocess.batch.results import (
+    BatchPoint,
+    BatchResults,
+    Varied,
+    families,
+    result_names,
+    thinnest_film,
+    varied_keys,
+)
+from postprocess.batch.store import PointStore, read_batch, record_of
+from postprocess.batch.summary import batch_summary, batch_table
 from postprocess.files import write_json
 from postprocess.report.batch import listed_points
 

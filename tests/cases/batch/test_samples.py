@@ -12,8 +12,7 @@ from cases.batch.engine import run_batch
 from cases.batch.planning.samples import unit_sample
 from cases.batch.results import load_results, write_batch
 from cases.batch.sweep import sweep_from_text
-from postprocess.batch.summary import batch_summary
-from postprocess.batch.table import batch_table
+from postprocess.batch.summary import batch_summary, batch_table
 from postprocess.report.batch import uncertainty
 
 from .test_batch import HEAD, HerePool, messages

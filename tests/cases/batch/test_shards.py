@@ -27,9 +27,8 @@ from cases.batch.worker import compute_point, failure
 from cases.cli.app import app
 from cases.runs.output_lock import one_writer
 from postprocess.batch.columns import InMemory, columns_of
-from postprocess.batch.parquet import write_batch_parquet
-from postprocess.batch.read import read_batch, stored_summaries
-from postprocess.batch.records import FAILED
+from postprocess.batch.store import FAILED, read_batch, stored_summaries
+from postprocess.batch.write import write_batch_parquet
 
 from .test_batch import HEAD, QUICK, HerePool, stored
 

@@ -7,8 +7,7 @@ import pytest
 from cases import CaseError
 from cases.format.case import case_from_text
 from cases.runs.contact import run_contact
-from postprocess.contact.response import response_row
-from postprocess.contact.summary import contact_summary
+from postprocess.contact.summary import contact_summary, response_row
 
 TEXT = """schema_version = 1
 [contact]

@@ -29,10 +29,9 @@ from cases.format.problems import CaseError
 from cases.format.shipped import find_case
 from cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics
 from postprocess import summary
-from postprocess.dynamics.speeds import averaged, simulated_speeds
-from postprocess.dynamics.stored import open_history
-from postprocess.dynamics.summary import dynamics_summary
-from postprocess.dynamics.table import dynamics_table
+from postprocess.dynamics.plots import averaged, simulated_speeds
+from postprocess.dynamics.results import dynamics_summary, open_history
+from postprocess.dynamics.write import dynamics_table
 from postprocess.report.html import figure, number
 from postprocess.report.page import report_page
 

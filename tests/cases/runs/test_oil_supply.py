@@ -18,7 +18,7 @@ from cases.runs.contact import run_contact
 from cases.runs.heating import self_heated
 from ehl.closed_form.starvation import starvation_factors
 from postprocess import summary
-from postprocess.bearing.table import bearing_table
+from postprocess.bearing.write import bearing_table
 
 SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
 TEXT = (
@@ -171,7 +171,7 @@ def test_at_rest_nothing_is_starved():
 def test_the_terminal_tells_the_supply():
     from rich.console import Console
 
-    from postprocess.bearing.table import bearing_table
+    from postprocess.bearing.write import bearing_table
 
     console = Console(width=80)
     with console.capture() as capture:
@@ -321,10 +321,8 @@ def test_a_sweep_draws_supply_and_temperature_a_line_for_each_load_and_speed():
     """Films over the flooded ones have a line for each of the eight combinations of load and speed, named beside."""
     from matplotlib.figure import Figure
 
-    from postprocess.batch.keys import varied_keys
-    from postprocess.batch.main_results import result_names
     from postprocess.batch.plots import draw_batch, quantities
-    from postprocess.batch.results import BatchPoint, BatchResults
+    from postprocess.batch.results import BatchPoint, BatchResults, result_names, varied_keys
 
     assert {"supply.film_share", "supply.lambda_least", "self_heating.temperature_C"} <= set(result_names("run"))
     sweep = read_sweep("6208_over_oil_supply")

@@ -11,7 +11,7 @@ from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from postprocess import summary
 from postprocess.bearing.duty_cycle import duty_cycle_rows
-from postprocess.bearing.ratings import rating_rows
+from postprocess.bearing.summary import rating_rows
 
 CASE = """\
 schema_version = 1

@@ -13,7 +13,7 @@ from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from postprocess import summary
 from postprocess.bearing.plots import write_bearing_plots
-from postprocess.bearing.table import bearing_table
+from postprocess.bearing.write import bearing_table
 from postprocess.scene.vtk import bodies
 
 CASE = """\

@@ -23,8 +23,7 @@ from cases.runs.traction_table import run_table
 from ehl.oil.rheology import Rheology
 from ehl.traction_table.build import TableOptions
 from ehl.traction_table.table import FullSolve
-from postprocess.traction.results import TractionResults
-from postprocess.traction.summary import full_solve_entry, traction_summary
+from postprocess.traction.results import TractionResults, full_solve_entry, traction_summary
 
 from ...reference.ehl.traction import largest_force
 from ..made_up_tables import made_up_tables

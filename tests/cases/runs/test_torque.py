@@ -12,7 +12,7 @@ from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from postprocess import summary
 from postprocess.bearing.torque import torque_rows
-from postprocess.report.torque import torque_section
+from postprocess.report.bearing import torque_section
 
 TEXT = """
 schema_version = 1

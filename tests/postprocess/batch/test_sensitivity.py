@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from postprocess.batch.columns import InMemory, columns_of
+from postprocess.batch.indices import bands, sensitivities
 from postprocess.batch.results import BatchPoint, BatchResults
-from postprocess.batch.sensitivity import bands, sensitivities
 from postprocess.batch.summary import batch_summary
 
 CASE = {"lubricant.viscosity_mPa_s": 20.0, "operation.axial_load_N": -50.0}

@@ -10,16 +10,19 @@ from contextlib import closing
 
 import pytest
 
-from postprocess.batch.records import (
+from postprocess.batch.store import (
     DONE,
+    PointStore,
     Record,
+    StoredPoints,
     content_digest,
+    is_sound,
     record_of,
     summary_of,
     unpacked_numbers,
     whole_digest,
+    whole_records,
 )
-from postprocess.batch.store import PointStore, StoredPoints, is_sound, whole_records
 
 SEED = 5_271_803
 

@@ -10,11 +10,10 @@ from rich.console import Console
 
 from bearing.films.film import NO_HEAT
 from bearing.torque.models import summed
-from postprocess.bearing.ratings import film_row
-from postprocess.bearing.strength import probability_text
-from postprocess.bearing.table import bearing_table
+from postprocess.bearing.summary import film_row, probability_text
 from postprocess.bearing.torque import shown_titles
-from postprocess.contact.table import contact_table
+from postprocess.bearing.write import bearing_table
+from postprocess.contact.write import contact_table
 
 
 def printed(results, table=bearing_table):

@@ -14,16 +14,13 @@ from typer.testing import CliRunner
 from cases.cli.app import app
 from postprocess import open_results, summary
 from postprocess.bearing.write import write_bearing_netcdf
-from postprocess.compare.summary import compare, relative
-from postprocess.compare.table import comparison_table
-from postprocess.contact import interferogram
-from postprocess.contact.interferogram import Optics, intensity, write_interferogram
-from postprocess.contact.line_cut import write_line_cut
-from postprocess.contact.results import ContactResults
-from postprocess.contact.stored import open_contact
+from postprocess.compare.summary import compare, comparison_table, relative
+from postprocess.contact import plots
+from postprocess.contact.plots import Optics, intensity, write_interferogram, write_line_cut
+from postprocess.contact.summary import ContactResults, open_contact
 from postprocess.contact.write import write_contact_netcdf
 from postprocess.files import SUMMARY_FILE, write_json
-from postprocess.netcdf.groups import FIELDS_FILE
+from postprocess.netcdf_write import FIELDS_FILE
 
 
 def write_results(results, folder):
@@ -251,7 +248,7 @@ def test_optics_that_do_not_exist(bad):
 def test_the_foot_of_an_interferogram_has_the_step_of_its_fringes(folder, monkeypatch):
     """lambda/(2 n), from bright to bright."""
     figure = Figure()
-    monkeypatch.setattr(interferogram, "write_figure", lambda path, draw: draw(figure))
+    monkeypatch.setattr(plots, "write_figure", lambda path, draw: draw(figure))
     write_interferogram(folder, "fringes.png", optics=Optics(wavelengths=(600e-9,), refractive_index=1.5))
     assert figure.get_supxlabel().startswith("from fringe to fringe 200 nm of film")
 

@@ -10,8 +10,7 @@ from typer.testing import CliRunner
 
 from cases.cli.app import app
 from postprocess.files import read_summary
-from postprocess.report.plots_pdf import write_pdf
-from postprocess.report.spreadsheet import sheets, write_workbook
+from postprocess.report.plots_pdf import sheets, write_pdf, write_workbook
 
 
 def test_sheets_hold_every_number_with_its_unit(bearing_folder):

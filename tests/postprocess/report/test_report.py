@@ -14,10 +14,9 @@ import pytest
 from bearing.library.bearings import load_catalogue_entry
 from ehl.units import unit_of, without_unit
 from postprocess.files import SUMMARY_FILE
-from postprocess.report.cards import cards, estimated_keys
-from postprocess.report.html import facts, number, text
+from postprocess.report.bearing import torque_section
+from postprocess.report.html import cards, estimated_keys, facts, number, text
 from postprocess.report.page import further_results, is_urgent, report_page, write_report
-from postprocess.report.torque import torque_section
 
 VOID = {"meta", "img", "br", "rect", "line"}
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")

@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 from numpy.testing import assert_allclose
 
-from postprocess.dynamics.stored import open_history
+from postprocess.dynamics.results import open_history
 from postprocess.scene.geometry import about_axis, cage_surface, ring_shape, ring_surface, rotation
 from postprocess.scene.rendering import RenderingError, require_rendering
 from postprocess.scene.scene import AnimationOptions, animate

@@ -10,7 +10,7 @@ import subprocess
 import pytest
 
 from postprocess import open_results
-from postprocess.contact.stored import film_maps
+from postprocess.contact.summary import film_maps
 from postprocess.scene.rendering import RenderingError, require_rendering
 from postprocess.scene.scene import export_html
 
@@ -120,8 +120,8 @@ def test_wrong_names_and_missing_packages_are_reported(tmp_path, monkeypatch):
 
 def test_the_colour_scale_of_the_page():
     """Logarithmic where the scene's colours are: equal ratios take equal heights."""
-    from postprocess.scene.page import overlay_html
     from postprocess.scene.parts import ColourScale
+    from postprocess.scene.rendering import overlay_html
 
     bar = ColourScale(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
     assert [bar.height(h) for h in (0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.5, 1.0])
@@ -138,7 +138,7 @@ def test_letters_face_the_camera():
     """Flat, across x, upright where the picture's top is; read from the side of +x."""
     import numpy as np
 
-    from postprocess.scene.page import flat_text
+    from postprocess.scene.rendering import flat_text
 
     up = np.array([0.0, 1.0, 0.0])
     body = flat_text("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)

@@ -8,7 +8,7 @@ import pytest
 
 from ehl.solid.bodies.ring import RingStress
 from ehl.solid.subsurface import SubsurfaceStress
-from postprocess.scene.ring_stress import stress_mesh
+from postprocess.scene.vtk import stress_mesh
 
 
 def test_a_box_is_read_back_with_its_stresses(tmp_path):

@@ -75,7 +75,7 @@ def test_quiet_pressure_does_not_hide_the_balls(scene):
 
 
 def test_arrows_show_both_loads_and_both_senses(scene):
-    from postprocess.scene.arrows import Room, add_loads, add_rotation
+    from postprocess.scene.drawing import Room, add_loads, add_rotation
 
     bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
     room = Room.of(bodies, 12.0)
@@ -92,7 +92,7 @@ def test_arrows_show_both_loads_and_both_senses(scene):
 
 
 def test_round_off_of_a_radial_load_is_no_arrow(scene):
-    from postprocess.scene.arrows import Room, add_loads
+    from postprocess.scene.drawing import Room, add_loads
 
     bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
     labels = add_loads(scene.plotter, np.array([3000.0, 1e-12, -2e-13]), Room.of(bodies, 12.0))
@@ -101,7 +101,7 @@ def test_round_off_of_a_radial_load_is_no_arrow(scene):
 
 def test_the_size_of_a_radial_load_stands_on_the_other_side_of_it_than_the_axes(scene):
     """Seen with the load upwards: z points to the left, the axes stand to the right."""
-    from postprocess.scene.arrows import Room, add_axes, add_loads
+    from postprocess.scene.drawing import Room, add_axes, add_loads
 
     bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
     room = Room.of(bodies, 12.0)

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import xarray
 
-from ..dynamics.history import FORMAT as HISTORY_FORMAT
-from ..dynamics.history import HISTORY_FILE
-from ..files import SUMMARY_FILE
-from .groups import FIELDS_FILE, FORMAT
+from .dynamics.history import FORMAT as HISTORY_FORMAT
+from .dynamics.history import HISTORY_FILE
+from .files import SUMMARY_FILE
+from .netcdf_write import FIELDS_FILE, FORMAT
 
 # kinds of results, as a file names them
 KINDS = (

@@ -1,6 +1,8 @@
 """netCDF-4 files of results, written as `reader` reads them, without xarray.
 
 Loading xarray and its libraries takes longer than writing the fields of a bearing.
+
+Files of a study: pictures, tables, data set and summary.
 """
 
 import io
@@ -16,6 +18,8 @@ import numpy as np
 
 from bearing.files import atomic_path, require_room, write_bytes
 
+from .files import SUMMARY_FILE, CsvTable, attempt, write_csv, write_json
+
 # dimensions, values, attributes by name
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
 # format of the file, raised when an older reader would misread it; 1: x along the entrainment
@@ -28,7 +32,7 @@ COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 4, "sh
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Group:
+class DataGroup:
     """A group of a netCDF file; coordinates are the variables named as their dimension."""
 
     variables: Variables = field(default_factory=dict)
@@ -52,7 +56,7 @@ def write_dataset(
         Names of variables that are coordinates beside those named as their dimension.
     """
     head = _head(attributes, coordinates, variables)
-    write_groups({"/": Group(variables=variables, attributes=head)}, path)
+    write_groups({"/": DataGroup(variables=variables, attributes=head)}, path)
 
 
 def _head(
@@ -64,7 +68,7 @@ def _head(
     return attributes | form | ({"coordinates": listed} if listed else {})
 
 
-def write_groups(groups: dict[str, Group], path: Path) -> None:
+def write_groups(groups: dict[str, DataGroup], path: Path) -> None:
     """Write the groups of one file by their paths, parents first.
 
     Parameters
@@ -126,7 +130,7 @@ def write_dataset_in_parts(
     sizes = {d: n for v in variables.values() for d, n in zip(v[0], np.shape(v[1]), strict=True)}
     scales = {name: variable for name, variable in variables.items() if name in sizes}
     others = {name: variable for name, variable in variables.items() if name not in scales}
-    plain = Group(variables=scales, attributes=_head(attributes, coordinates, parts.types))
+    plain = DataGroup(variables=scales, attributes=_head(attributes, coordinates, parts.types))
     with atomic_path(path) as temporary:
         # HDF5 may end the program on a full disk
         require_room(path.parent, VALUE_BYTES * parts.size * len(parts.types) + _bytes(variables))
@@ -134,7 +138,7 @@ def write_dataset_in_parts(
             file.dimensions.update(sizes | {parts.dimension: parts.size})
             _write_group(file, plain)
             _create(file, parts, lambda name: name == parts.dimension)
-            _write_group(file, Group(variables=others))
+            _write_group(file, DataGroup(variables=others))
             _create(file, parts, lambda name: name != parts.dimension)
             start = 0
             for part in parts.values:
@@ -160,7 +164,7 @@ def _bytes(variables: Variables) -> int:
     return MARGIN + sum(array.nbytes for array in sizes) + sum(texts)
 
 
-def _write_group(target: Any, group: Group) -> None:
+def _write_group(target: Any, group: DataGroup) -> None:
     target.attrs.update(group.attributes)
     for name, (dimensions, values, attributes) in group.variables.items():
         array = np.asarray(values)
@@ -212,3 +216,46 @@ def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
         "case": json.dumps(case, ensure_ascii=False),
         "messages": json.dumps(document["messages"], ensure_ascii=False),
     }
+
+
+SPEED_COLUMN = "speed [r/min]"  # of studies over the speed of the inner ring
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyFiles:
+    """Files of a study: its summary, tables by name, and its data set."""
+
+    kind: str
+    document: dict[str, Any]
+    tables: dict[str, CsvTable]
+    variables: Variables
+    attributes: dict[str, Any] = field(default_factory=dict)
+    number: str = ""  # format of the numbers in tables, in full if it is empty
+
+
+def write_study(files: StudyFiles, folder: Path, draw: Callable[[], object]) -> tuple[str, ...]:
+    """Write pictures, tables, data set, last the summary; pictures that failed are messages.
+
+    Parameters
+    ----------
+    files : StudyFiles
+        Summary, tables and data set.
+    folder : Path
+        Folder to write into.
+    draw : Callable[[], object]
+        Writes the pictures.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    problems = attempt("plots", draw)
+    for name, (header, rows) in files.tables.items():
+        write_csv(folder / f"{name}.csv", header, rows, files.number)
+    document = files.document | {"messages": [*files.document["messages"], *problems]}
+    attributes = root_attributes(document, files.kind) | files.attributes
+    write_dataset(files.variables, attributes, folder / FIELDS_FILE)
+    write_json(document, folder / SUMMARY_FILE)
+    return problems
