@@ -12,7 +12,7 @@ from time import perf_counter, process_time
 
 from bearing import Arrangement, duplex, solve_quasistatic
 from cases import load_case
-from cases.runs.slip import run_slip
+from cases.runs.stiffness import run_slip
 
 REPEATS = 50
 

@@ -1,5 +1,5 @@
 from .format.case import Case, ContactCase, load_case
-from .format.problems import CaseError
+from .format.rules import CaseError
 from .runs.bearing import run_case
 from .runs.contact import run_contact
 

@@ -19,22 +19,18 @@
 | engine | execution: hand out, keep, resume |
 | results | finished points gathered and written |
 
-compute    - results of a point
-engine     - execution of a sweep
-keys       - names of points, tables and contacts on disk
-limits     - limits of time and memory of one point, kept by its worker
-planning   - points of a sweep file
-points     - A sweep, its points, and what a worker is sent and sends back
-pools      - executors that compute the points
-program    - the program that computes, as one word
-quick_json - summaries of points as JSON and back, by the compiled reader and writer of pydantic
-results    - the finished points of a batch, gathered, and the files made of them
-shards     - shares of a batch that are computed apart, by programs that know nothing of each other
-shared     - contacts and traction tables that points share
-store      - the folder of a batch
-sweep      - A sweep file
-sweep_file - A sweep file
-worker     - points of a batch, computed in a worker
+compute       - results of a point
+engine        - execution of a sweep
+keys          - names of points, tables and contacts on disk
+plan          - the points of a sweep, each made when it is asked for
+points        - A sweep, its points, and what a worker is sent and sends back
+pools         - executors that compute the points
+results       - the finished points of a batch, gathered, and the files made of them
+samples       - points drawn at random
+shared_tables - traction tables that points of a batch share
+store         - the folder of a batch
+sweep         - A sweep file
+sweep_file    - A sweep file
 """
 
 import lazy_loader

@@ -12,13 +12,13 @@ from time import perf_counter
 from ehl.units import notebook_html
 from postprocess.batch.store import FAILED, LOST, PointStore, StoredPoints, is_sound, store_files
 
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..runs.films import Progress
-from ..runs.output_lock import one_writer
+from ..runs.output_directory import one_writer
+from .compute import failure
 from .points import NO_LIMITS, Limits, PointResult, Sweep, Task
 from .pools import Pool
-from .shards import SINGLE_WRITER, Shard
-from .shared.tables import prepare_tables, table_path
+from .shared_tables import prepare_tables, table_path
 from .store import (
     SWEEP_FILE,
     finished_points,
@@ -29,7 +29,7 @@ from .store import (
     write_files,
     write_summary,
 )
-from .worker import failure
+from .sweep import SINGLE_WRITER, Shard
 
 TICK = 1.0  # the time left is updated at least as often [s]
 Block = tuple[Task, ...]

@@ -9,8 +9,7 @@ from postprocess.batch.results import Design
 from postprocess.batch.store import Record
 
 from ..format.case import case_of_document
-from .keys import value_in
-from .program import program_digest
+from .keys import program_digest, value_in
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

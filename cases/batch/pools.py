@@ -12,11 +12,11 @@ from typing import Any
 
 from postprocess.batch.store import DONE
 
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..runs.interrupt import print_message
 from ..runs.processes import POINTS, end_workers, prepare_worker, start_fork_server, worker_context
+from .compute import compute_block
 from .points import PointResult, Task
-from .worker import compute_block
 
 AHEAD = 2  # blocks that each worker has at a time, so that none waits for the next one
 PATIENCE = 10.0  # for a scheduler to answer [s]

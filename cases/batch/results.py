@@ -29,14 +29,14 @@ from postprocess.batch.summary import batch_summary
 from postprocess.batch.write import write_batch_csv, write_batch_netcdf
 from postprocess.files import write_json
 
-from ..runs.integrity import write_digests
+from ..runs.output_directory import write_digests
 from ..version import version
+from .compute import document_of
 from .engine import Batch
 from .keys import value_in
 from .points import Point
-from .quick_json import document_of
-from .shards import Shard
 from .store import DATA, POINTS, SUMMARY, TABLE
+from .sweep import Shard
 
 LARGE = 10_000  # points from which on a batch is not held in memory: 1 GB of summaries
 MOST_LINES = 100_000  # of batch.csv where it is not asked for

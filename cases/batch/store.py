@@ -27,10 +27,9 @@ from postprocess.batch.store import (
     whole_records,
 )
 
-from ..format.problems import CaseError
-from ..runs.integrity import DIGESTS
+from ..format.rules import CaseError
 from ..runs.interrupt import print_message
-from ..runs.output_directory import check_output
+from ..runs.output_directory import DIGESTS, check_output
 from .keys import digest
 
 POINTS = "points"

@@ -1,6 +1,10 @@
-"""A sweep file: read, expanded into points, checked as cases before anything runs."""
+"""A sweep file: read, expanded into points, checked as cases before anything runs.
+
+Shares of a batch that are computed apart, by programs that know nothing of each other.
+"""
 
 import random
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -12,26 +16,31 @@ from postprocess.batch.results import Design
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text
 from ..format.fields import validated
-from ..format.problems import CaseError, CaseProblem, faults_error
+from ..format.rules import CaseError, CaseProblem, faults_error
 from ..format.shipped import find_case, find_sweep
 from .keys import WITHOUT_CONTACTS, digest, value_in
-from .planning.alternatives import PointDocuments, replaced_keys, with_values
-from .planning.blocks import (
+from .plan import (
     MOST_POINTS,
+    Document,
     Factorial,
+    Plan,
+    PointDocuments,
+    PointName,
     Sampled,
     Variation,
     block_settings,
     differences,
     factorial,
     listed,
+    located_faults,
+    overridden_names,
+    plot_problems,
+    replaced_keys,
+    with_values,
 )
-from .planning.faults import located_faults, overridden_names
-from .planning.plan import Document, Plan, PointName
-from .planning.plotted import plot_problems
-from .planning.samples import sampled_blocks
 from .points import Point, Sweep
-from .shared.tables import (
+from .samples import sampled_blocks
+from .shared_tables import (
     bodies_and_oil,
     foreign_points,
     needs_tables,
@@ -370,3 +379,68 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Ca
         wrong = "the case has several rows of balls"
     if wrong is not None:
         yield CaseProblem(("compute",), f"point {number}: {wrong}", 'allowed: "run"')
+
+
+MOST = 100_000  # shards
+DIGITS = 8  # of a point's name that tell its shard
+
+
+@dataclass(frozen=True, slots=True)
+class Shard:
+    """The share `number` of `count` of the points, by their names; counted from 1."""
+
+    number: int
+    count: int
+
+    @property
+    def file(self) -> str:
+        """File of its finished points."""
+        return "points.sqlite" if self.count == 1 else f"points-{self}.sqlite"
+
+    def has(self, key: str) -> bool:
+        """Tell whether a point belongs to the shard.
+
+        Parameters
+        ----------
+        key : str
+            Name of the point.
+
+        Returns
+        -------
+        bool
+            True if it does.
+        """
+        return int(key[:DIGITS], 16) % self.count == self.number - 1
+
+    def __str__(self) -> str:
+        return f"{self.number}-of-{self.count}"
+
+
+SINGLE_WRITER = Shard(1, 1)
+
+
+def shard_of(text: str) -> Shard:
+    """The shard that `I/N` names.
+
+    Parameters
+    ----------
+    text : str
+        The option as given.
+
+    Returns
+    -------
+    Shard
+        The shard.
+
+    Raises
+    ------
+    CaseError
+        If it names none.
+    """
+    match = re.fullmatch(r"(\d+)/(\d+)", text.strip())
+    if match:
+        number, count = map(int, match.groups())
+        if 1 <= number <= count <= MOST:
+            return Shard(number, count)
+    allowed = "allowed: I/N with I from 1 to N, as 3/8"
+    raise CaseError(f"--shard {text}: names no share of the points; {allowed}")

@@ -14,15 +14,22 @@ import typer
 
 from bearing.files import is_disk_failure
 
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..runs.interrupt import finish_first, print_message
-from ..runs.output_lock import scratch_folder
+from ..runs.output_directory import scratch_folder
 from ..runs.processes import POINTS, fork_server
-from .app import Json, Output, Quiet, app
-from .cost import batch_cost, report_cost
-from .output import lock_output_directory, report
-from .progress import progress_bar
-from .terminal import FAILED, NOT_CONVERGED, guarded, print_json
+from .output import batch_cost, lock_output_directory, report, report_cost
+from .terminal import (
+    FAILED,
+    NOT_CONVERGED,
+    Json,
+    Output,
+    Quiet,
+    app,
+    guarded,
+    print_json,
+    progress_bar,
+)
 
 if TYPE_CHECKING:
     from postprocess.batch.columns import Columns
@@ -113,8 +120,7 @@ def batch(
         from ..batch.engine import PointSelection, computed_before
         from ..batch.points import Limits
         from ..batch.results import collect_results
-        from ..batch.shards import SINGLE_WRITER, shard_of
-        from ..batch.sweep import read_sweep
+        from ..batch.sweep import SINGLE_WRITER, read_sweep, shard_of
 
         wanted = _Wanted(
             workers=workers,

@@ -11,14 +11,24 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..runs.interrupt import print_message
 from ..runs.kernel_cache import compiled_ahead
-from .app import CaseName, Json, Output, Quiet, app
-from .cost import film_seconds, report_cost, run_cost, slip_cost, table_cost, temperatures_cost
-from .output import load_bearing, lock_output_file, report, results_directory, save, save_with
-from .progress import progress_bar
-from .terminal import enter_context, guarded
+from .output import (
+    film_seconds,
+    load_bearing,
+    lock_output_file,
+    report,
+    report_cost,
+    results_directory,
+    run_cost,
+    save,
+    save_with,
+    slip_cost,
+    table_cost,
+    temperatures_cost,
+)
+from .terminal import CaseName, Json, Output, Quiet, app, enter_context, guarded, progress_bar
 
 if TYPE_CHECKING:
     from ehl.traction_table.build import FilmSampler
@@ -49,7 +59,7 @@ def run(
 ) -> int:
     """Run a bearing case: loads, film maps, pictures, VTK."""
     enter_context(compiled_ahead("bearing"))
-    from ..runs.drawing import drawing_processes
+    from ..runs.processes import drawing_processes
 
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
         loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'", heated=False)
@@ -87,7 +97,7 @@ def contact(
     quiet: Quiet = False,
 ) -> int:
     """Solve one lubricated contact from a [contact] table."""
-    from ..runs.drawing import drawing_processes
+    from ..runs.processes import drawing_processes
 
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
         from ..format.case import ContactCase, load_case
@@ -120,8 +130,8 @@ def film(case: CaseName, as_json: Json = False, quiet: Quiet = False) -> int:
     from postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
 
     from ..format.case import ContactCase, load_case
+    from ..runs.atlas import run_atlas_bearing, run_atlas_contact
     from ..runs.heating import with_temperature
-    from ..runs.studies.atlas import run_atlas_bearing, run_atlas_contact
 
     loaded = load_case(case)
     if isinstance(loaded, ContactCase):
@@ -149,7 +159,7 @@ def slip(
     directory = results_directory(case, output, as_json)
     from ehl.multigrid.starved import cores
 
-    from ..runs.slip import run_slip
+    from ..runs.stiffness import run_slip
 
     report_cost(slip_cost(loaded, workers or cores()), quiet=quiet)
     try:
@@ -192,7 +202,7 @@ def stiffness(
 
     loaded = load_bearing(case, "a stiffness needs a bearing")
     directory = results_directory(case, output, as_json)
-    from ..runs.studies.stiffness import run_stiffness
+    from ..runs.stiffness import run_stiffness
 
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
     with progress_bar(quiet=quiet) as progress:
@@ -228,7 +238,7 @@ def temperatures(
     loaded = load_bearing(case, "temperatures need a bearing", heated=False)
     directory = results_directory(case, output, as_json)
     from ..runs.bearing import run_case
-    from ..runs.studies.temperatures import run_temperatures
+    from ..runs.temperatures import run_temperatures
 
     report_cost(temperatures_cost(loaded), quiet=quiet)
     duration = None if hours is None else 3600.0 * hours
@@ -327,7 +337,7 @@ def _film_sampler(path: Path | None) -> Iterator[FilmSampler]:
     """Solves films and keeps them beside the table until that is complete."""
     from ehl.traction_table.film import film_sample
 
-    from ..batch.shared.table_films import remove_films, stored_film_sampler
+    from ..batch.shared_tables import remove_films, stored_film_sampler
 
     if path is None:
         yield film_sample

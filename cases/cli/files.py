@@ -14,11 +14,10 @@ import typer
 from bearing.library.plugins import PluginError
 from ehl.units import from_si, to_si
 
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..runs.interrupt import print_message
-from .app import app
 from .output import print_notes
-from .terminal import BAD_INPUT, guarded, print_json, print_lines
+from .terminal import BAD_INPUT, app, guarded, print_json, print_lines
 
 if TYPE_CHECKING:
     from bearing.material import Material
@@ -139,8 +138,13 @@ def init(
     axial: Annotated[float | None, typer.Option(help="Axial load [N].")] = None,
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
-    from .new.case_text import BoundaryDimensions, case_of_designation, case_of_dimensions, checked
-    from .new.first_operation import FirstOperation
+    from .new_case import (
+        BoundaryDimensions,
+        FirstOperation,
+        case_of_designation,
+        case_of_dimensions,
+        checked,
+    )
 
     size = {"bore": bore, "outside": outside, "width": width}
     given = [f"--{key}" for key, value in size.items() if value is not None]

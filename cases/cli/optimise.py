@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..runs.interrupt import finish_first
-from .app import Json, Output, Quiet, app
 from .batch import Workers
 from .output import lock_output_directory, report
-from .progress import progress_bar
-from .terminal import enter_context, guarded
+from .terminal import Json, Output, Quiet, app, enter_context, guarded, progress_bar
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,8 +18,7 @@ if TYPE_CHECKING:
     from rich.console import Group
     from rich.table import Table
 
-    from ..optimise.designs import Design, OptimisationResult
-    from ..optimise.study import Study
+    from ..optimise.study import Design, OptimisationResult, Study
 
 MOST_SHOWN = 4  # designs of a front in the terminal
 
@@ -59,7 +56,7 @@ def optimise(
 
 
 def _scratch() -> Path:
-    from ..runs.output_lock import scratch_folder
+    from ..runs.output_directory import scratch_folder
 
     return enter_context(scratch_folder())
 
@@ -107,7 +104,7 @@ def optimisation_table(found: OptimisationResult) -> Group:
 
     from postprocess.quantities import evenly_chosen
 
-    from ..optimise.proof import confirmation_messages, improvement
+    from ..optimise.search import confirmation_messages, improvement
 
     study = found.study
     names = list(dict.fromkeys([n for n, _ in study.goals] + [one.name for one in study.limits]))

@@ -1,4 +1,7 @@
-"""Output of the commands that compute: directories, files and messages."""
+"""Output of the commands that compute: directories, files and messages.
+
+Estimated time of long work, announced before it begins; within a factor of two or so.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +9,7 @@ from pathlib import Path
 from textwrap import TextWrapper
 from typing import TYPE_CHECKING, Any
 
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..runs.interrupt import finish_first, print_message
 from .terminal import NOT_CONVERGED, enter_context, print_json, print_table
 
@@ -19,8 +22,8 @@ if TYPE_CHECKING:
     from postprocess.contact.summary import ContactResults
 
     from ..format.case import Case
-    from ..runs.drawing import Drawing
     from ..runs.films import Progress
+    from ..runs.processes import Drawing
 
 
 def load_bearing(name: str, needed: str, *, heated: bool = True, own_table: bool = True) -> Case:
@@ -107,8 +110,7 @@ def lock_output_directory(directory: Path, *, shared: bool = False) -> Path:
     CaseError
         If it cannot be written, or another program writes it.
     """
-    from ..runs.output_directory import check_output
-    from ..runs.output_lock import one_writer
+    from ..runs.output_directory import check_output, one_writer
 
     check_output(directory)
     enter_context(one_writer(directory, shared=shared))
@@ -133,8 +135,7 @@ def lock_output_file(file: Path) -> Path:
     CaseError
         If it cannot be written, or another program writes it.
     """
-    from ..runs.output_directory import check_file
-    from ..runs.output_lock import one_writer
+    from ..runs.output_directory import check_file, one_writer
 
     check_file(file)
     enter_context(one_writer(file))
@@ -255,3 +256,298 @@ def _of_failure(message: str) -> bool:
     return "not converged" in message or message.startswith(
         ("equilibrium of", "no film was computed")
     )
+
+
+if TYPE_CHECKING:
+    from ehl import SolverOptions
+
+    from ..format.case import Case, ContactCase
+    from ..format.dynamics import DynamicsTable
+
+LONG = 5.0  # work that takes less is not announced [s]
+# of processor time for a film on 257 nodes, which grows with their square; measured on one core of
+# 2.5 GHz, the ball on disc and the contacts of the 6208
+FILM_SECONDS = 0.6
+FILM_POINTS = 257
+EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7000C
+# of a simulation for each ball and simulated second, measured likewise on 7008_axial, 7008_radial
+# and 7008_combined (0.8 to 1.7), and on 6304_planar
+DYNAMICS_SECONDS = 1.6
+PLANAR_SECONDS = 0.4  # with the equations of a plane
+AXIAL_SECONDS = 2.0  # of one ball for all, with ring and cage; not for each ball
+# of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
+STATE_SECONDS = (
+    0.01  # a ball, of films without a solve in balance, with the heat of their friction
+)
+STEP_SECONDS = 0.05
+# of a vibration for each ball and simulated second, and of its films; likewise, 6208_waviness
+VIBRATION_SECONDS = 3.0
+VIBRATION_FILMS = 5.0
+TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
+TABLE_FILMS = 120  # of the tables of both races, without refinement
+ATLAS_FILM_SECONDS = 0.25  # of a film of a table by the atlas, its shear [s]
+
+
+def report_cost(cost: tuple[str, float], *, quiet: bool) -> None:
+    """Announce long work and its estimated time.
+
+    Parameters
+    ----------
+    cost : tuple[str, float]
+        Description of the work, and its time [s].
+    quiet : bool
+        True: no message.
+    """
+    what, seconds = cost
+    if not quiet and seconds > LONG:
+        print_message(f"oilfilm: {what}: about {_duration(seconds)}")
+
+
+def film_seconds(options: SolverOptions) -> float:
+    """Processor time of one film, at most.
+
+    Parameters
+    ----------
+    options : SolverOptions
+        Grid of the solver.
+
+    Returns
+    -------
+    float
+        Time [s].
+    """
+    return FILM_SECONDS * (options.max_points / FILM_POINTS) ** 2
+
+
+def run_cost(case: Case, workers: int) -> tuple[str, float]:
+    """Work and time of a run; equal contacts are solved once.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    workers : int
+        Contacts solved at a time [-].
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
+    films = run_films(case)
+    text = f"at most {films} films on at most {case.solver.max_points} nodes"
+    return f"{text}, {workers} at a time", films * film_seconds(case.solver) / workers
+
+
+def run_films(case: Case) -> int:
+    """Films of a run at most.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    int
+        Number of films [-].
+    """
+    maps = case.film_maps
+    balls = case.bearing.balls * len(case.rows or (None,))
+    balls = balls if isinstance(maps, str) else min(balls, len(maps))
+    return 0 if maps == "none" else 2 * balls
+
+
+def table_cost(
+    points: int, temperatures: int, workers: int, *, atlas: bool = False
+) -> tuple[str, float]:
+    """Work and time of the traction tables of both races, without refinement.
+
+    Parameters
+    ----------
+    points : int
+        Nodes of each film along x [-].
+    temperatures : int
+        Temperatures of the oil [-].
+    workers : int
+        Films solved at a time [-].
+    atlas : bool, default False
+        True: films of the film atlas, where it has them.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
+    films = TABLE_FILMS * temperatures
+    seconds = films * FILM_SECONDS * (points / FILM_POINTS) ** 2 / workers
+    if atlas:
+        text = f"{films} films by the film atlas, {workers} at a time (solved: {seconds:.0f} s)"
+        return text, films * ATLAS_FILM_SECONDS / workers
+    return f"{films} films on {points} nodes or more, {workers} at a time", seconds
+
+
+def slip_cost(case: Case, workers: int) -> tuple[str, float]:
+    """Work and time of slip maps; nothing without [slip], which is an error later.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    workers : int
+        Processes [-].
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
+    points = 0 if case.file.slip is None else case.file.slip.points
+    text = f"slip at {points} speeds and {points} loads, {workers} processes"
+    return text, points**2 * EQUILIBRIUM_SECONDS / workers
+
+
+def temperatures_cost(case: Case) -> tuple[str, float]:
+    """Work and time of temperatures over speed and time.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
+    balls = case.bearing.balls * len(case.rows or (None,))
+    text = "temperatures over the speed and from the start, some 100 states"
+    return text, 100.0 * balls * STATE_SECONDS
+
+
+def dynamics_cost(case: Case) -> tuple[str, float]:
+    """Work and time of a simulation without its traction tables; nothing without [dynamics].
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
+    table = case.file.dynamics
+    simulated = 0.0 if table is None else table.end_time_s * table.starts
+    planar = table is not None and table.equations == "planar"
+    each = PLANAR_SECONDS if planar else DYNAMICS_SECONDS
+    seconds = simulated * case.bearing.balls * each
+    if table is not None and _one_ball(case, table):
+        seconds = simulated * AXIAL_SECONDS
+    return f"{simulated:g} s of {case.bearing.balls} balls simulated", seconds
+
+
+def _one_ball(case: Case, table: DynamicsTable) -> bool:
+    """Tell whether a simulation most likely solves one ball: thrust alone throughout."""
+    across = any(case.operation.force[1:]) or any(table.gravity_m_s2[1:])
+    plain = table.load_table_N is None and table.moment_table_N_mm is None
+    return (
+        table.equations == "by load"
+        and plain
+        and not across
+        and not (table.unbalance_g_mm or table.rotating_load_N)
+    )
+
+
+def transient_cost(case: ContactCase) -> tuple[str, float]:
+    """Work and time of a contact over time; nothing without [transient], which is an error later.
+
+    Parameters
+    ----------
+    case : ContactCase
+        The contact.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
+    if case.transient is None:
+        return "", 0.0
+    from ehl.transient.run import planned_steps
+
+    conditions, options = case.transient
+    try:
+        steps = planned_steps(conditions, options)
+    except ValueError:
+        return "", 0.0
+    sides = 1.0 if conditions.symmetric else 2.0
+    each = STEP_SECONDS * sides * (options.points / FILM_POINTS) ** 2
+    return f"{steps} steps in time on {options.points} nodes along the entrainment", steps * each
+
+
+def vibration_cost(case: Case) -> tuple[str, float]:
+    """Work and time of a vibration, films included.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
+    table = case.file.vibration
+    given = None if table is None else table.duration_s
+    end = None if case.file.dynamics is None else case.file.dynamics.end_time_s
+    settling = 0.1 if table is None else table.settling_time_s
+    simulated = (given or end or 0.5) + settling
+    seconds = VIBRATION_FILMS + simulated * case.bearing.balls * VIBRATION_SECONDS
+    return f"vibration over {simulated:g} s of {case.bearing.balls} balls", seconds
+
+
+def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[str, float]:
+    """Work and time of points like the first one on one core.
+
+    Parameters
+    ----------
+    first : Case | ContactCase
+        Case of the first point.
+    points : int
+        Number of points [-].
+    compute : str
+        Quantity that is computed.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
+    from ..format.case import Case
+
+    if not isinstance(first, Case):
+        each = film_seconds(first.solver)
+    elif compute == "run":
+        each = max(run_cost(first, 1)[1], TORQUE_SECONDS)
+    else:
+        costs = {
+            "slip": slip_cost(first, 1)[1],
+            "dynamics": dynamics_cost(first)[1],
+            "table": table_cost(FILM_POINTS, 1, 1)[1],
+        }
+        each = costs.get(compute, TORQUE_SECONDS)
+    films = 1
+    if isinstance(first, Case):
+        films = run_films(first) if compute == "run" else 0
+    counted = f" with at most {points * films} films" if films else ""
+    text = f"{points} points{counted}, at most {_duration(each)} each on one core"
+    return text, points * each
+
+
+def _duration(seconds: float) -> str:
+    if seconds < 90.0:
+        return f"{seconds:.2g} s"
+    return f"{seconds / 60.0:.0f} min" if seconds < 5400.0 else f"{seconds / 3600.0:.1f} h"

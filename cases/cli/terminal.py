@@ -1,26 +1,83 @@
-"""Exit codes, error messages, and printing of results."""
+"""Exit codes, error messages, and printing of results.
+
+Standard streams that may be closed, full, or of an encoding without some characters.
+
+The application `oilfilm` and the options its commands share.
+
+Progress on standard error: a bar on a terminal, now and then a line elsewhere.
+
+Folders of results that a command reads: there, and as they were written.
+"""
 
 from __future__ import annotations
 
 import functools
 import json
+import logging
+import os
 import signal
+import sys
 import tempfile
 import threading
 import traceback
-from collections.abc import Callable, Iterable
-from contextlib import AbstractContextManager, ExitStack
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
 from contextvars import ContextVar
-from typing import TYPE_CHECKING, ParamSpec, TypeVar
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, Annotated, ParamSpec, TypeVar
 
 import typer
 
+from bearing.files import is_disk_failure
 from bearing.library.plugins import PluginError
 
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..runs.interrupt import interrupt, print_message
 from ..runs.kernel_cache import ensure_kernel_cache
-from .streams import drop_output
+from ..runs.output_directory import damaged_files
+
+STREAMS = (0, 1, 2)
+
+
+def prepare_streams() -> None:
+    """Never fail on a character that an encoding does not have, nor on a stream that is closed.
+
+    A closed one is opened on nothing: else the first file of results would take its place, and
+    the messages of libraries.
+    """
+    for number in STREAMS:
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # takes the lowest number that is free
+    sys.stdout = sys.stdout or open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
+    sys.stderr = sys.stderr or open(2, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+
+
+def drop_output() -> None:
+    """Lose what standard output has not taken, so that Python does not fail on it at its end."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def output_is_written() -> bool:
+    """Tell whether standard output took everything; a message if its disk is full, none if its
+    reader has ended.
+    """
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        drop_output()
+    except OSError as error:
+        print_message(f"oilfilm: failed: standard output: {error.strerror or error}")
+        drop_output()
+        return False
+    return True
+
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -196,3 +253,174 @@ def print_table(table: RenderableType) -> None:
     from rich.console import Console
 
     Console().print(table)
+
+
+app = typer.Typer(
+    name="oilfilm",
+    help="Oil films in every contact of a ball bearing.",
+    epilog=(
+        "Exit codes: 0 converged, 1 not converged, 2 bad input, 3 interrupted, "
+        "4 failure of the machine."
+    ),
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+)
+CaseName = Annotated[
+    str,
+    typer.Argument(
+        metavar="CASE", help="A case file, with or without .toml, or the name of a shipped case."
+    ),
+]
+Output = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="DIR", help="Where results go; default: CASE_results."),
+]
+Json = Annotated[
+    bool,
+    typer.Option("--json", help="Print the summary as JSON; files are then written with -o only."),
+]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no table.")]
+
+
+def _print_version(requested: bool) -> None:
+    if requested:
+        from ..version import version
+
+        print_lines(f"oilfilm {version()}")
+        raise typer.Exit
+
+
+@app.callback()
+def oilfilm(
+    _version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version."
+        ),
+    ] = False,
+) -> None:
+    """Oil films in every contact of a ball bearing."""
+
+
+FIRST_LINE = 5.0  # after the start of the work [s]; each further one after twice the time
+LONGEST_SILENCE = 60.0  # [s]
+
+
+@contextmanager
+def progress_bar(*, quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
+    """A callback that shows progress on standard error.
+
+    Parameters
+    ----------
+    quiet : bool
+        True: nothing is shown.
+
+    Yields
+    ------
+    Iterator[Callable[[int, int, str], None]]
+        Function of steps done, steps in all, and a text.
+    """
+    if quiet:
+        yield lambda done, total, state: None
+        return
+    with _report_compilation(), _bar() if sys.stderr.isatty() else _lines() as show:
+        yield show
+
+
+@contextmanager
+def _bar() -> Iterator[Callable[[int, int, str], None]]:
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeElapsedColumn
+
+    columns = ("{task.description}", BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=None)
+
+        def show(done: int, total: int, state: str) -> None:
+            bar.update(task, completed=done, total=total, description=state)
+
+        yield show
+
+
+@contextmanager
+def _lines() -> Iterator[Callable[[int, int, str], None]]:
+    """Lines from a thread: also while a long step reports nothing."""
+    began = monotonic()
+    over = threading.Event()
+    last = ["starting"]
+
+    def show(done: int, total: int, state: str) -> None:
+        last[0] = f"{state}, {done} of {total}" if total > 1 else state
+
+    def speak() -> None:
+        pause = FIRST_LINE
+        while not over.wait(pause):
+            print_message(f"oilfilm: after {monotonic() - began:.0f} s: {last[0]}")
+            pause = min(2.0 * pause, LONGEST_SILENCE)
+
+    threading.Thread(target=speak, daemon=True).start()
+    try:
+        yield show
+    finally:
+        over.set()
+
+
+class _CompilationNotice(logging.Handler):
+    """Says once that kernels are being compiled."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Print the message of the first record and leave the logger."""
+        logging.getLogger(record.name).removeHandler(self)
+        print_message(f"oilfilm: {record.getMessage()}")
+
+
+@contextmanager
+def _report_compilation() -> Iterator[None]:
+    """Tell when kernels are compiled."""
+    logger = logging.getLogger("ehl.compiled")
+    notice = _CompilationNotice()
+    logger.setLevel(logging.INFO)
+    logger.addHandler(notice)
+    try:
+        yield
+    finally:
+        logger.removeHandler(notice)
+
+
+ANEW = "compute the results again"
+
+
+@contextmanager
+def reading(*directories: Path) -> Iterator[None]:
+    """Read folders of results inside; damaged files are reported.
+
+    Parameters
+    ----------
+    *directories : Path
+        The folders.
+
+    Raises
+    ------
+    CaseError
+        If a folder does not exist, or its content is damaged or wrong.
+    """
+    for directory in directories:
+        if not directory.is_dir():
+            raise CaseError(f"{directory}: no such directory; allowed: a directory of results")
+    damaged = [path for directory in directories for path in damaged_files(directory)]
+    try:
+        yield
+    except CaseError:
+        raise
+    except Exception as error:
+        if is_disk_failure(error):
+            raise
+        if damaged:
+            raise CaseError(f"{damaged[0]}: damaged, not as it was written; {ANEW}") from error
+        if isinstance(error, ValueError):
+            raise CaseError(str(error)) from error
+        raise
+    for path in damaged:
+        print_message(f"oilfilm: {path}: changed since it was written; {ANEW}")

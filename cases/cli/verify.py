@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..runs.interrupt import print_message
-from .app import Json, Quiet, app
-from .cost import report_cost
-from .terminal import NOT_CONVERGED, guarded, print_json, print_table
+from .output import report_cost
+from .terminal import NOT_CONVERGED, Json, Quiet, app, guarded, print_json, print_table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

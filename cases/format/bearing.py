@@ -16,8 +16,7 @@ from bearing.torque.skf import Series, series_of, skf_series
 from ehl.units import MICROMETRE, from_si, to_si
 
 from .fields import Name, OneOf, Table, above, between, described, length, within
-from .problems import CaseProblem, shown
-from .rules import Below, CaseValues, Needs, Where, bounded
+from .rules import Below, CaseProblem, CaseValues, Needs, Where, bounded, shown
 
 
 class BearingTable(Table):

@@ -10,7 +10,19 @@ from typing import Any
 
 from pydantic import PrivateAttr, TypeAdapter
 
-from . import bearing, contact, dynamics, fits, friction, load_cases, lubricant, operation, rows
+from . import (
+    bearing,
+    contact,
+    dynamics,
+    fits,
+    friction,
+    load_cases,
+    lubricant,
+    operation,
+    rows,
+    transient,
+    vibration,
+)
 from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .dynamics import RENAMED, CageTable, DynamicsTable
@@ -21,22 +33,22 @@ from .library import MaterialTable, name_faults, with_catalogue, with_library_na
 from .load_cases import LoadCaseTable
 from .lubricant import LubricantTable, OilTable
 from .operation import ModelTable, OperationTable, SlipTable
-from .over_time import transient, vibration
-from .over_time.transient import FeatureTable, TransientTable
-from .over_time.vibration import FormTable, SupportTable, VibrationTable
-from .problems import (
+from .rows import RowTable
+from .rules import (
     MISSING,
     CaseError,
     CaseProblem,
-    Path,
+    CaseValues,
+    KeyPath,
     dotted,
     faults_error,
     nearest_name,
+    relation_faults,
     resolved,
     shown,
 )
-from .rows import RowTable
-from .rules import CaseValues, relation_faults
+from .transient import FeatureTable, TransientTable
+from .vibration import FormTable, SupportTable, VibrationTable
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_OFFERED = "minimum dissipation"
@@ -338,7 +350,7 @@ def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseProbl
 
 def _with_new_names(
     document: dict[str, Any],
-) -> tuple[dict[str, Any], dict[Path, Path], list[CaseProblem]]:
+) -> tuple[dict[str, Any], dict[KeyPath, KeyPath], list[CaseProblem]]:
     """The document with keys of [dynamics] that now belong to [friction], their paths in the file
     by their new ones, and a fault where both are given and differ.
     """
@@ -354,7 +366,7 @@ def _with_new_names(
     law = simulation.get("friction")
     simulation = dict(simulation)
     friction = dict(friction)
-    renamed: dict[Path, Path] = {}
+    renamed: dict[KeyPath, KeyPath] = {}
     faults = []
     for key, new in RENAMED.items():
         if key not in simulation:
@@ -375,7 +387,9 @@ def _with_new_names(
 
 
 def _validate(
-    model: type[BearingFile | ContactFile], document: dict[str, Any], renamed: dict[Path, Path]
+    model: type[BearingFile | ContactFile],
+    document: dict[str, Any],
+    renamed: dict[KeyPath, KeyPath],
 ) -> tuple[BearingFile | ContactFile | None, list[CaseProblem]]:
     missing = []
     if "schema_version" not in document:

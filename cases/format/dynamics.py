@@ -9,6 +9,7 @@ from bearing.geometry import Race
 from ehl.traction.coefficients import COEFFICIENTS
 from ehl.units import from_si
 
+from . import programs
 from .fields import (
     LENGTH_MAXIMUM,
     Clearances,
@@ -27,9 +28,18 @@ from .fields import (
     within,
 )
 from .friction import SIMULATED, FrictionTable
-from .over_time import programs
-from .problems import CaseProblem, shown
-from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where, bounded
+from .rules import (
+    Below,
+    CaseProblem,
+    CaseValues,
+    Excludes,
+    Needs,
+    OnlyWith,
+    Relation,
+    Where,
+    bounded,
+    shown,
+)
 
 
 class DynamicsTable(Table):

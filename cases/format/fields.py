@@ -21,7 +21,7 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from ehl.units import to_si, without_unit
 
-from .problems import CaseProblem, schema_faults
+from .rules import CaseProblem, schema_faults
 
 T = TypeVar("T", bound="Table")
 D = TypeVar("D")

@@ -42,8 +42,7 @@ from .fields import (
 )
 from .friction import FrictionTable, rheology
 from .lubricant import Oil, lubricant
-from .problems import CaseProblem, InvalidKeyError, shown
-from .rules import CaseValues, Excludes, Needs, Where, bounded
+from .rules import CaseProblem, CaseValues, Excludes, InvalidKeyError, Needs, Where, bounded, shown
 
 
 class FitTable(Table):

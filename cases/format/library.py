@@ -11,8 +11,7 @@ from ehl.units import from_si
 
 from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
 from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded
-from .problems import CaseProblem, nearest_name, shown
-from .rules import CaseValues
+from .rules import CaseProblem, CaseValues, nearest_name, shown
 
 # of a material that its table in the case may leave to the library's
 LIBRARY_FIELDS = (

@@ -11,8 +11,7 @@ from .fields import Table, above, is_number
 from .lubricant import VISCOSITIES, oil_of
 from .operation import RELATIONS as OF_OPERATION
 from .operation import OperationTable
-from .problems import CaseProblem, Path, dotted, shown
-from .rules import CaseValues, Excludes
+from .rules import CaseProblem, CaseValues, Excludes, KeyPath, dotted, shown
 
 NAME = "load_cases"
 LEAST_SUM = 0.99  # of the shares [-]; they are then scaled to a sum of 1
@@ -162,7 +161,7 @@ def load_case_problem(fault: CaseProblem, index: int, own: dict[str, Any]) -> Ca
     CaseProblem
         The problem with the path of the file.
     """
-    here: Path = (NAME, index)
+    here: KeyPath = (NAME, index)
     key = fault.path[-1]
     if fault.path[0] == "operation" and key in own:
         return replace(fault, path=(*here, key))

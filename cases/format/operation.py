@@ -25,8 +25,7 @@ from .fields import (
     within,
 )
 from .friction import FrictionTable
-from .problems import CaseProblem, shown
-from .rules import CaseValues, Excludes, Needs, Where
+from .rules import CaseProblem, CaseValues, Excludes, Needs, Where, shown
 
 SELF_HEATED = "self-heated"
 

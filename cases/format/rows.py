@@ -21,8 +21,7 @@ from .fields import (
     is_number,
     within,
 )
-from .problems import CaseProblem, shown
-from .rules import CaseValues, Excludes
+from .rules import CaseProblem, CaseValues, Excludes, shown
 
 PRELOADS = ("preload_N", "preload_um", "preload_class")  # a row gives one of them
 PRELOAD_CLASSES = ("light", "medium", "heavy")

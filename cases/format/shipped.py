@@ -3,7 +3,7 @@
 import tomllib
 from pathlib import Path
 
-from .problems import CaseError, nearest_name
+from .rules import CaseError, nearest_name
 
 LIBRARY = Path(__file__).parents[1] / "library"
 SWEEPS = "sweeps"  # the folder whose files name a case and vary it

@@ -10,12 +10,7 @@
 | results | summary, table and picture of an optimisation |
 | search | designs computed by the batch until there are enough |
 
-ask       - which designs are computed next
-designs   - designs and their numbers, from the points of the batch
-proof     - the case and the best designs once more as [proof] says, with solved films
-results   - results of an optimisation
-search    - designs computed by the batch until there are enough, the best ones proved by full
-            solves
-study     - an optimisation file read
-surrogate - gaussian process of one number over the unit cube, with a known noise for each value
+results - results of an optimisation
+search  - designs computed by the batch until there are enough, the best ones proved by full solves
+study   - an optimisation file read
 """

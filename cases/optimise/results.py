@@ -10,10 +10,10 @@ import numpy as np
 from postprocess.batch.plots import Designs, write_front
 from postprocess.files import write_csv, write_json
 
-from ..runs.integrity import write_digests
+from ..runs.output_directory import write_digests
 from ..version import version
-from .designs import Design, OptimisationResult
-from .proof import confirmation_messages, improvement
+from .search import confirmation_messages, improvement
+from .study import Design, OptimisationResult
 
 SUMMARY = "summary.json"
 TABLE = "designs.csv"

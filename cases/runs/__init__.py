@@ -25,30 +25,25 @@
 | warm_up | compilation of kernels ahead, in a process of its own |
 | verification | the short verification of an installation |
 
+atlas            - films of a case by the film atlas, without a film solve
 bearing          - run a case
 contact          - run of a single contact
-drawing          - pictures and VTK of a run, made by processes while the numbers are written
 dynamics         - run the time simulation of a case
-equilibrium      - equilibrium of a case
-export           - meshes of results, with the finite elements that their case asks for
 films            - films of the contacts of a bearing, equal ones solved once, in parallel
 heating          - A case that warms itself
-integrity        - integrity of files of results
 interrupt        - messages on standard error, work that an interrupt gives up at once, and work
                    that it lets finish
 kernel_cache     - folders for compiled kernels when installation and home cannot be written
-load_cases       - states of a duty cycle
 output_directory - the folder of a result
-output_lock      - one writer at a time in a folder of results, and an end to what killed ones have
-                   left
 processes        - how worker processes of all commands begin, what they do before they work, and
                    how they end
-slip             - run the slip maps of a case, the rows shared among processes
-strength         - strength of the rings of a case, and the tension in the surfaces of its contacts
-studies          - further answers on a case
+stiffness        - run the stiffness of a case over the speed of its inner ring
+temperatures     - run the temperatures of a case over the speed, and over time from a start on
 traction_films   - films that traction equilibrium takes its friction from
 traction_table   - run `oilfilm table`: equilibrium of the bearing, then the traction tables of
                    both races
+transient        - run of a contact over time
 verification     - the short verification of an installation
+vibration        - run the vibration of a bearing case
 warm_up          - kernels compiled before a command needs them
 """

@@ -1,4 +1,10 @@
-"""Run a case: equilibrium of the bearing, then the film of every distinct contact."""
+"""Run a case: equilibrium of the bearing, then the film of every distinct contact.
+
+States of a duty cycle: equilibrium, life and friction torque of each.
+
+Effects of the oil supply beside the torque: torque with other supplies, films after the supply
+stops.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -9,26 +15,46 @@ from typing import Any, NamedTuple
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
+from bearing.films.decay import film_decay
 from bearing.films.film import ContactFilm, Films
 from bearing.films.formula import formula_film
-from bearing.films.operating import solved_films
+from bearing.films.operating import OilAtInlets, solved_films, supplied_films
 from bearing.friction.laws import FilmTraction, LawTraction
+from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
 from bearing.rating.load_rating import reference_speed, static_rating
+from bearing.supply.supply import AMPLE, GrooveOil, InletFilm, Supply, groove_oil
 from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
-from bearing.torque.integrated import SolvedShear, bearing_films, films_torque, law_torque
+from bearing.torque.integrated import (
+    SolvedShear,
+    bearing_films,
+    films_torque,
+    law_torque,
+    solved_shear,
+)
+from bearing.torque.starved import SupplyTorque, Total, supply_band
 from ehl import ContactSolution
 from ehl.arrays import Array
 from postprocess.bearing.results import BearingResults
 
-from ..format.case import Case
+from ..format.case import Case, LoadCaseInput, new_notes
 from ..format.contact import FilmModel
 from ..format.operation import SELF_HEATED
 from ..version import version
-from .equilibrium import Equilibria, case_equilibrium
-from .films import Progress, Solve, film_plan, film_solver, solve_contacts, wanted_contacts
+from .atlas import fill_from_atlas
+from .films import (
+    Progress,
+    Solve,
+    case_strength,
+    contact_tensions,
+    film_plan,
+    film_solver,
+    solve_contacts,
+    wanted_contacts,
+)
 from .heating import (
     WARM_TOLERANCE,
     ReportedTorque,
@@ -40,11 +66,187 @@ from .heating import (
     without_heat_balance,
 )
 from .interrupt import interruptible
-from .load_cases import solve_load_cases
-from .strength import case_strength, contact_tensions
-from .studies.atlas import fill_from_atlas
-from .studies.supply import torque_over_supply
-from .traction_films import contact_tractions, traction_messages, with_workers
+from .traction_films import (
+    Equilibria,
+    case_equilibrium,
+    contact_tractions,
+    traction_messages,
+    with_workers,
+    without_traction_equilibrium,
+)
+
+HALF_AND_HALF = (
+    "its balls are taken as half and half in place of traction equilibrium, which loads hardly "
+    "depend on"
+)
+
+
+def solve_load_cases(
+    case: Case, notify: Progress, equilibria: Equilibria | None = None
+) -> DutyCycle | None:
+    """Life, torque and energy over the duty cycle of a case.
+
+    Every state has its own equilibrium, clearance and oil; its torque is that of films of
+    formulas.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    notify : Progress
+        Called with states done, states in all, and a text.
+    equilibria : Equilibria | None, optional
+        Equilibria solved before.
+
+    Returns
+    -------
+    DutyCycle | None
+        The duty cycle; None where the case has none.
+    """
+    if not case.load_cases:
+        return None
+    equilibria = equilibria or Equilibria()
+    solved = []
+    for number, state in enumerate(case.load_cases):
+        notify(number, len(case.load_cases), "load cases")
+        solved.append(_load_case(state, case.warnings, equilibria))
+    return duty_cycle(case.bearing, solved)
+
+
+def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilibria) -> LoadCase:
+    """One state, with the messages that are not `known`, those of [operation]."""
+    case = with_temperature(state.case, equilibria=equilibria)
+    messages = new_notes(case.warnings, known)
+    if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        case = replace(case, model=without_traction_equilibrium(case.model))
+        messages.append(HALF_AND_HALF)
+    solution = case_equilibrium(case, equilibria)
+    if not solution.converged:
+        messages.append(f"equilibrium not converged: {solution.message}")
+    contacts = contact_conditions(solution, case.lubricant)
+    torque, model = _load_case_torque(case, solution, contacts)
+    assert case.rating is not None  # of every bearing case
+    pressures = [contact.hertz.pressure for contact in contacts if contact.hertz is not None]
+    return LoadCase(
+        time_share=state.time_share,
+        operation=case.operation,
+        viscosity=case.lubricant.viscosity / case.lubricant.density,
+        largest_load=max(contact.load for contact in contacts),
+        largest_pressure=max(pressures, default=0.0),
+        life=bearing_life(solution, case.lubricant, case.rating),
+        converged=solution.converged,
+        torque=torque,
+        torque_model=model,
+        messages=tuple(messages),
+    )
+
+
+def _load_case_torque(
+    case: Case, solution: QuasistaticSolution, contacts: tuple[BearingContact, ...]
+) -> tuple[float | None, str | None]:
+    """Friction torque with films of formulas [N m], and its model."""
+    if case.friction is None or not solution.converged:
+        return None, None
+    if not solution.operation.shaft_speed:
+        return 0.0, None
+    shear = None
+    if case.rheology is not None:
+        arguments = (case.friction, case.inlet, case.rheology, case.lubricant)
+        shear = films_torque(solution, contacts, (None,) * len(contacts), *arguments)
+    found = torque_breakdown(solution, contacts, case.lubricant, case.friction, shear=shear)
+    return found.total, found.chosen
+
+
+def torque_over_supply(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Films,
+    torque: TorqueBreakdown | None,
+) -> dict[str, Any]:
+    """Torque at the supply and flooded, band of the captured share of a flow, and the films after
+    the
+    supply has stopped.
+
+    Parameters
+    ----------
+    case : Case
+        a bearing case
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+    films : Films
+        of the contacts as computed
+    torque : TorqueBreakdown | None
+        of the case
+
+    Returns
+    -------
+    dict[str, Any]
+        by their names in the results
+    """
+    friction = case.friction
+    if friction is None or torque is None or state.operation.shaft_speed == 0.0:
+        return {}
+    total = _total_at(case, state, contacts, films, torque)
+    found: dict[str, Any] = {}
+    if friction.supply is not None:
+        found["supply_torque"] = SupplyTorque(scarce=total(friction.supply), flooded=total(AMPLE))
+    if isinstance(friction.supply, Supply):
+        found["supply_band"] = supply_band(
+            state, contacts, friction.supply, total, films, friction.asperities
+        )
+        found["groove_oil"] = _groove_oil(case, friction.supply)
+    duration = case.file.friction.si()["supply_decay"]
+    if duration is not None:
+        oil = OilAtInlets(oil=AMPLE, balls=state.bearing.balls)
+        ample = supplied_films(contacts, films, oil, friction.asperities)
+        found["decay"] = film_decay(state, contacts, ample, duration, friction.supply)
+    return found
+
+
+def _groove_oil(case: Case, supply: Supply) -> GrooveOil | None:
+    """Oil on the grooves by the balance on paper; None where it was not asked for."""
+    time = case.file.friction.si()["supply_groove"]
+    rough = None if case.friction is None else case.friction.roughness
+    return None if time is None else groove_oil(case.bearing, supply, time, rough)
+
+
+def _integrated(case: Case, torque: TorqueBreakdown) -> float | None:
+    """The torque of the operating films [N m]; None where a friction law stands for them."""
+    by_films = case.traction is None or isinstance(case.traction.source, FilmTraction)
+    return torque.models[INTEGRATED].total if by_films else None
+
+
+def _total_at(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Films,
+    torque: TorqueBreakdown,
+) -> Total:
+    """The integrated torque of the same films at another supply [N m]; None where the case has
+    none of films.
+    """
+    friction = case.friction
+    rheology = case.rheology
+    known = _integrated(case, torque)
+    if friction is None or rheology is None or known is None:
+        return lambda supply: None
+    seal = torque.models[INTEGRATED].components.get("seal", 0.0)
+
+    def total(supply: Supply | InletFilm) -> float:
+        if supply == friction.scarce:
+            return known
+        at = friction.at_supply(supply, state.bearing)
+        operating = bearing_films(state, contacts, films, at, case.inlet)
+        resistance = at.resistance(state.bearing, case.lubricant)
+        shear = solved_shear(state, contacts, operating, rheology, resistance, bound=False)
+        return shear.torque.total + seal
+
+    return total
+
 
 OnFilmsSolved = Callable[[BearingResults], None]
 

@@ -1,4 +1,7 @@
-"""Films of the contacts of a bearing, equal ones solved once, in parallel."""
+"""Films of the contacts of a bearing, equal ones solved once, in parallel.
+
+Strength of the rings of a case, and the tension in the surfaces of its contacts.
+"""
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, as_completed
@@ -7,6 +10,8 @@ from math import degrees, isclose
 from typing import NamedTuple
 
 from bearing.contacts.contact import BearingContact
+from bearing.contacts.motion import ContactTraction
+from bearing.contacts.stress import SurfaceTension, surface_tensions
 from bearing.films.formula import (
     CELLS_BY_POINTS,
     CELLS_BY_TOLERANCE,
@@ -14,6 +19,7 @@ from bearing.films.formula import (
     resolvable,
     too_thick,
 )
+from bearing.fits.ring_strength import Strength, ring_strengths, strength_map
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.supply.supply import Supply, inlet_layer
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
@@ -21,9 +27,8 @@ from ehl.multigrid.starved import cores, film_threads
 from ehl.oil.lubricant import InletLayer
 
 from ..format.case import Case
-from ..format.contact import FilmModel
+from ..format.contact import FilmModel, FilmPhysics
 from ..format.fields import rounded
-from ..format.film_model import FilmPhysics
 from ..format.rows import ball_at
 
 SolveOne = Callable[[ContactConditions, SolverOptions], ContactSolution]
@@ -290,3 +295,55 @@ def solve_contacts(
     except KeyboardInterrupt:
         return tuple(solutions), True
     return tuple(solutions), False
+
+
+def case_strength(case: Case) -> Strength:
+    """Hoop tension of the rings; of a brittle inner ring on a shaft also over temperature and
+    speed.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    Strength
+        Tensions and strengths.
+    """
+    rings = ring_strengths(case.bearing, case.operation, case.clearance)
+    seats = case.seats
+    brittle = case.bearing.inner_ring_material.bending_strength is not None
+    if seats.fit is None or not brittle:
+        return Strength(rings=rings)
+    inner = strength_map(case.bearing, case.operation, seats.fit, seats.rise, seats.reference)
+    return Strength(rings=rings, inner_map=inner)
+
+
+def contact_tensions(
+    case: Case,
+    solutions: Sequence[ContactSolution | None],
+    tractions: Sequence[ContactTraction | None],
+) -> tuple[SurfaceTension | None, ...]:
+    """Tension in the surfaces of the contacts that have films and a brittle body.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    solutions : Sequence[ContactSolution | None]
+        Solved films of the contacts.
+    tractions : Sequence[ContactTraction | None]
+        Shear of the contacts.
+
+    Returns
+    -------
+    tuple[SurfaceTension | None, ...]
+        The tensions; None without film or brittle body.
+    """
+    if case.rheology is None:
+        return ()
+    rings = ring_strengths(case.bearing, case.operation, case.clearance)
+    hoop = Strength(rings=rings).groove_tension()
+    temperature = case.operation.temperature
+    return surface_tensions(case.bearing, solutions, tractions, case.rheology, hoop, temperature)

@@ -1,17 +1,253 @@
-"""The folder of a result: complete or not there; files of others are never replaced."""
+"""The folder of a result: complete or not there; files of others are never replaced.
 
+Integrity of files of results: a digest of each stands beside them.
+
+One writer at a time in a folder of results, and an end to what killed ones have left.
+
+A writer holds the lock of `.NAME.lock` beside the folder, which the system takes from a process
+that ends, however it ends. What else is there of the name's temporary folders is then nobody's.
+
+Meshes of results, with the finite elements that their case asks for.
+"""
+
+import atexit
 import json
 import os
+import re
 import shutil
+import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
+from functools import partial
+from hashlib import sha256
 from pathlib import Path
+from time import time
 
-from bearing.files import umask
+from bearing.files import PARTIAL, umask, write_bytes
+from ehl import ContactConditions
+from ehl.solid.layered import Coating
+from postprocess.netcdf_read import open_results
+from postprocess.scene.export import export_results
 
-from ..format.problems import CaseError
-from .integrity import DIGESTS, write_digests
-from .output_lock import TEMPORARY, home
+from ..format.case import ContactCase, case_of_document
+from ..format.rules import CaseError
+
+DIGESTS = ".oilfilm-digests.json"
+PIECE = 2**20  # read at a time [bytes]
+
+
+def write_digests(folder: Path, names: Iterable[str]) -> None:
+    """Record the digests of files.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the results.
+    names : Iterable[str]
+        Names of the files in it.
+    """
+    digests = {name: file_digest(folder / name) for name in sorted(names)}
+    write_bytes(folder / DIGESTS, json.dumps(digests, indent=1).encode())
+
+
+def file_digest(path: Path) -> str:
+    """Hash of the content of a file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    str
+        Hexadecimal digits.
+    """
+    known = sha256()
+    with path.open("rb") as file:
+        while piece := file.read(PIECE):
+            known.update(piece)
+    return known.hexdigest()
+
+
+def damaged_files(folder: Path) -> list[Path]:
+    """Files that have changed since they were written, or are missing.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    list[Path]
+        The files; none where there are no digests.
+    """
+    try:
+        digests = json.loads((folder / DIGESTS).read_text(encoding="utf-8"))
+        recorded = [(folder / name, digest) for name, digest in digests.items()]
+    except (OSError, ValueError, AttributeError, TypeError):
+        return []
+    return [path for path, digest in recorded if not _is_as_written(path, digest)]
+
+
+def _is_as_written(path: Path, digest: object) -> bool:
+    try:
+        return file_digest(path) == digest
+    except OSError:
+        return False
+
+
+if sys.platform != "win32":
+    import fcntl
+
+SCRATCH = "oilfilm-scratch-"
+YOUNG = 60.0  # age up to which a folder may be between its making and its locking [s]
+UNFINISHED = re.compile(rf"\..*-[a-z0-9_]{{8}}{re.escape(PARTIAL)}(\.\w+)?")
+TEMPORARY = ".partial"  # end of the name of a folder that is being written
+
+
+@contextmanager
+def one_writer(target: Path, *, shared: bool = False) -> Iterator[None]:
+    """Lock a folder or a file against other programs.
+
+    Parameters
+    ----------
+    target : Path
+        The folder or file.
+    shared : bool, default False
+        True: only against programs that want it for themselves.
+
+    Raises
+    ------
+    CaseError
+        If another program writes it already.
+    """
+    target = target.absolute()
+    lock = home(target) / f".{target.name}.lock"
+    handle = _locked(lock, target, shared=shared)
+    if handle is None:  # no locks on this file system
+        yield
+        return
+    # others may hold the file, too, whom the next one would not find without it
+    release = partial(os.close, handle) if shared else partial(_release, lock, handle)
+    atexit.register(release)  # also where the program ends in the middle of the work
+    try:
+        if not shared:
+            remove_leftovers(target)
+        yield
+    finally:
+        atexit.unregister(release)
+        release()
+
+
+def _release(lock: Path, handle: int) -> None:
+    """Remove the lock file while it is held, so that it is nobody else's, and let it go."""
+    with suppress(OSError):
+        lock.unlink()
+    os.close(handle)
+
+
+def home(target: Path) -> Path:
+    """Folder for temporary files of a target: beside it, or in it where that cannot be written.
+
+    Parameters
+    ----------
+    target : Path
+        The folder or file.
+
+    Returns
+    -------
+    Path
+        The folder.
+    """
+    target = target.absolute()
+    inside = target.is_dir() and not os.access(target.parent, os.W_OK)
+    return target if inside else target.parent
+
+
+def remove_leftovers(target: Path) -> None:
+    """Remove temporary folders and files of writers that were killed.
+
+    Parameters
+    ----------
+    target : Path
+        The folder or file.
+    """
+    target = target.absolute()
+    for folder in home(target).glob(f".{target.name}-*{TEMPORARY}"):
+        shutil.rmtree(folder, ignore_errors=True)
+    if target.is_dir():
+        parts = target.rglob(f".*{PARTIAL}*")
+    else:
+        parts = target.parent.glob(f".{target.stem}-*{PARTIAL}*")
+    for file in parts:
+        if UNFINISHED.fullmatch(file.name):
+            file.unlink(missing_ok=True)
+
+
+@contextmanager
+def scratch_folder() -> Iterator[Path]:
+    """A folder in the temporary one of the system; those of killed programs are removed first.
+
+    Each is locked as long as its program lives.
+    """
+    base = Path(tempfile.gettempdir())
+    for left in base.glob(f"{SCRATCH}*"):
+        with suppress(OSError):
+            if time() - left.stat().st_mtime > YOUNG:
+                _remove_unlocked(left)
+    with tempfile.TemporaryDirectory(prefix=SCRATCH) as folder:
+        if sys.platform == "win32":
+            yield Path(folder)
+            return
+        handle = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)
+        try:
+            with suppress(OSError):
+                fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            yield Path(folder)
+        finally:
+            os.close(handle)
+
+
+def _remove_unlocked(folder: Path) -> None:
+    """Remove a folder whose program has ended; OSError if it has not."""
+    if sys.platform == "win32":
+        return
+    handle = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        shutil.rmtree(folder, ignore_errors=True)
+    finally:
+        os.close(handle)
+
+
+def _locked(lock: Path, target: Path, *, shared: bool) -> int | None:
+    """Handle of the lock file, whose lock is held; None where there are no locks."""
+    if sys.platform == "win32":
+        return None
+    while True:
+        try:
+            handle = os.open(lock, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+        except OSError as error:
+            reason = error.strerror or error
+            raise CaseError(f"{target}: cannot be written: {reason}") from None
+        try:
+            kind = fcntl.LOCK_SH if shared else fcntl.LOCK_EX
+            fcntl.flock(handle, kind | fcntl.LOCK_NB)
+        except BlockingIOError:
+            os.close(handle)
+            used = "another oilfilm is writing there; wait for its end, or choose another -o"
+            raise CaseError(f"{target}: {used}") from None
+        except OSError:  # of network drives
+            os.close(handle)
+            return None
+        with suppress(OSError):
+            if os.path.samestat(os.fstat(handle), lock.stat()):
+                return handle
+        os.close(handle)  # of a writer that has just ended and removed it
+
 
 # what we wrote, so that a later run replaces that and nothing else
 MANIFEST = ".oilfilm-files.json"
@@ -197,3 +433,34 @@ def _remove_empty(file: Path, directory: Path) -> None:
         if folder == directory or not folder.is_dir() or any(folder.iterdir()):
             return
         folder.rmdir()
+
+
+def export_meshes(directory: Path, file: Path) -> tuple[Path, ...]:
+    """Write films as a mesh, and the elements of a coating beside it.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+    file : Path
+        File of the mesh.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The files written.
+    """
+    return export_results(directory, file, _coating(directory))
+
+
+def _coating(directory: Path) -> Coating | None:
+    """The coating of a single contact, from the case that its results hold."""
+    with open_results(directory) as tree:
+        document = json.loads(tree.attrs["case"])
+    try:
+        case = case_of_document(document) if "contact" in document else None
+    except CaseError:  # a case of an earlier version
+        return None
+    if isinstance(case, ContactCase) and isinstance(case.conditions, ContactConditions):
+        return case.conditions.coating
+    return None

@@ -28,7 +28,7 @@ HOMES = {
     "h5py": ("postprocess/netcdf_write.py", "postprocess/*/history.py"),
     "typer": ("cases/cli/*.py", "cases/cli/over_time/*.py"),
     "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/batch/planning/*.py", "cases/optimise/*.py"),
-    "pydantic_core": ("cases/format/*.py", "cases/batch/quick_json.py"),
+    "pydantic_core": ("cases/format/*.py", "cases/batch/compute.py"),
     "rich": ("cases/cli/*.py", "postprocess/*table.py", "postprocess/*/*.py"),
     "PIL": ("postprocess/scene/*.py",),
     "trame_pyvista": ("postprocess/scene/*.py",),

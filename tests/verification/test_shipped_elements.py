@@ -8,7 +8,7 @@ import pytest
 
 from bearing.contacts.contacts import contact_conditions
 from cases import load_case
-from cases.runs.equilibrium import case_equilibrium
+from cases.runs.traction_films import case_equilibrium
 from ehl import SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 

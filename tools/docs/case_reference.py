@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from cases.format.document import BearingFile, ContactFile
-from cases.format.problems import allowed_values, resolved
+from cases.format.rules import allowed_values, resolved
 from ehl.units import unit_of
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -9,7 +9,7 @@ from pathlib import Path
 from PIL import Image
 
 from cases import load_case
-from cases.runs.slip import run_slip
+from cases.runs.stiffness import run_slip
 from postprocess.slip.write import write_slip
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"

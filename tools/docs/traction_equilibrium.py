@@ -18,7 +18,7 @@ from bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTrac
 from bearing.quasistatic.solution import QuasistaticSolution
 from cases import load_case
 from cases.format.case import Case
-from cases.format.film_model import NEWTONIAN, CaseFilms
+from cases.format.contact import NEWTONIAN, CaseFilms
 from cases.runs.traction_films import PooledFilms
 from ehl import SolverOptions
 from ehl.traction.coefficients import FourConstants

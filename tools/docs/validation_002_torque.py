@@ -27,8 +27,8 @@ from bearing.torque.integrated import bearing_films, solved_shear
 from cases import load_case
 from cases.batch.sweep import read_sweep
 from cases.format.case import Case, case_of_document
-from cases.runs.equilibrium import case_equilibrium
 from cases.runs.heating import self_heated
+from cases.runs.traction_films import case_equilibrium
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"

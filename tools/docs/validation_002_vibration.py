@@ -13,7 +13,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from cases.format.case import case_of_document, load_case
-from cases.runs.studies.vibration import NotSolvedError, run_vibration
+from cases.runs.vibration import NotSolvedError, run_vibration
 from postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, save
 from postprocess.vibration.summary import vibration_summary
 

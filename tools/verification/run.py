@@ -24,12 +24,9 @@ if not __package__:  # run as a script: `verification` is a package of the folde
     sys.path[0] = str(Path(__file__).resolve().parents[1])
 
 from cases import run_case
-from cases.cli.app import Json, Quiet
-from cases.cli.cost import tell_cost
-from cases.cli.output import held_directory, load_bearing
-from cases.cli.progress import progress_bar
-from cases.cli.terminal import INTERRUPTED, NOT_CONVERGED, guarded, print_json, print_table
-from cases.format.problems import CaseError
+from cases.cli.output import held_directory, load_bearing, tell_cost
+from cases.cli.terminal import INTERRUPTED, NOT_CONVERGED, Json, Quiet, guarded, print_json, print_table, progress_bar
+from cases.format.rules import CaseError
 from cases.runs.interrupt import end_now, end_unless_obeyed, finish_first, interrupt, say
 from postprocess.bearing.results import BearingResults
 from verification import robustness as random_contacts

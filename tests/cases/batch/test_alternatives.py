@@ -7,8 +7,8 @@ from typer.testing import CliRunner
 
 from cases import load_case
 from cases.batch.sweep import sweep_from_text
-from cases.cli.app import app
-from cases.format.problems import CaseError
+from cases.cli.terminal import app
+from cases.format.rules import CaseError
 
 FIT = '\n[fit]\nshaft_tolerance = "k5"\nhousing_tolerance = "H7"\nhousing_outside_diameter_mm = 90.0\n'
 

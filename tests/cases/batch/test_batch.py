@@ -19,18 +19,18 @@ from typer.testing import CliRunner
 import postprocess
 from bearing import contact_conditions, solve_quasistatic
 from cases import CaseError, load_case
+from cases.batch import shared_tables
+from cases.batch.compute import compute_block, compute_point
 from cases.batch.engine import PointSelection, ProgressEstimate, duration, run_batch
 from cases.batch.keys import WITHOUT_CONTACTS, content_key
 from cases.batch.points import Task
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import load_results, write_batch
-from cases.batch.shared import contact_cache
-from cases.batch.shared.contact_cache import ContactCache
+from cases.batch.shared_tables import ContactCache
 from cases.batch.store import finished_points, open_folder
 from cases.batch.sweep import read_sweep, sweep_from_text
-from cases.batch.worker import compute_block, compute_point
-from cases.cli.app import app
-from cases.format.film_model import NEWTONIAN
+from cases.cli.terminal import app
+from cases.format.contact import NEWTONIAN
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 from postprocess.batch.store import PointStore, Record, StoredPoints, store_files
 
@@ -459,7 +459,7 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
         return original(conditions, options)
 
     original = ehl.solve_contact
-    monkeypatch.setattr("cases.format.film_model.solve_contact", solve)
+    monkeypatch.setattr("cases.format.contact.solve_contact", solve)
     results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(solved) == 2  # both races of one ball, for two points
     first, second = (point.summary["contacts"] for point in results.points)
@@ -481,7 +481,7 @@ def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, 
     solved = []
     original = ehl.solve_contact
     monkeypatch.setattr(
-        "cases.format.film_model.solve_contact", lambda *words: solved.append(words[0]) or original(*words)
+        "cases.format.contact.solve_contact", lambda *words: solved.append(words[0]) or original(*words)
     )
     sweep = sweep_from_text(text, "sweep.toml")
     run_batch(sweep, tmp_path / "out", HerePool)
@@ -493,9 +493,9 @@ def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, 
 def test_the_cache_is_looked_through_a_few_times_only(tmp_path, monkeypatch):
     """10 000 contacts of 100 kB are 10 looks, of which each reads the sizes of all there are."""
     looks = []
-    monkeypatch.setattr(contact_cache, "load_object", lambda path: None)
-    monkeypatch.setattr(contact_cache, "store_object", lambda path, thing: 100_000)
-    monkeypatch.setattr(contact_cache, "content_key", lambda *words: f"{words[0]}")
+    monkeypatch.setattr(shared_tables, "load_object", lambda path: None)
+    monkeypatch.setattr(shared_tables, "store_object", lambda path, thing: 100_000)
+    monkeypatch.setattr(shared_tables, "content_key", lambda *words: f"{words[0]}")
     cache = ContactCache(tmp_path)
     plain = cache._look
     monkeypatch.setattr(cache, "_look", lambda: looks.append(1) or plain())
@@ -506,8 +506,8 @@ def test_the_cache_is_looked_through_a_few_times_only(tmp_path, monkeypatch):
 
 
 def test_a_full_cache_takes_no_more(tmp_path, monkeypatch):
-    monkeypatch.setattr(contact_cache, "MOST_BYTES", 10)
-    monkeypatch.setattr(contact_cache, "BETWEEN", 1)
+    monkeypatch.setattr(shared_tables, "MOST_BYTES", 10)
+    monkeypatch.setattr(shared_tables, "BETWEEN", 1)
     oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
     solve = with_cache(tmp_path)
     for load in (10.0, 12.0):

@@ -14,15 +14,14 @@ from bearing import Race
 from bearing.friction.tables import load_tables
 from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
-from cases.batch.compute import torque_by_tables
+from cases.batch import shared_tables
+from cases.batch.compute import compute_point, torque_by_tables
 from cases.batch.engine import PointSelection, run_batch
 from cases.batch.points import Task
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import load_results, write_batch
-from cases.batch.shared import tables
 from cases.batch.sweep import sweep_from_text
-from cases.batch.worker import compute_point
-from cases.cli.app import app
+from cases.cli.terminal import app
 from ehl.traction_table.build import TableOptions, build_table
 from postprocess import summary
 from postprocess.batch.plots import quantities
@@ -68,8 +67,8 @@ def shared(tmp_path_factory):
         return build_table(*arguments)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(tables, "TableOptions", few)
-        patch.setattr(tables, "build_table", counted)
+        patch.setattr(shared_tables, "TableOptions", few)
+        patch.setattr(shared_tables, "build_table", counted)
         folder = tmp_path_factory.mktemp("shared")
         results = load_results(run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool))
         again = run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool, PointSelection(resume=True))
@@ -233,7 +232,7 @@ def test_damaged_tables_fail_their_points_and_are_told(tmp_path):
 
 
 def test_damaged_tables_of_the_folder_are_told_and_made_anew(tmp_path, monkeypatch, capsys):
-    from cases.batch.shared import tables
+    from cases.batch import shared_tables
     from cases.batch.store import TABLES
 
     made = []
@@ -242,13 +241,13 @@ def test_damaged_tables_of_the_folder_are_told_and_made_anew(tmp_path, monkeypat
         made.append(name)
         path.write_bytes(b"anew")
 
-    monkeypatch.setattr(tables, "_put", make)
+    monkeypatch.setattr(shared_tables, "_put", make)
     sweep = sweep_from_text(TORQUE, "sweep.toml")
     (tmp_path / TABLES).mkdir()
-    path = tables.table_path(tmp_path, sweep.points[0].tables)
+    path = shared_tables.table_path(tmp_path, sweep.points[0].tables)
     path.write_bytes(b"no archive")
     keys = {point.key for point in sweep.points}
-    assert tables.prepare_tables(sweep, keys, tmp_path, lambda *_: None) == {}
+    assert shared_tables.prepare_tables(sweep, keys, tmp_path, lambda *_: None) == {}
     assert made == [sweep.points[0].tables]
     assert f"{path}: damaged; the traction tables are made anew" in capsys.readouterr().err
 

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 from cases.batch.engine import PointSelection, run_batch
 from cases.batch.results import load_results
 from cases.batch.sweep import read_sweep
-from cases.cli.app import app
+from cases.cli.terminal import app
 from postprocess import open_results
 from postprocess.batch.store import read_batch
 

@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 from cases.batch.engine import run_batch
 from cases.batch.results import load_results
 from cases.batch.sweep import read_sweep, sweep_from_text
-from cases.cli.app import app
+from cases.cli.terminal import app
 from cases.format.shipped import shipped_sweeps
 from postprocess.batch.columns import InMemory, columns_of
 from postprocess.batch.plots import draw_batch, draw_together, quantities, write_diagram

@@ -22,7 +22,7 @@ from cases.batch.engine import run_batch
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import load_results, write_batch
 from cases.batch.sweep import sweep_from_text
-from cases.cli.app import app
+from cases.cli.terminal import app
 
 from .test_batch import HerePool
 

@@ -14,18 +14,15 @@ from typer.testing import CliRunner
 
 from cases import CaseError
 from cases.batch import results as batch_results
+from cases.batch.compute import compute_point, failure, limited
 from cases.batch.engine import PointSelection, computed_before, run_batch
-from cases.batch.keys import digest
-from cases.batch.limits import limited
+from cases.batch.keys import digest, program_digest, program_sources
 from cases.batch.points import Limits
 from cases.batch.pools import Pool, executor_factory
-from cases.batch.program import program_digest, program_sources
 from cases.batch.results import collect_results, load_results, write_batch
-from cases.batch.shards import Shard, shard_of
-from cases.batch.sweep import sweep_from_text
-from cases.batch.worker import compute_point, failure
-from cases.cli.app import app
-from cases.runs.output_lock import one_writer
+from cases.batch.sweep import Shard, shard_of, sweep_from_text
+from cases.cli.terminal import app
+from cases.runs.output_directory import one_writer
 from postprocess.batch.columns import InMemory, columns_of
 from postprocess.batch.store import FAILED, read_batch, stored_summaries
 from postprocess.batch.write import write_batch_parquet
@@ -138,12 +135,12 @@ def test_only_failed_points_are_computed_again(tmp_path, monkeypatch):
         return original(task, tables) if not bad else batch_results_failure(task)
 
     def batch_results_failure(task):
-        from cases.batch.worker import failure
+        from cases.batch.compute import failure
 
         return failure(task.key, "failed", "not today")
 
     with monkeypatch.context() as patch:
-        patch.setattr("cases.batch.worker.compute_point", failing)
+        patch.setattr("cases.batch.compute.compute_point", failing)
         with pytest.raises(KeyboardInterrupt):
             run_batch(sweep, tmp_path / "out", lambda: HerePool(stop_after=5))
     pool = HerePool()
@@ -227,7 +224,7 @@ def test_a_point_beyond_its_time_fails(tmp_path):
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the limit is of the kernel")
 def test_a_point_beyond_its_memory_fails():
-    words = "from cases.batch.limits import limited; from cases.batch.points import Limits\n"
+    words = "from cases.batch.compute import limited; from cases.batch.points import Limits\n"
     words += "import numpy\nwith limited(Limits(memory=0.2)):\n    numpy.ones(10**8)\n"
     answer = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=False)
     assert "MemoryError" in answer.stderr
@@ -269,7 +266,7 @@ def test_a_folder_without_a_point_is_no_earlier_batch(whole, tmp_path, monkeypat
 
 
 def test_results_are_written_where_every_point_failed(tmp_path, monkeypatch):
-    monkeypatch.setattr("cases.batch.worker.compute_point", lambda task, tables=None: failure(task.key, FAILED, "no"))
+    monkeypatch.setattr("cases.batch.compute.compute_point", lambda task, tables=None: failure(task.key, FAILED, "no"))
     sweep = sweep_from_text(QUICK, "sweep.toml")
     with collect_results(run_batch(sweep, tmp_path / "out", HerePool)) as (results, columns):
         write_batch(results, tmp_path / "out", columns)
@@ -301,12 +298,12 @@ def test_the_code_is_part_of_the_name(monkeypatch):
     assert not [path for path in program_sources() if "cli" in Path(path).parts]
     assert len(program_digest()) == 16
     before = sweep_from_text(QUICK, "sweep.toml").points[0].key
-    monkeypatch.setattr("cases.batch.planning.plan.program_digest", lambda: "another")
+    monkeypatch.setattr("cases.batch.plan.program_digest", lambda: "another")
     assert sweep_from_text(QUICK, "sweep.toml").points[0].key != before
 
 
 def test_a_file_that_a_case_reads_is_part_of_the_name(tmp_path, monkeypatch):
-    from cases.batch.planning.plan import input_files
+    from cases.batch.plan import input_files
 
     document = {"friction": {"traction_table": str(tmp_path / "table.zip")}}
     assert list(input_files(document)) == [str(tmp_path / "table.zip")]

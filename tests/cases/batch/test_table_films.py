@@ -12,8 +12,9 @@ from bearing import solve_quasistatic
 from bearing.friction.tables import table_contacts, table_range
 from bearing.geometry import Race
 from cases import load_case
-from cases.batch.shared import kept, table_films
-from cases.batch.shared.table_films import remove_films, stored_film_sampler
+from cases.batch import shared_tables
+from cases.batch import shared_tables as table_films
+from cases.batch.shared_tables import remove_films, stored_film_sampler
 from cases.cli.compute import _film_sampler
 
 
@@ -27,7 +28,7 @@ class Hostile:
 def hostile(path):
     """A file whose digest is right, and whose content runs a command."""
     data = pickle.dumps(Hostile())
-    return kept._digest(path, data) + data
+    return shared_tables._digest(path, data) + data
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +42,7 @@ def place():
 
 def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, tmp_path, monkeypatch, capsys):
     """At once, not after minutes when the table itself does not fit; with room again it goes on from there."""
-    film_sample, write_file = table_films.film_sample, kept.write_file
+    film_sample, write_file = table_films.film_sample, shared_tables.write_file
     places = [(*place[:2], (log(load), log(10.0)), 65) for load in (500.0, 600.0)]
     solved = []
 
@@ -53,7 +54,7 @@ def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, 
                 raise OSError(ENOSPC, "No space left on device")
             write_file(path, data)
 
-        monkeypatch.setattr(kept, "write_file", on_disk)
+        monkeypatch.setattr(shared_tables, "write_file", on_disk)
         with _film_sampler(tmp_path / "table.zip") as sample:
             for one in places:
                 sample(*one)

@@ -22,7 +22,7 @@ from bearing.library.lubricants import library_lubricant
 from bearing.torque.skf import viscous_factor
 from cases import load_case
 from cases.cli import compute, output, terminal
-from cases.cli.app import app
+from cases.cli.terminal import app
 from cases.format.shipped import find_case, shipped_cases
 from cases.runs import interrupt
 
@@ -291,7 +291,7 @@ def test_not_converged_is_written_flagged_and_told(monkeypatch, tmp_path):
         solved = solve(*arguments, **options)
         return dataclasses.replace(solved, converged=False, message="the load exceeds every capacity")
 
-    monkeypatch.setattr("cases.runs.equilibrium.solve_quasistatic", fail)
+    monkeypatch.setattr("cases.runs.traction_films.solve_quasistatic", fail)
     answer = oilfilm("run", AT_REST, "-o", "out", "--quiet")
     assert answer.exit_code == 1
     assert "the load exceeds every capacity" in answer.stderr

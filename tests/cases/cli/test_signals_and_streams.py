@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from cases.cli import cost, progress
+from cases.cli import output, terminal
 from cases.cli.terminal import exit_code
 from cases.runs.interrupt import interruptible
 
@@ -188,14 +188,14 @@ def test_work_goes_on_when_nobody_reads_its_messages(tmp_path):
 
 
 def test_progress_is_told_in_lines_where_there_is_no_terminal(monkeypatch, capsys):
-    monkeypatch.setattr(progress, "FIRST_LINE", 0.05)
-    with progress.progress_bar(quiet=False) as show:
+    monkeypatch.setattr(terminal, "FIRST_LINE", 0.05)
+    with terminal.progress_bar(quiet=False) as show:
         show(2, 18, "films")
         time.sleep(0.3)
     lines = capsys.readouterr().err.splitlines()
     assert lines[0] == "oilfilm: after 0 s: films, 2 of 18"
     assert 1 <= len(lines) <= 3  # after 0.05, 0.15, 0.35 s
-    with progress.progress_bar(quiet=True) as show:
+    with terminal.progress_bar(quiet=True) as show:
         show(2, 18, "films")
         time.sleep(0.1)
     assert capsys.readouterr().err == ""
@@ -204,7 +204,7 @@ def test_progress_is_told_in_lines_where_there_is_no_terminal(monkeypatch, capsy
 def test_a_compilation_is_told_once(capsys):
     import logging
 
-    with progress.progress_bar(quiet=False):
+    with terminal.progress_bar(quiet=False):
         for _ in range(3):
             logging.getLogger("ehl.compiled").info("compiling kernels")
     assert capsys.readouterr().err == "oilfilm: compiling kernels\n"
@@ -223,24 +223,24 @@ def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
     from cases import load_case
 
     case = load_case("6208_full_ceramic")
-    cost.report_cost(cost.run_cost(case, 2), quiet=True)
-    cost.report_cost(cost.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
+    output.report_cost(output.run_cost(case, 2), quiet=True)
+    output.report_cost(output.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
     assert capsys.readouterr().err == ""
-    cost.report_cost(cost.run_cost(case, 1), quiet=False)
+    output.report_cost(output.run_cost(case, 1), quiet=False)
     text = "oilfilm: at most 18 films on at most 257 nodes, 1 at a time: about 11 s\n"
     assert capsys.readouterr().err == text
-    cost.report_cost(cost.table_cost(513, 3, 2), quiet=False)
+    output.report_cost(output.table_cost(513, 3, 2), quiet=False)
     assert capsys.readouterr().err.endswith("360 films on 513 nodes or more, 2 at a time: about 7 min\n")
-    cost.report_cost(cost.slip_cost(load_case("hirano_7000C"), 1), quiet=False)
-    simulated = cost.dynamics_cost(load_case("7008_combined"))
+    output.report_cost(output.slip_cost(load_case("hirano_7000C"), 1), quiet=False)
+    simulated = output.dynamics_cost(load_case("7008_combined"))
     assert simulated == ("0.1 s of 18 balls simulated", pytest.approx(0.1 * 18 * 1.6))
     planar = load_case("6304_planar")
-    assert cost.dynamics_cost(planar)[1] == pytest.approx(2.8)
-    assert cost.batch_cost(planar, 12, "dynamics")[1] == pytest.approx(12 * 2.8)
-    assert cost.batch_cost(case, 5, "run")[1] == pytest.approx(5 * cost.run_cost(case, 1)[1])
+    assert output.dynamics_cost(planar)[1] == pytest.approx(2.8)
+    assert output.batch_cost(planar, 12, "dynamics")[1] == pytest.approx(12 * 2.8)
+    assert output.batch_cost(case, 5, "run")[1] == pytest.approx(5 * output.run_cost(case, 1)[1])
     single = load_case("ball_on_disc")
-    assert cost.batch_cost(single, 3, "run")[1] == pytest.approx(3 * cost.film_seconds(single.solver))
-    assert cost.batch_cost(case, 100, "torque")[0] == "100 points, at most 1 s each on one core"
-    films = cost.batch_cost(case, 10, "run")[0]
-    assert films.startswith(f"10 points with at most {10 * cost.run_films(case)} films, at most ")
+    assert output.batch_cost(single, 3, "run")[1] == pytest.approx(3 * output.film_seconds(single.solver))
+    assert output.batch_cost(case, 100, "torque")[0] == "100 points, at most 1 s each on one core"
+    films = output.batch_cost(case, 10, "run")[0]
+    assert films.startswith(f"10 points with at most {10 * output.run_films(case)} films, at most ")
     assert "slip at 51 speeds and 51 loads" in capsys.readouterr().err

@@ -8,7 +8,7 @@ import pytest
 import typer
 
 from cases.cli.terminal import exit_code
-from cases.format.problems import CaseError, allowed_values, shown
+from cases.format.rules import CaseError, allowed_values, shown
 
 
 def raising(error):

@@ -8,7 +8,7 @@ from math import nan
 import pytest
 from typer.testing import CliRunner
 
-from cases.cli.app import app
+from cases.cli.terminal import app
 from cases.runs import verification
 from cases.runs.verification import CONTACTS, Check, checks, film_checks
 from verification.contacts import race_6208

@@ -6,7 +6,7 @@ import pytest
 
 from cases.format.case import case_from_text
 from cases.format.contact import FilmModel
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.contact import run_contact
 from postprocess import summary

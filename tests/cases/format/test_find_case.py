@@ -7,8 +7,8 @@ import shutil
 import pytest
 from typer.testing import CliRunner
 
-from cases.cli.app import app
-from cases.format.problems import CaseError
+from cases.cli.terminal import app
+from cases.format.rules import CaseError
 from cases.format.shipped import find_case, shipped_cases
 
 

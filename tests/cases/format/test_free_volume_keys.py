@@ -8,7 +8,7 @@ import pytest
 
 from cases.format.case import case_from_text
 from cases.format.document import validate_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from ehl.oil.free_volume import ExpansivityForm, YasutomiGlass, log_viscosity_yasutomi, pressure_viscosity_yasutomi
 from ehl.oil.lubricant import density, viscosity
 

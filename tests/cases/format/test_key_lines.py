@@ -6,7 +6,7 @@ import tomllib
 
 import pytest
 
-from cases.format.problems import find_line, key_lines
+from cases.format.rules import find_line, key_lines
 from cases.format.shipped import shipped_cases
 
 TEXT = '''# comment = 1 [not.a.table]

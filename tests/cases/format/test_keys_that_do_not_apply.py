@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from cases import CaseError
 from cases.batch.sweep import sweep_from_text
-from cases.cli.app import app
+from cases.cli.terminal import app
 from cases.format.case import case_from_text
 from cases.format.document import validate_text
 

@@ -7,15 +7,21 @@ import pytest
 from typer.testing import CliRunner
 
 from cases import CaseError
-from cases.cli.app import app
 from cases.cli.optimise import optimisation_table
-from cases.optimise.ask import Observations, first_designs, next_designs, pareto_front, scalar_goal
-from cases.optimise.designs import Design, OptimisationResult
-from cases.optimise.proof import confirmation_messages, improvement
+from cases.cli.terminal import app
 from cases.optimise.results import write_optimisation
-from cases.optimise.search import search_designs
-from cases.optimise.study import read_study
-from cases.optimise.surrogate import fitted
+from cases.optimise.search import (
+    Observations,
+    confirmation_messages,
+    first_designs,
+    fitted,
+    improvement,
+    next_designs,
+    pareto_front,
+    scalar_goal,
+    search_designs,
+)
+from cases.optimise.study import Design, OptimisationResult, read_study
 
 from ..batch.test_batch import HerePool
 

@@ -9,9 +9,9 @@ import pytest
 from typer.testing import CliRunner
 
 import ehl
-from cases.cli.app import app
+from cases.cli.terminal import app
 from cases.format.case import load_case
-from cases.runs.studies import atlas
+from cases.runs import atlas
 
 
 def call(*arguments):

@@ -23,9 +23,9 @@ from bearing.dynamics.statistics import states
 from bearing.library.lubricants import library_lubricant
 from bearing.quasistatic.solver import solve_quasistatic
 from cases import load_case, run_case
-from cases.cli.app import app
-from cases.cli.dynamics import _write
-from cases.format.problems import CaseError
+from cases.cli.over_time import _write
+from cases.cli.terminal import app
+from cases.format.rules import CaseError
 from cases.format.shipped import find_case
 from cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics
 from postprocess import summary

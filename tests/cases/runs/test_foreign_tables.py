@@ -8,11 +8,11 @@ from typer.testing import CliRunner
 from bearing.friction.tables import save_race_tables, save_temperature_tables
 from bearing.geometry import Race
 from bearing.material import load_material
-from cases.batch.shared.tables import tables_once
+from cases.batch.shared_tables import tables_once
 from cases.batch.sweep import sweep_from_text
-from cases.cli.app import app
+from cases.cli.terminal import app
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from cases.format.shipped import find_case
 from cases.runs.dynamics import build_model
 from ehl.traction_table.temperature import TemperatureTable

@@ -6,7 +6,7 @@ import pytest
 
 from cases import run_case
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from postprocess import summary
 
 CASE = """

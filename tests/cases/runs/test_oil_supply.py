@@ -12,7 +12,7 @@ from rich.console import Console
 from cases import load_case
 from cases.batch.sweep import read_sweep
 from cases.format.case import case_from_text, case_of_document
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.contact import run_contact
 from cases.runs.heating import self_heated

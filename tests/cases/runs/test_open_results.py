@@ -11,7 +11,7 @@ import pytest
 from typer.testing import CliRunner
 
 import postprocess
-from cases.cli.app import app
+from cases.cli.terminal import app
 from cases.format.document import read_text
 from cases.format.shipped import find_case
 

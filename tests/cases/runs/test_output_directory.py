@@ -7,10 +7,17 @@ import sys
 import pytest
 
 from cases import CaseError
-from cases.runs import output_lock
-from cases.runs.integrity import DIGESTS, damaged_files
-from cases.runs.output_directory import MANIFEST, check_file, check_output, check_replaceable, save
-from cases.runs.output_lock import one_writer
+from cases.runs import output_directory
+from cases.runs.output_directory import (
+    DIGESTS,
+    MANIFEST,
+    check_file,
+    check_output,
+    check_replaceable,
+    damaged_files,
+    one_writer,
+    save,
+)
 
 
 def writer(**files):
@@ -125,9 +132,9 @@ def test_what_killed_writers_have_left_is_swept(tmp_path):
 
 def test_scratch_folders_of_killed_programs_are_swept(tmp_path, monkeypatch):
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    monkeypatch.setattr(output_lock, "YOUNG", -1.0)
-    (tmp_path / f"{output_lock.SCRATCH}old").mkdir()
-    with output_lock.scratch_folder() as first, output_lock.scratch_folder() as second:
+    monkeypatch.setattr(output_directory, "YOUNG", -1.0)
+    (tmp_path / f"{output_directory.SCRATCH}old").mkdir()
+    with output_directory.scratch_folder() as first, output_directory.scratch_folder() as second:
         assert first.is_dir() and second.is_dir()  # a living one stays
         assert {path.name for path in tmp_path.iterdir()} == {first.name, second.name}
     assert list(tmp_path.iterdir()) == []
@@ -139,7 +146,7 @@ def test_results_go_into_a_folder_whose_parent_cannot_be_written(tmp_path, monke
     target.mkdir()
     monkeypatch.setattr("os.access", lambda path, mode: path != tmp_path)  # root may write everywhere
     check_output(target)
-    assert output_lock.home(target) == target
+    assert output_directory.home(target) == target
     save(writer(a="1"), target)
     assert contents(target) == {"a": "1"}
 

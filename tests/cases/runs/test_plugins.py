@@ -14,9 +14,9 @@ import pytest
 from bearing.library import plugins
 from bearing.library.lubricants import _of_plugin as checked_oil
 from bearing.library.lubricants import library_lubricant, list_lubricants
-from cases.batch.program import program_digest
+from cases.batch.keys import program_digest
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 
 MODULE = """
 from math import exp

@@ -8,7 +8,7 @@ import pytest
 
 from cases import load_case, run_case
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from postprocess import summary
 from postprocess.bearing.duty_cycle import duty_cycle_rows
 from postprocess.bearing.summary import rating_rows

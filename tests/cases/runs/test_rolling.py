@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.contact import run_contact
 from postprocess import summary

@@ -10,7 +10,7 @@ from rich.console import Console
 
 from cases import load_case, run_case
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from postprocess import summary
 from postprocess.bearing.plots import write_bearing_plots
 from postprocess.bearing.write import bearing_table

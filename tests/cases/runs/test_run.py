@@ -52,7 +52,7 @@ def unsheared(monkeypatch):
 
 def replace_solver(monkeypatch, stand_in):
     """Solve films by a stand-in, in runs of bearings and of single contacts."""
-    for module in ("cases.format.film_model", "cases.runs.films"):
+    for module in ("cases.format.contact", "cases.runs.films"):
         monkeypatch.setattr(f"{module}.solve_contact", stand_in)
 
 
@@ -98,7 +98,7 @@ def test_no_films_without_equilibrium(solver, monkeypatch):
     def fail(*arguments, **named):
         return dataclasses.replace(solve(*arguments, **named), converged=False, message="no equilibrium")
 
-    monkeypatch.setattr("cases.runs.equilibrium.solve_quasistatic", fail)
+    monkeypatch.setattr("cases.runs.traction_films.solve_quasistatic", fail)
     results = run_case(load_case(CASE))
     assert solver.asked == []
     assert not results.converged

@@ -8,10 +8,9 @@ from math import pi
 import numpy as np
 import pytest
 
-from cases.cli.new.case_text import case_of_designation
-from cases.cli.new.first_operation import FirstOperation
+from cases.cli.new_case import FirstOperation, case_of_designation
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.heating import self_heated
 from postprocess import summary

@@ -11,8 +11,8 @@ import oilfilm
 from bearing.geometry import SINGLE
 from bearing.quasistatic.solver import solve_quasistatic
 from cases.format.case import case_of_document
-from cases.runs import equilibrium
-from cases.runs.equilibrium import Equilibria, case_equilibrium
+from cases.runs import traction_films
+from cases.runs.traction_films import Equilibria, case_equilibrium
 
 
 def as_run(name):
@@ -44,7 +44,7 @@ def solved(monkeypatch):
         found.append(operation)
         return solve_quasistatic(bearing, operation, model, rows=rows)
 
-    monkeypatch.setattr(equilibrium, "solve_quasistatic", counted)
+    monkeypatch.setattr(traction_films, "solve_quasistatic", counted)
     return found
 
 

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from bearing import solve_quasistatic
 from cases import load_case
-from cases.cli.app import app
+from cases.cli.terminal import app
 
 CASE = "7008_back_to_back"
 

@@ -15,10 +15,10 @@ from typer.testing import CliRunner
 from bearing.friction.tables import load_tables
 from bearing.geometry import Race
 from bearing.library.lubricants import library_lubricant
-from cases.batch.shared.tables import bodies_and_oil
-from cases.cli.app import app
+from cases.batch.shared_tables import bodies_and_oil
+from cases.cli.terminal import app
 from cases.format.case import case_of_document, load_case
-from cases.format.traction import tables_of_file
+from cases.format.friction import tables_of_file
 from cases.runs.traction_table import run_table
 from ehl.oil.rheology import Rheology
 from ehl.traction_table.build import TableOptions

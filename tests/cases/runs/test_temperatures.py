@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 import postprocess
-from cases.cli.app import app
+from cases.cli.terminal import app
 
 CASE = """
 schema_version = 1

@@ -8,7 +8,7 @@ import pytest
 
 from bearing.torque.breakdown import NAMES
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from cases.runs.bearing import run_case
 from postprocess import summary
 from postprocess.bearing.torque import torque_rows

@@ -9,7 +9,7 @@ import pytest
 
 import postprocess
 from cases.format.case import case_from_text, load_case
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from cases.runs.contact import run_contact
 from ehl import solve_contact
 from postprocess import summary
@@ -67,7 +67,7 @@ def test_a_pass_that_does_not_converge_is_told(monkeypatch):
         solution = solve_contact(conditions, options)
         return solution if len(calls) < 2 else replace(solution, converged=False)
 
-    monkeypatch.setattr("cases.format.film_model.solve_contact", failing)
+    monkeypatch.setattr("cases.format.contact.solve_contact", failing)
     document = summary(run_contact(case_from_text(MOES + "track_passes = 3\n", "case.toml")))
     assert not document["converged"]
     assert [row["converged"] for row in document["passes"]] == [True, False]

@@ -10,9 +10,9 @@ from bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTrac
 from bearing.friction.tables import save_race_tables
 from bearing.operation import BallKinematics
 from cases.format.case import case_from_text
-from cases.format.problems import CaseError
+from cases.format.rules import CaseError
 from cases.runs.bearing import run_case
-from cases.runs.slip import run_slip
+from cases.runs.stiffness import run_slip
 from postprocess import summary
 
 from ..made_up_tables import made_up_tables

@@ -17,10 +17,10 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from cases import load_case
-from cases.cli.app import app
-from cases.format.problems import CaseError
+from cases.cli.terminal import app
+from cases.format.rules import CaseError
 from cases.format.shipped import shipped_cases
-from cases.runs.studies.transient import run_transient
+from cases.runs.transient import run_transient
 from postprocess import open_results
 
 STEMS = [stem for stem, path in shipped_cases().items() if path.parent.name == "transient"]

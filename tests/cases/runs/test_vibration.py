@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
-from cases.cli.app import app
+from cases.cli.terminal import app
 from postprocess import open_results
 
 CASE = """

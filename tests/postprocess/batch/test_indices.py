@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cases.batch.planning.samples import morris_design, saltelli_design
+from cases.batch.samples import morris_design, saltelli_design
 from postprocess.batch.indices import elementary_effects, sobol_indices
 
 SEED = 58_201

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from typer.testing import CliRunner
 
-from cases.cli.app import app
+from cases.cli.terminal import app
 from postprocess import open_results, summary
 from postprocess.bearing.write import write_bearing_netcdf
 from postprocess.compare.summary import compare, comparison_table, relative

@@ -8,7 +8,7 @@ from zipfile import ZipFile
 import pytest
 from typer.testing import CliRunner
 
-from cases.cli.app import app
+from cases.cli.terminal import app
 from postprocess.files import read_summary
 from postprocess.report.plots_pdf import sheets, write_pdf, write_workbook
 

@@ -2,11 +2,23 @@
 before the points.
 
 tables/NAME.zip     both races; NAME is a hash of the inputs of all points that share them
+
+Things that took long to compute, a file each, named after all that they depend on.
+
+A file holds a digest of its name and content, and arrays and objects of `ehl`, nothing else. It is
+read with care: it may come from anywhere, and be damaged.
+
+Solved contacts on disk, named after all they depend on: equal ones are solved once.
+
+Films of a traction table on disk while it grows, so that an interrupted one goes on.
 """
 
+import pickle
+import shutil
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
+from hashlib import blake2b
 from pathlib import Path
 from typing import Any
 
@@ -20,22 +32,189 @@ from bearing.friction.tables import (
     table_range,
 )
 from bearing.operation import BallKinematics
-from ehl import Lubricant
+from ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
 from ehl.multigrid.starved import cores
 from ehl.oil.rheology import Rheology
 from ehl.traction_table.build import TableOptions, build_table
-from ehl.traction_table.table import TableRange
+from ehl.traction_table.film import FilmSample, film_sample
+from ehl.traction_table.table import TableContact, TableRange
 
-from ...format.case import Case, ContactCase, case_of_document
-from ...format.traction import require_fitting_tables, tables_of_file
-from ...runs.equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
-from ...runs.films import Progress
-from ...runs.interrupt import print_message
-from ...runs.traction_table import asked_films, films_of_atlas
-from ..keys import NOT_IN_TRACTION_TABLES, content_key, digest, document_text
-from ..points import Point, Sweep
-from ..program import program_digest
-from ..store import TABLES, write_file
+from ..format.case import Case, ContactCase, case_of_document
+from ..format.contact import FilmPhysics
+from ..format.friction import require_fitting_tables, tables_of_file
+from ..runs.films import Progress
+from ..runs.interrupt import print_message
+from ..runs.traction_films import Equilibria, case_equilibrium, without_traction_equilibrium
+from ..runs.traction_table import asked_films, films_of_atlas
+from .keys import NOT_IN_TRACTION_TABLES, content_key, digest, document_text, program_digest
+from .points import Point, Sweep
+from .store import TABLES, write_file
+
+DIGEST = 16  # bytes at the beginning of a file
+# what arrays are put together from, beside the classes of `ehl`
+ARRAY_CLASSES = frozenset(("_reconstruct", "_frombuffer", "scalar", "ndarray", "dtype"))
+
+
+class _Reader(pickle.Unpickler):
+    """Reads arrays and the classes of `ehl`, nothing else."""
+
+    def find_class(self, module: str, name: str) -> Any:
+        found = super().find_class(module, name)
+        package = module.partition(".")[0]
+        own = package == "ehl" and isinstance(found, type)
+        if own or (package == "numpy" and name in ARRAY_CLASSES):
+            return found
+        raise pickle.UnpicklingError(f"{module}.{name}")
+
+
+def store_object(path: Path, thing: object) -> int:
+    """Write an object to a file, whole or not at all.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    thing : object
+        An object of arrays and of classes of `ehl`.
+
+    Returns
+    -------
+    int
+        Size of the file [bytes].
+    """
+    data = pickle.dumps(thing)
+    write_file(path, _digest(path, data) + data)
+    return DIGEST + len(data)
+
+
+def load_object(path: Path) -> Any:
+    """Read an object from a file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    Any
+        The object; None where there is no file, or it is damaged.
+    """
+    try:
+        data = path.read_bytes()
+        if _digest(path, data[DIGEST:]) != data[:DIGEST]:
+            return None
+        with path.open("rb") as stream:
+            stream.seek(DIGEST)
+            return _Reader(stream).load()
+    except Exception:  # of whatever a damaged file makes a reader stumble over
+        return None
+
+
+def _digest(path: Path, data: bytes) -> bytes:
+    return blake2b(data, digest_size=DIGEST, key=path.name.encode()[:64]).digest()
+
+
+SUFFIX = ".contact"
+MOST_BYTES = 4_000_000_000  # the contacts of a batch grow no further
+# written by this process between two looks at how large all of them are: the looks of a batch take
+# a time that grows with its contacts, not with their square [bytes]
+BETWEEN = MOST_BYTES // 40
+
+Solver = Callable[[ContactConditions, SolverOptions, FilmPhysics], ContactSolution]
+
+
+class ContactCache:
+    """The contacts of a folder: looked up there first, and left there when they are solved."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._free = 0  # bytes that may be written before the next look
+
+    def solve(
+        self, conditions: ContactConditions, options: SolverOptions, films: FilmPhysics
+    ) -> ContactSolution:
+        """The film of a contact by a film model, from disk where it was solved before.
+
+        Parameters
+        ----------
+        conditions : ContactConditions
+            The contact.
+        options : SolverOptions
+            Grid of the solver.
+        films : FilmPhysics
+            Film model.
+
+        Returns
+        -------
+        ContactSolution
+            The film [m] and the pressure [Pa].
+        """
+        try:
+            path = self.folder / f"{content_key(conditions, options, films)}{SUFFIX}"
+        except TypeError:
+            return films.solve(conditions, options)
+        known = load_object(path)
+        if isinstance(known, ContactSolution):
+            return known
+        if path.exists():
+            print_message(f"oilfilm: {path}: damaged; the contact is solved anew")
+        solution = films.solve(conditions, options)
+        if self._free > 0 or self._look():
+            self._free -= store_object(path, solution)
+        return solution
+
+    def _look(self) -> bool:
+        """Tell whether the cache may grow further."""
+        used = sum(file.stat().st_size for file in self.folder.glob(f"*{SUFFIX}"))
+        self._free = BETWEEN if used < MOST_BYTES else 0
+        return self._free > 0
+
+
+Place = tuple[float, float]
+
+
+def stored_film_sampler(
+    folder: Path,
+) -> Callable[[TableContact, TableRange, Place, int, bool], FilmSample]:
+    """A film sampler that reads solved films from a folder and stores new ones there.
+
+    A damaged file is solved anew; OSError where the disk is full, and hence no table either.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the films.
+
+    Returns
+    -------
+    Callable[[TableContact, TableRange, Place, int, bool], FilmSample]
+        Function with the parameters of `film_sample`.
+    """
+
+    def sample(
+        contact: TableContact, limits: TableRange, place: Place, points: int, response: bool = True
+    ) -> FilmSample:
+        path = folder / f"{content_key(contact, limits, place, points, response)}.film"
+        found = load_object(path)
+        if not isinstance(found, FilmSample):
+            found = film_sample(contact, limits, place, points, response)
+            folder.mkdir(parents=True, exist_ok=True)
+            store_object(path, found)
+        return found
+
+    return sample
+
+
+def remove_films(folder: Path) -> None:
+    """Remove the films of a table that is complete.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the films.
+    """
+    shutil.rmtree(folder, ignore_errors=True)
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:

@@ -6,10 +6,9 @@ from typing import Any
 from bearing.library.lubricants import list_lubricants, lubricant_data
 from bearing.library.plugins import matching_name
 
-from ..fields import FREE_WORD
-from ..lubricant import VISCOSITIES, Oil, oil_of
-from ..problems import CaseProblem, shown
-from ..rules import CaseValues
+from .fields import FREE_WORD
+from .lubricant import VISCOSITIES, Oil, oil_of
+from .rules import CaseProblem, CaseValues, shown
 
 TEMPERATURES = ("dynamics", "temperature_table_C")
 

@@ -14,11 +14,11 @@ from ehl.units import from_si
 from postprocess.bearing.results import BearingResults
 from postprocess.temperatures.results import TemperatureResults
 
-from ...format.case import Case
-from ...format.problems import CaseError
-from ...version import version
-from ..films import Progress
-from ..heating import ReportedTorque, heating_problem
+from ..format.case import Case
+from ..format.rules import CaseError
+from ..version import version
+from .films import Progress
+from .heating import ReportedTorque, heating_problem
 
 COURSE = 5.0  # longest time constants that a course takes if no time is asked for [-]
 LOST_COURSE = 3600.0  # that of a bearing without a balance [s]

@@ -14,13 +14,13 @@ from bearing.vibration.simulation import VibrationRun, pieces, vibration_run
 from ehl.multigrid.newton import LinearSolverError
 from postprocess.vibration.results import VibrationResults
 
-from ...format.case import Case
-from ...format.over_time.vibration import VibrationTable, frequency_response, vibration
-from ...format.problems import CaseError, InvalidKeyError
-from ...version import version
-from ..equilibrium import case_equilibrium
-from ..films import Progress, inlet_layers
-from ..interrupt import interruptible
+from ..format.case import Case
+from ..format.rules import CaseError, InvalidKeyError
+from ..format.vibration import VibrationTable, frequency_response, vibration
+from ..version import version
+from .films import Progress, inlet_layers
+from .interrupt import interruptible
+from .traction_films import case_equilibrium
 
 
 class NotSolvedError(RuntimeError):

@@ -23,10 +23,20 @@ from ehl.transient.inputs import (
 )
 from ehl.units import MICROMETRE
 
-from ..contact import ContactEhlTable
-from ..fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
-from ..problems import MISSING, CaseProblem, InvalidKeyError, Path, shown
-from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
+from .contact import ContactEhlTable
+from .fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
+from .rules import (
+    MISSING,
+    CaseProblem,
+    CaseValues,
+    InvalidKeyError,
+    KeyPath,
+    Needs,
+    OnlyWith,
+    Relation,
+    Where,
+    shown,
+)
 
 NAME = "features"
 POINTS = 257  # of the finest grid, where [ehl] gives none
@@ -268,7 +278,7 @@ def _profile(index: int, table: FeatureTable) -> Profile:
     raise InvalidKeyError(key, f"{table.file} has {rows.shape[1]} columns", allowed)
 
 
-def read_columns(key: Path, file: str, allowed: str) -> Array:
+def read_columns(key: KeyPath, file: str, allowed: str) -> Array:
     """Read the columns of numbers of a text file; commas and semicolons separate like spaces.
 
     Parameters

@@ -19,9 +19,17 @@ from bearing.vibration.inputs import (
 from ehl.arrays import Array
 from ehl.units import MICROMETRE, RPM
 
-from ..fields import OneOf, Table, above, between, checked, described, numbers, within
-from ..problems import CaseProblem, InvalidKeyError, shown
-from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
+from .fields import OneOf, Table, above, between, checked, described, numbers, within
+from .rules import (
+    CaseProblem,
+    CaseValues,
+    InvalidKeyError,
+    Needs,
+    OnlyWith,
+    Relation,
+    Where,
+    shown,
+)
 from .transient import read_columns
 
 DEFECTS_MAXIMUM = 20

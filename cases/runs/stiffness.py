@@ -1,4 +1,7 @@
-"""Run the slip maps of a case, the rows shared among processes."""
+"""Run the stiffness of a case over the speed of its inner ring.
+
+Run the slip maps of a case, the rows shared among processes.
+"""
 
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -10,8 +13,10 @@ from typing import Any
 
 import numpy as np
 
+from bearing.geometry import SINGLE
 from bearing.operation import BallKinematics
 from bearing.quasistatic.solver import solve_quasistatic
+from bearing.studies.preload import stiffness_over_speed
 from bearing.studies.slip import (
     Mapper,
     SlipStudy,
@@ -23,13 +28,15 @@ from bearing.studies.slip import (
 )
 from ehl.multigrid.starved import cores
 from postprocess.slip.results import MinimumLoads, SlipResults
+from postprocess.stiffness.results import StiffnessResults
 
 from ..format.case import Case
 from ..format.operation import SlipTable
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..version import version
 from .films import Progress
 from .processes import end_workers, prepare_worker
+from .traction_films import equilibrium_solver
 
 # centrifugal force a source evidently used, over the true one [-]
 PRINTED_FORCE = {"half centrifugal force": 0.5}
@@ -181,3 +188,63 @@ def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Map
     finally:
         if pool is not None:
             pool.shutdown(wait=True, cancel_futures=True)
+
+
+def run_stiffness(
+    case: Case,
+    name: str,
+    speeds: tuple[float, float] | None,
+    points: int,
+    damping: float,
+    progress: Progress | None = None,
+) -> StiffnessResults:
+    """Stiffness at evenly spaced speeds.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    name : str
+        Name of the case in messages.
+    speeds : tuple[float, float] | None
+        First and last [rad/s]; None: from rest to the speed of the case.
+    points : int
+        Number of speeds [-].
+    damping : float
+        Damping for the rotor code [N s/m].
+    progress : Progress | None, optional
+        Called with speeds done, speeds in all, and a text.
+
+    Returns
+    -------
+    StiffnessResults
+        Stiffness at each speed.
+
+    Raises
+    ------
+    CaseError
+        If the inner ring stands still.
+    """
+    first, last = speeds or (0.0, case.operation.inner_speed)
+    if first == last:
+        raise CaseError(f"{name}: the inner ring stands still; give --speeds FIRST LAST in r/min")
+    start = perf_counter()
+    steps = [first + (last - first) * k / (points - 1) for k in range(points)]
+    notify = progress or (lambda done, total, state: None)
+    notify(0, points, "stiffness at speeds")
+    study = stiffness_over_speed(
+        case.bearing,
+        case.operation,
+        steps,
+        case.model,
+        case.rows or SINGLE,
+        equilibrium_solver(case),
+    )
+    return StiffnessResults(
+        version=version(),
+        case=case.document,
+        study=study,
+        damping=damping,
+        messages=case.warnings,
+        timing={"total": perf_counter() - start},
+    )

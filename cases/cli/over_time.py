@@ -1,4 +1,9 @@
-"""Command: dynamics."""
+"""Command: dynamics.
+
+Command: vibration.
+
+Command: transient.
+"""
 
 from __future__ import annotations
 
@@ -13,16 +18,86 @@ import typer
 
 from bearing.files import is_disk_failure
 
-from ..format.problems import CaseError
+from ..format.rules import CaseError
 from ..runs.interrupt import finish_first, print_message
 from ..runs.kernel_cache import compiled_ahead
-from ..runs.output_lock import TEMPORARY, home, scratch_folder
-from .app import CaseName, Json, Output, Quiet, app
-from .cost import dynamics_cost, report_cost
-from .output import load_bearing, report, results_directory, save_with
-from .over_time.vibration import run_and_report
-from .progress import progress_bar
-from .terminal import enter_context, guarded
+from ..runs.output_directory import TEMPORARY, home, scratch_folder
+from ..runs.processes import one_thread
+from .output import (
+    dynamics_cost,
+    load_bearing,
+    lock_output_directory,
+    report,
+    report_cost,
+    results_directory,
+    save_with,
+    transient_cost,
+    vibration_cost,
+)
+from .terminal import (
+    NOT_CONVERGED,
+    CaseName,
+    Json,
+    Output,
+    Quiet,
+    app,
+    enter_context,
+    guarded,
+    progress_bar,
+)
+
+
+@app.command()
+@guarded
+def vibration(
+    case: CaseName, output: Output = None, as_json: Json = False, quiet: Quiet = False
+) -> int:
+    """Vibration of a bearing by waviness, defects and passing balls, with its films."""
+    return run_and_report(case, output, as_json=as_json, quiet=quiet)
+
+
+def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool) -> int:
+    """Compute the vibration of a case, write it and print it.
+
+    Parameters
+    ----------
+    case : CaseName
+        File or name of the case.
+    output : Output
+        Directory as given.
+    as_json : bool
+        True: the summary instead of the table.
+    quiet : bool
+        True: neither table nor notes.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
+    one_thread()
+    loaded = load_bearing(case, "vibration needs a bearing")
+    directory = results_directory(case, output, as_json)
+    from ..runs.vibration import NotSolvedError, run_vibration
+
+    report_cost(vibration_cost(loaded), quiet=quiet)
+    try:
+        with progress_bar(quiet=quiet) as progress:
+            results = run_vibration(loaded, case, progress)
+    except NotSolvedError as problem:
+        print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
+        return NOT_CONVERGED
+    except KeyboardInterrupt:
+        print_message("oilfilm: of an unfinished vibration nothing is kept")
+        raise
+    from postprocess.vibration.summary import vibration_summary
+    from postprocess.vibration.write import vibration_table, write_vibration
+
+    hurry = Event()
+    save_with(lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set)
+    document = vibration_summary(results)
+    return report(document, lambda: vibration_table(document), directory, as_json, quiet)
+
 
 if TYPE_CHECKING:
     from bearing.dynamics.simulation import Simulation
@@ -184,3 +259,88 @@ def _keep(
         save_restart(simulation, path, case_key(case))
         save_with(lambda target: write_dynamics(results, target, lambda: True), directory)
     print_message(f"history so far in {directory}; go on with --restart {path}")
+
+
+if TYPE_CHECKING:
+    from postprocess.contact.transient_summary import TransientResults
+
+
+@app.command()
+@guarded
+def transient(
+    case: CaseName,
+    output: Output = None,
+    movie: Annotated[bool, typer.Option(help="Draw the film over time as a .gif.")] = True,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Solve one contact over time: load, speed, waviness, dents, impact.
+
+    Steps are kept in DIR_steps while it runs; the same command goes on with them.
+    """
+    from ehl.transient.run import StartError
+
+    from ..format.case import ContactCase, load_case
+    from ..runs.transient import Interrupted as TransientInterrupted
+    from ..runs.transient import run_transient
+
+    loaded = load_case(case)
+    if not isinstance(loaded, ContactCase):
+        raise CaseError(f"{case}: is a bearing; a contact over time needs a [contact] table")
+    directory = results_directory(case, output, as_json)
+    folder = None if directory is None else _steps_folder(directory)
+    report_cost(transient_cost(loaded), quiet=quiet)
+    try:
+        with progress_bar(quiet=quiet) as progress:
+            results = run_transient(loaded, case, folder, progress)
+            if directory is not None:
+                progress(0, 1, "pictures and files")
+                hurry = Event()
+                write = _writer(results, movie, hurry.is_set)
+                save_with(write, directory, hurry.set)
+    except StartError as problem:
+        print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
+        return NOT_CONVERGED
+    except TransientInterrupted as stop:
+        if stop.kept:
+            print_message(
+                f"finished steps are kept in {folder}; the same command goes on with them"
+            )
+        raise KeyboardInterrupt from None
+    if folder is not None:
+        from ..runs.transient import Checkpoints
+
+        Checkpoints(folder, "").forget()
+    from postprocess.contact.transient_summary import transient_summary, transient_table
+
+    document = transient_summary(results)
+    return report(document, lambda: transient_table(document), directory, as_json, quiet)
+
+
+def _steps_folder(directory: Path) -> Path:
+    """Folder of the checkpoints of a run into a directory."""
+    return lock_output_directory(directory.with_name(f"{directory.name}_steps"))
+
+
+def _writer(
+    results: TransientResults, movie: bool, is_interrupted: Callable[[], bool]
+) -> Callable[[Path], tuple[str, ...]]:
+    """Writes all files of a run into a folder; movie and fields for ParaView unless `hurried`."""
+
+    def write(folder: Path) -> tuple[str, ...]:
+        from postprocess.contact.transient_plots import write_transient
+        from postprocess.scene.transient import MOVIE_FILE, write_movie, write_transient_series
+
+        problems = write_transient(results, folder, is_interrupted)
+        try:
+            if not is_interrupted():
+                write_transient_series(results.solution, folder, is_interrupted)
+            if movie and not is_interrupted():
+                write_movie(results.solution, folder / MOVIE_FILE, results.title, is_interrupted)
+        except (OSError, ValueError, RuntimeError) as error:
+            if is_disk_failure(error):
+                raise
+            problems = (*problems, f"series for ParaView or movie not written: {error}")
+        return problems
+
+    return write

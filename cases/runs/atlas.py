@@ -16,12 +16,12 @@ from ehl.atlas.films import NotInAtlasError
 from postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasRecord
 from postprocess.contact.atlas import AtlasContactResults, AtlasRecord
 
-from ...format.case import Case, ContactCase
-from ...format.contact import FilmModel
-from ...format.problems import CaseError
-from ...version import version
-from ..equilibrium import without_traction_equilibrium
-from ..films import wanted_contacts
+from ..format.case import Case, ContactCase
+from ..format.contact import FilmModel
+from ..format.rules import CaseError
+from ..version import version
+from .films import wanted_contacts
+from .traction_films import without_traction_equilibrium
 
 HALF_AND_HALF = (
     "loads of half and half in place of traction equilibrium, which takes its friction from films"
