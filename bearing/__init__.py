@@ -24,4 +24,7 @@ vibration   - vibration by form of surfaces and passing balls, with films and su
 
 import lazy_loader
 
+if __name__ != "oilfilm.bearing":
+    raise ImportError("import oilfilm.bearing")
+
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

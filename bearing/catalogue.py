@@ -1,6 +1,6 @@
 """Bearings of the catalogue as geometry and materials."""
 
-from ehl.units import to_si
+from oilfilm.ehl.units import to_si
 
 from .geometry import Bearing, BearingType, contact_angle_to_clearance
 from .library.bearings import load_catalogue_entry

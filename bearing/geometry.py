@@ -24,7 +24,7 @@ from math import acos, asin, cos, isfinite, pi, radians, sqrt
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from .material import Material, reduced_modulus
 

@@ -5,7 +5,7 @@ from enum import Enum
 from math import isfinite
 from typing import Any
 
-from ehl.units import to_si
+from oilfilm.ehl.units import to_si
 
 from .library.plugins import library_data, matching_name
 

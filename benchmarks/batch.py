@@ -27,13 +27,13 @@ from pathlib import Path
 
 import numpy as np
 
-from cases.batch.engine import PointSelection, run_batch
-from cases.batch.pools import LocalPool
-from cases.batch.results import collect_results, write_batch
-from cases.batch.sweep import sweep_from_text
-from cases.runs.processes import POINTS, fork_server
-from postprocess.batch.store import PointStore, StoredPoints
-from postprocess.batch.write import write_batch_csv, write_batch_parquet
+from oilfilm.cases.batch.engine import PointSelection, run_batch
+from oilfilm.cases.batch.pools import LocalPool
+from oilfilm.cases.batch.results import collect_results, write_batch
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.cases.runs.processes import POINTS, fork_server
+from oilfilm.postprocess.batch.store import PointStore, StoredPoints
+from oilfilm.postprocess.batch.write import write_batch_csv, write_batch_parquet
 
 FILMS = """
 case = "6208_full_ceramic"

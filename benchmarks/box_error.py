@@ -13,10 +13,9 @@ from unittest.mock import patch
 
 import numpy as np
 
-import ehl.solver
-from ehl import SolverOptions
-from ehl.multigrid.full_multigrid import BOX_ERROR, BOX_ERROR_ROTATION, choose_domain
-from ehl.scaling import scale_contact
+from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.multigrid.full_multigrid import BOX_ERROR, BOX_ERROR_ROTATION, choose_domain
+from oilfilm.ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 

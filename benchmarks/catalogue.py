@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import sys
 
-from bearing import contact_conditions, solve_quasistatic
-from bearing.library.bearings import list_bearings
-from cases.format.case import case_from_text
-from ehl import SolverOptions, solve_contact
+from oilfilm.bearing import contact_conditions, solve_quasistatic
+from oilfilm.bearing.library.bearings import list_bearings
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.ehl import SolverOptions, solve_contact
 
 POINTS = 1025
 LEFT_OUT = ("6208 full ceramic",)  # that of 6208, of another material

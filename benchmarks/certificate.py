@@ -11,12 +11,12 @@ import sys
 import time
 from pathlib import Path
 
-from ehl import SolverOptions
-from ehl.multigrid.cycle import relative_residual
-from ehl.multigrid.full_multigrid import ATTEMPTS, start_from_hertz
-from ehl.multigrid.history import film_values
-from ehl.multigrid.newton import certify
-from ehl.solver import solve_attempts
+from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.multigrid.cycle import relative_residual
+from oilfilm.ehl.multigrid.full_multigrid import ATTEMPTS, start_from_hertz
+from oilfilm.ehl.multigrid.history import film_values
+from oilfilm.ehl.multigrid.newton import certify
+from oilfilm.ehl.solver import solve_attempts
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 

@@ -13,10 +13,10 @@ from time import process_time
 
 import numpy as np
 
-from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw, solve_contact
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.rheology import Rheology
-from ehl.solid.heat import SolidThermal
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw, solve_contact
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solid.heat import SolidThermal
 from robustness_shear_heat import EYRING, HEAT, random_contact
 
 STEEL = SolidThermal(conductivity=21.0, density=7850.0, specific_heat=460.0)

@@ -12,9 +12,9 @@ from dataclasses import replace
 from pathlib import Path
 from time import perf_counter, process_time
 
-from bearing.dynamics.simulation import simulation
-from cases import Case, load_case
-from cases.runs.dynamics import build_model
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.cases import Case, load_case
+from oilfilm.cases.runs.dynamics import build_model
 
 
 def timed(case: Case, tables: Path | None) -> str:

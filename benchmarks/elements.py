@@ -14,8 +14,8 @@ import sys
 import time
 from pathlib import Path
 
-from ehl import SolverOptions, solve_contact
-from ehl.finite_element.solver import solve_contact_finite_element
+from oilfilm.ehl import SolverOptions, solve_contact
+from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 

@@ -9,9 +9,9 @@ import time
 
 import numpy as np
 
-import ehl
-from ehl.atlas.films import RANGE
-from ehl.closed_form.hertz import hertz_coefficients
+from oilfilm import ehl
+from oilfilm.ehl.atlas.films import RANGE
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 
 NUMBER = 200_000
 SINGLE = 500

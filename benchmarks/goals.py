@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from scipy import fft
 
-from ehl import SolverOptions, solve_contact
+from oilfilm.ehl import SolverOptions, solve_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 

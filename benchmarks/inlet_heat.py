@@ -2,7 +2,7 @@
 
 Random steel bearings of the catalogue, also with balls of silicon nitride, oils, temperatures, speeds (n d_m 1e5 to
 2e6 mm/min) and loads, the heaviest contact of each race in pure rolling on 129 points, solved with heat and without:
-ratio of the films of the finest grid, by which `ehl.closed_form.film` was fitted, beside it and the formula of
+ratio of the films of the finest grid, by which `oilfilm.ehl.closed_form.film` was fitted, beside it and the formula of
 Gupta et al. (1992). One JSON line a contact.
 """
 
@@ -14,15 +14,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from bearing import contact_conditions, solve_quasistatic
-from bearing.heating.friction_heat import solid_thermal
-from bearing.library.bearings import list_bearings
-from cases.format.case import case_from_text
-from ehl import SolverOptions, solve_contact
-from ehl.closed_form.film import film_reduction_gupta, heat_loss, thermal_loading
-from ehl.closed_form.hertz import hertz_contact
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.rheology import Rheology
+from oilfilm.bearing import contact_conditions, solve_quasistatic
+from oilfilm.bearing.heating.friction_heat import solid_thermal
+from oilfilm.bearing.library.bearings import list_bearings
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.ehl import SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.film import film_reduction_gupta, heat_loss, thermal_loading
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.rheology import Rheology
 
 POINTS = 129
 LARGEST_LOADING = 12.0  # L_T, beyond which films with heat seldom converge [-]

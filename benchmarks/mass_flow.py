@@ -10,8 +10,8 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-from ehl.multigrid.cycle import relative_residual
-from ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.multigrid.cycle import relative_residual
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 

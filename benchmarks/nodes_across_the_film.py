@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from unittest.mock import patch
 
-from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw
-from ehl.generalized import film_heat, solver
-from ehl.oil.lubricant import DensityLaw, ThermalProperties
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.solid.heat import SolidThermal
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw
+from oilfilm.ehl.generalized import film_heat, solver
+from oilfilm.ehl.oil.lubricant import DensityLaw, ThermalProperties
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.solid.heat import SolidThermal
 
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.034, expansion=7e-4)
 STEEL = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=460.0)

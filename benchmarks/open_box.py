@@ -9,8 +9,8 @@ import sys
 from pathlib import Path
 from unittest.mock import patch
 
-from ehl import MoesConditions, SolverOptions, solve_contact
-from ehl.multigrid import full_multigrid
+from oilfilm.ehl import MoesConditions, SolverOptions, solve_contact
+from oilfilm.ehl.multigrid import full_multigrid
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 

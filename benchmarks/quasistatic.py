@@ -10,9 +10,9 @@ from dataclasses import replace
 from statistics import median
 from time import perf_counter, process_time
 
-from bearing import Arrangement, duplex, solve_quasistatic
-from cases import load_case
-from cases.runs.stiffness import run_slip
+from oilfilm.bearing import Arrangement, duplex, solve_quasistatic
+from oilfilm.cases import load_case
+from oilfilm.cases.runs.stiffness import run_slip
 
 REPEATS = 50
 

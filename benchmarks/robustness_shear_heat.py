@@ -13,11 +13,11 @@ from time import process_time
 
 import numpy as np
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.lubricant import ThermalProperties
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.solid.heat import SolidThermal
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.lubricant import ThermalProperties
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.solid.heat import SolidThermal
 
 STEEL = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=460.0)
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.035, expansion=7e-4)

@@ -14,11 +14,11 @@ from unittest.mock import patch
 
 import numpy as np
 
-from ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, solve_contact
-from ehl.generalized.solver import solve_generalized
-from ehl.multigrid.supply.oil_supply import pressure_moment
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
+from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.multigrid.supply.oil_supply import pressure_moment
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
@@ -61,7 +61,7 @@ POINTS = (129, 257, 513, 1025)
 
 def in_box(conditions, box, points):
     """Solved in an open box of ours."""
-    with patch("ehl.solver.choose_domain", lambda contact: box):
+    with patch("oilfilm.ehl.solver.choose_domain", lambda contact: box):
         return solve_contact(conditions, SolverOptions(points=points))
 
 

@@ -7,14 +7,14 @@ import sys
 from time import perf_counter
 
 RUNS = 7
-HELP = "import sys; sys.argv = ['oilfilm', '--help']; from cases.cli.start import main; main()"
+HELP = "import sys; sys.argv = ['oilfilm', '--help']; from oilfilm.cases.cli.start import main; main()"
 COMMANDS = {  # code: limit [s]
     "pass": None,
     HELP: 0.15,
-    "import ehl": 0.3,
-    "import bearing": None,
-    "import postprocess, cases": None,
-    "from cases import load_case; load_case('6208_full_ceramic')": None,
+    "from oilfilm import ehl": 0.3,
+    "from oilfilm import bearing": None,
+    "from oilfilm import postprocess, cases": None,
+    "from oilfilm.cases import load_case; load_case('6208_full_ceramic')": None,
 }
 
 

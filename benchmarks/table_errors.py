@@ -8,11 +8,11 @@ from __future__ import annotations
 import sys
 from time import process_time
 
-from bearing import solve_quasistatic
-from bearing.friction.tables import build_race_tables
-from cases import load_case
-from ehl.traction_table.build import TableOptions, atlas_sampler, check_table
-from ehl.traction_table.film import film_sample
+from oilfilm.bearing import solve_quasistatic
+from oilfilm.bearing.friction.tables import build_race_tables
+from oilfilm.cases import load_case
+from oilfilm.ehl.traction_table.build import TableOptions, atlas_sampler, check_table
+from oilfilm.ehl.traction_table.film import film_sample
 
 SEED = 261127
 

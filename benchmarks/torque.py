@@ -12,18 +12,18 @@ from time import process_time
 
 import numpy as np
 
-from bearing import Operation, Race, contact_conditions, solve_quasistatic, solve_traction_equilibrium
-from bearing.friction.coulomb import balanced_friction
-from bearing.friction.law import BallTraction
-from bearing.friction.laws import LawTraction
-from bearing.friction.tables import build_race_tables
-from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.integrated import law_torque
-from cases import Case, load_case, run_case
-from cases.format.case import case_of_document
-from ehl.traction_table.build import TableOptions
-from ehl.traction_table.table import TractionTable
-from postprocess import summary
+from oilfilm.bearing import Operation, Race, contact_conditions, solve_quasistatic, solve_traction_equilibrium
+from oilfilm.bearing.friction.coulomb import balanced_friction
+from oilfilm.bearing.friction.law import BallTraction
+from oilfilm.bearing.friction.laws import LawTraction
+from oilfilm.bearing.friction.tables import build_race_tables
+from oilfilm.bearing.torque.breakdown import torque_breakdown
+from oilfilm.bearing.torque.integrated import law_torque
+from oilfilm.cases import Case, load_case, run_case
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.ehl.traction_table.build import TableOptions
+from oilfilm.ehl.traction_table.table import TractionTable
+from oilfilm.postprocess import summary
 
 REPEATS = 40
 POINTS = 20  # of each kind with films of the atlas

@@ -12,13 +12,13 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.traction._kernels import table_lookup
-from ehl.traction.film_quadrature import film_quadrature, sliding_forces
-from ehl.traction_table.build import HEATED_START, START
-from ehl.traction_table.compression import VALUE_STEP
-from ehl.traction_table.table import load_coordinate
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.traction._kernels import table_lookup
+from oilfilm.ehl.traction.film_quadrature import film_quadrature, sliding_forces
+from oilfilm.ehl.traction_table.build import HEATED_START, START
+from oilfilm.ehl.traction_table.compression import VALUE_STEP
+from oilfilm.ehl.traction_table.table import load_coordinate
 
 Array = NDArray[np.float64]
 

@@ -16,16 +16,16 @@ from pathlib import Path
 
 import numpy as np
 
-from bearing.films.formula import hertz_size, plain_film
-from bearing.friction._kernels import film_frictions
-from bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
-from bearing.friction.films import MIN_SLIDING
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.atlas.films import atlas_load
-from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_coefficients
-from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
-from ehl.scaling import scale_contact
-from ehl.traction.film_quadrature import film_quadrature, sliding_forces
+from oilfilm.bearing.films.formula import hertz_size, plain_film
+from oilfilm.bearing.friction._kernels import film_frictions
+from oilfilm.bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
+from oilfilm.bearing.friction.films import MIN_SLIDING
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.atlas.films import atlas_load
+from oilfilm.ehl.closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_coefficients
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.traction.film_quadrature import film_quadrature, sliding_forces
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 

@@ -16,11 +16,11 @@ from pathlib import Path
 import numpy as np
 from scipy import fft
 
-from ehl import SolverOptions, solve_contact
-from ehl.grid import Grid
-from ehl.multigrid import cycle as multigrid
-from ehl.multigrid.levels import entrainment_factors
-from ehl.solid.deformation import deflect, deflection_kernel, unit_deflections
+from oilfilm.ehl import SolverOptions, solve_contact
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.multigrid import cycle as multigrid
+from oilfilm.ehl.multigrid.levels import entrainment_factors
+from oilfilm.ehl.solid.deformation import deflect, deflection_kernel, unit_deflections
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 

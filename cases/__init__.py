@@ -20,4 +20,7 @@ version  - the version, written down in pyproject.toml only
 
 import lazy_loader
 
+if __name__ != "oilfilm.cases":
+    raise ImportError("import oilfilm.cases")
+
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -23,4 +23,7 @@ units          - units of named numbers: the last words of a key say its unit
 
 import lazy_loader
 
+if __name__ != "oilfilm.ehl":
+    raise ImportError("import oilfilm.ehl")
+
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

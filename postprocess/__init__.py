@@ -24,4 +24,7 @@ writer       - all output of a run into one directory
 
 import lazy_loader
 
+if __name__ != "oilfilm.postprocess":
+    raise ImportError("import oilfilm.postprocess")
+
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

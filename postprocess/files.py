@@ -8,7 +8,7 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from bearing.files import atomic_path, is_disk_failure, write_bytes
+from oilfilm.bearing.files import atomic_path, is_disk_failure, write_bytes
 
 CsvTable = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
 # types whose values are of JSON as they are, as finite floats are; the paths of others are built

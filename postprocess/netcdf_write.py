@@ -16,7 +16,7 @@ import h5netcdf
 import h5py
 import numpy as np
 
-from bearing.files import atomic_path, require_room, write_bytes
+from oilfilm.bearing.files import atomic_path, require_room, write_bytes
 
 from .files import SUMMARY_FILE, CsvTable, attempt, write_csv, write_json
 

@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from bearing.files import write_bytes
-from ehl.arrays import Array
+from oilfilm.bearing.files import write_bytes
+from oilfilm.ehl.arrays import Array
 
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200

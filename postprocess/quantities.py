@@ -1,6 +1,6 @@
 """Output quantities: each is declared once, by its key, its title and where its value comes from.
 
-The last words of the key are the unit (`ehl.units`); summary, CSV, netCDF attributes, the tables
+The last words of the key are the unit (`oilfilm.ehl.units`); summary, CSV, netCDF attributes, the tables
 of terminal and report and the labels of pictures read the same declaration.
 
 Results as handed to the output, everything in SI: what is common to all kinds.
@@ -22,7 +22,15 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from ehl.units import from_si, is_si, notebook_html, si_unit_of, unit_of, unit_symbol, without_unit
+from oilfilm.ehl.units import (
+    from_si,
+    is_si,
+    notebook_html,
+    si_unit_of,
+    unit_of,
+    unit_symbol,
+    without_unit,
+)
 
 # a part of a record by its path, what looks up several of its attributes, their keys, and which
 # of these have another unit than in SI

@@ -11,8 +11,8 @@ from datetime import date
 import pytest
 from filelock import FileLock
 
-from cases.runs.kernel_cache import compile_all
-from cases.runs.processes import COLLECTED, own_packages
+from oilfilm.cases.runs.kernel_cache import compile_all
+from oilfilm.cases.runs.processes import COLLECTED, own_packages
 
 SEED = "OILFILM_SEED"
 SAMPLED = "sample"  # mark of the slow tests that are drawn
@@ -85,3 +85,20 @@ def shared(tmp_path_factory, worker_id):
         return path
 
     return file
+
+
+def pytest_sessionfinish(session):
+    """After the last test of a process: nothing of the product was loaded under a second name."""
+    root = Path(__file__).resolve().parents[1]
+    parts = [root / part for part in ("ehl", "bearing", "postprocess", "cases")]
+    files = {
+        name: Path(file).resolve()
+        for name, module in list(sys.modules.items())
+        if (file := getattr(module, "__file__", None))
+    }
+    bare = [
+        name for name, path in files.items() if any(map(path.is_relative_to, parts)) and not name.startswith("oilfilm.")
+    ]
+    if bare:
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+        raise pytest.UsageError(f"second copies of the product were imported: {', '.join(sorted(bare))}")

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from ehl.units import unit_of
+from oilfilm.ehl.units import unit_of
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -93,7 +93,7 @@ def test_the_gallery_shows_the_slip_cases():
 def test_the_page_of_commands_names_every_command_and_option():
     from typer.main import get_command
 
-    from cases.cli.terminal import app
+    from oilfilm.cases.cli.terminal import app
 
     page = (DOCS / "reference" / "commands.md").read_text(encoding="utf-8")
     for name, command in get_command(app).commands.items():
@@ -143,7 +143,7 @@ def test_the_result_of_the_first_page_is_that_of_the_shipped_case():
 @pytest.mark.slow
 def test_the_lines_of_the_first_page_are_those_that_the_command_prints(tmp_path):
     (block,) = re.findall(r"^```text\n(.*?)^```$", INDEX, re.DOTALL | re.MULTILINE)
-    command = [sys.executable, "-m", "cases.cli", "run", "6208_full_ceramic", "-o", "out"]
+    command = [sys.executable, "-m", "oilfilm.cases.cli", "run", "6208_full_ceramic", "-o", "out"]
     environment = os.environ | {"COLUMNS": "100"}
     run = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr

@@ -10,7 +10,7 @@ import sys
 import tomllib
 from pathlib import Path
 
-from cases.format.case import Case, case_from_text
+from oilfilm.cases.format.case import Case, case_from_text
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "tutorial" / "extending.md"
@@ -66,7 +66,7 @@ def test_the_plug_ins_of_the_page_are_listed_and_run(tmp_path):
 
     def oilfilm(*words):
         paths = os.pathsep.join((str(tmp_path), os.environ["PYTHONPATH"]))
-        command = [sys.executable, "-m", "cases.cli", *words]
+        command = [sys.executable, "-m", "oilfilm.cases.cli", *words]
         run = subprocess.run(
             command, cwd=tmp_path, env=os.environ | {"PYTHONPATH": paths}, capture_output=True, text=True, check=False
         )

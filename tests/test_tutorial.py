@@ -26,7 +26,9 @@ def test_every_block_runs(tmp_path):
             continue
         commands = [[sys.executable, "-c", text]]
         if kind == "console":
-            commands = [[sys.executable, "-m", "cases.cli", *shlex.split(line)[1:]] for line in text.splitlines()]
+            commands = [
+                [sys.executable, "-m", "oilfilm.cases.cli", *shlex.split(line)[1:]] for line in text.splitlines()
+            ]
         for command in commands:
             run = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False)
             assert run.returncode == 0, f"{command}\n{run.stdout}\n{run.stderr}"

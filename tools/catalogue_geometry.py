@@ -1,7 +1,7 @@
 """Write the columns `ball_mm` and `balls` of bearing/library/data/catalogue_ratings.csv.
 
 Run it with `python tools/catalogue_geometry.py` after a change of the table: each row is a bearing of a maker's
-catalogue, `bearing.rating.geometry_estimate` determines the ball and the number of balls that explain its ratings.
+catalogue, `oilfilm.bearing.rating.geometry_estimate` determines the ball and the number of balls that explain its ratings.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ import io
 from math import radians
 from pathlib import Path
 
-from bearing.library.catalogue import boundary_dimensions
-from bearing.library.designation import read_designation
-from bearing.rating.geometry_estimate import CatalogueData, RatedPair, estimate_geometry
+from oilfilm.bearing.library.catalogue import boundary_dimensions
+from oilfilm.bearing.library.designation import read_designation
+from oilfilm.bearing.rating.geometry_estimate import CatalogueData, RatedPair, estimate_geometry
 
 RATINGS = Path(__file__).parents[1] / "bearing" / "library" / "data" / "catalogue_ratings.csv"
 MM, KN = 1e-3, 1e3  # in SI

@@ -74,7 +74,9 @@ def installed(own: str, package: Path, exact: list[str], folder: Path) -> list[s
 
 def contents(own: str, folder: Path) -> dict[str, str]:
     """Digests of the files that a package brought, by their names."""
-    place = run([own, "-c", "import ehl, pathlib; print(pathlib.Path(ehl.__file__).parents[1])"], folder).stdout.strip()
+    place = run(
+        [own, "-c", "from oilfilm import ehl, pathlib; print(pathlib.Path(ehl.__file__).parents[1])"], folder
+    ).stdout.strip()
     files = [path for name in PACKAGES for path in sorted((Path(place) / name).rglob("*")) if path.is_file()]
     return {
         path.relative_to(place).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
@@ -103,7 +105,7 @@ def failures(own: str, folder: Path, *, quick: bool) -> list[str]:
     for name in names:
         answer = run([*oilfilm, name, "--help"], folder, PYTHONWARNINGS=WARNINGS)
         wrong += [f"{name} --help: {answer.stderr[-300:]}"] * bool(answer.returncode)
-    cases = run([own, "-c", "from cases.format.shipped import shipped_cases; print(*shipped_cases())"], folder)
+    cases = run([own, "-c", "from oilfilm.cases.format.shipped import shipped_cases; print(*shipped_cases())"], folder)
     for case in cases.stdout.split():
         whole = not quick or case in RUN
         kind = run([own, "-c", f"import oilfilm; print(type(oilfilm.load_case({case!r})).__name__)"], folder)

@@ -45,7 +45,7 @@ BEARINGS: tuple[Work, ...] = (
 
 def shortened(case: str, changes: dict[str, str]) -> str:
     """A shipped case with some values replaced."""
-    from cases.format.shipped import find_case
+    from oilfilm.cases.format.shipped import find_case
 
     lines = find_case(case).read_text(encoding="utf-8").splitlines()
     for key, value in changes.items():
@@ -60,7 +60,7 @@ def run(works: tuple[Work, ...], folder: Path) -> list[str]:
         name = f"{case}.toml"
         (folder / name).write_text(shortened(case, changes), encoding="utf-8")
         started = time.monotonic()
-        call = [sys.executable, "-m", "cases.cli", command, name, "-q", "--json", *words]
+        call = [sys.executable, "-m", "oilfilm.cases.cli", command, name, "-q", "--json", *words]
         answer = subprocess.run(call, cwd=folder, capture_output=True, text=True, check=False)
         print(f"{command} {case}: code {answer.returncode}, {time.monotonic() - started:.1f} s", flush=True)
         if answer.returncode > 1:

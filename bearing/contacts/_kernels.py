@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ehl.compiled import compiled
-from ehl.oil._kernels import copy
+from oilfilm.ehl.compiled import compiled
+from oilfilm.ehl.oil._kernels import copy
 
 
 @compiled

@@ -14,10 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.closed_form.hertz import HertzContact, hertz_contact
-from ehl.conditions import ContactConditions
-from ehl.traction.shear import ContactShape
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import HertzContact, hertz_contact
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.traction.shear import ContactShape
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 

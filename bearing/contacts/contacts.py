@@ -1,6 +1,6 @@
 """The contacts of a solved bearing as lubricated contacts.
 
-Hertz contacts of many balls at once: `ehl.closed_form.hertz.hertz_contact`, to round-off, in a
+Hertz contacts of many balls at once: `oilfilm.ehl.closed_form.hertz.hertz_contact`, to round-off, in a
 tenth of the time.
 """
 
@@ -10,11 +10,11 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import elliprd, elliprf
 
-from ehl.arrays import Array
-from ehl.closed_form.film import MAX_FILM_OVER_RADIUS, film_nijenbanning_central
-from ehl.closed_form.hertz import HertzContact
-from ehl.conditions import ContactConditions
-from ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.film import MAX_FILM_OVER_RADIUS, film_nijenbanning_central
+from oilfilm.ehl.closed_form.hertz import HertzContact
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..geometry import Race, contact_modulus, reduced_radii, row_directions
 from ..operation import BallKinematics, Curvature
@@ -69,7 +69,7 @@ def hertz_contacts(
 
 
 def ellipse_ratios(radius_ratio: Array) -> Array:
-    """Ratios of the semi-axes k = b/a, as `ehl.closed_form.hertz.ellipse_ratio` computes one.
+    """Ratios of the semi-axes k = b/a, as `oilfilm.ehl.closed_form.hertz.ellipse_ratio` computes one.
 
     Newton's method in ln k, kept inside the bracket between (Rx/Ry)^-1 and (Rx/Ry)^-1/4.
 

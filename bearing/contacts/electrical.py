@@ -17,9 +17,9 @@ from math import pi, sqrt
 import numpy as np
 import scipy
 
-from ehl.arrays import Array
-from ehl.closed_form.hertz import HertzContact
-from ehl.traction.instruments import VACUUM_PERMITTIVITY, FilmInstruments
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import HertzContact
+from oilfilm.ehl.traction.instruments import VACUUM_PERMITTIVITY, FilmInstruments
 
 from ..geometry import Bearing, Race
 from ..material import Material, MaterialKind

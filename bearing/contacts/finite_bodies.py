@@ -9,13 +9,13 @@ ball are alike in size and partly cancel: all of them or none.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ehl.closed_form.film import film_nijenbanning_central
-from ehl.closed_form.hertz import HertzContact, hertz_contact
-from ehl.conditions import ContactConditions
-from ehl.solid.bodies.finite_body_correction import ball_difference, ring_difference
-from ehl.solid.bodies.ring import RingStress, ring_stress
-from ehl.solid.bodies.ring_profile import RingProfile, Seat
-from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, groove_gap
+from oilfilm.ehl.closed_form.film import film_nijenbanning_central
+from oilfilm.ehl.closed_form.hertz import HertzContact, hertz_contact
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.solid.bodies.finite_body_correction import ball_difference, ring_difference
+from oilfilm.ehl.solid.bodies.ring import RingStress, ring_stress
+from oilfilm.ehl.solid.bodies.ring_profile import RingProfile, Seat
+from oilfilm.ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, groove_gap
 
 from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..rings.elastic_ring import elastic_ring

@@ -5,7 +5,7 @@ velocity w = (w_x, w_r, w_t) along e_x, e_r, e_t and the race (Omega - w_m) e_x.
 centre the ball's surface moves by w x n D/2, the race's by (Omega - w_m) R e_t with the radius R
 of the track, R = d_m/2 -+ D/2 cos(angle) (inner, outer). Both bodies' motions are resolved along
 the contact's axes x, y, n as k = (velocity x, velocity y, angular speed about n, about y); the
-ball's less the race's is (S_x, S_y, spin, rolling) of `ehl.conditions.ContactKinematics`.
+ball's less the race's is (S_x, S_y, spin, rolling) of `oilfilm.ehl.conditions.ContactKinematics`.
 `MotionMap` is this linear map, and every other kinematics of ball on race an evaluation of it.
 
 Traction at the contacts of a bearing: shear of their films at the motion of ball and race.
@@ -18,12 +18,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.conditions import ContactKinematics
-from ehl.oil.rheology import Rheology
-from ehl.solution import ContactSolution
-from ehl.traction.rolling_moment import rolling_moment
-from ehl.traction.shear import TractionResult, integrate_traction
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.conditions import ContactKinematics
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solution import ContactSolution
+from oilfilm.ehl.traction.rolling_moment import rolling_moment
+from oilfilm.ehl.traction.shear import TractionResult, integrate_traction
 
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution

@@ -42,17 +42,17 @@ from math import acos, pi, sin, sqrt
 import numpy as np
 from scipy.optimize import brentq
 
-from ehl import ContactSolution
-from ehl.arrays import Array
-from ehl.closed_form.hertz import HertzContact
-from ehl.closed_form.hertz_stress import (
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import HertzContact
+from oilfilm.ehl.closed_form.hertz_stress import (
     hertz_edge_tension,
     hertz_maximum_shear,
     hertz_orthogonal_shear,
 )
-from ehl.oil.rheology import Rheology
-from ehl.solid.subsurface import SurfaceStress, surface_stress, surface_stresses
-from ehl.traction.shear import shear_fields
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solid.subsurface import SurfaceStress, surface_stress, surface_stresses
+from oilfilm.ehl.traction.shear import shear_fields
 
 from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..quasistatic.solution import QuasistaticSolution

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ehl.compiled import compiled, inlined
+from oilfilm.ehl.compiled import compiled, inlined
 
 from ._race_kernels import add_load, elastic_force, land_film, normal_force, point_velocity, ramped
 from ._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times, vector

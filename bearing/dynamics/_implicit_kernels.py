@@ -10,7 +10,7 @@ so that h times the rate is `STIFF` for the stages, and sliding follows what dri
 of less than h/2. Forces and powers are of the friction that acts: energies close as they did.
 """
 
-from ehl.compiled import compiled
+from oilfilm.ehl.compiled import compiled
 
 from ._race_kernels import (
     FORCES,

@@ -9,8 +9,8 @@ derivative stays valid. Work and dissipation are integrated along, outside the e
 
 import numpy as np
 
-from ehl.compiled import compiled, inlined
-from ehl.oil._kernels import copy, copy_rows
+from oilfilm.ehl.compiled import compiled, inlined
+from oilfilm.ehl.oil._kernels import copy, copy_rows
 
 from ._cage_kernels import (
     INTERVAL,

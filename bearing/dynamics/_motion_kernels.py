@@ -8,7 +8,7 @@ rotation is free. Their NumPy twin: tests/reference/dynamics.py.
 
 import numpy as np
 
-from ehl.compiled import compiled, inlined
+from oilfilm.ehl.compiled import compiled, inlined
 
 from ._cage_kernels import cage_direction, cage_land, pocket_forces
 from ._implicit_kernels import friction_is_stiff, implicit_friction

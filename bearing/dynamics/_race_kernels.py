@@ -2,9 +2,14 @@
 
 import numpy as np
 
-from ehl.compiled import compiled, inlined
-from ehl.traction._kernels import CENTRAL_FILM as TABLE_CENTRAL_FILM
-from ehl.traction._kernels import LOAD_POWER, hertz_friction, straight_friction, table_lookup
+from oilfilm.ehl.compiled import compiled, inlined
+from oilfilm.ehl.traction._kernels import CENTRAL_FILM as TABLE_CENTRAL_FILM
+from oilfilm.ehl.traction._kernels import (
+    LOAD_POWER,
+    hertz_friction,
+    straight_friction,
+    table_lookup,
+)
 
 from ._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times, vector
 from .arrays import (
@@ -271,7 +276,7 @@ SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that 
 
 @compiled
 def friction_law(mirrored, coefficient, table, load, speed, motions, friction):
-    """Friction of the law: a row of numbers, as the kernels of `ehl.traction` write them.
+    """Friction of the law: a row of numbers, as the kernels of `oilfilm.ehl.traction` write them.
 
     One of coefficient and table is None, which is a type: its branch is not compiled.
     """

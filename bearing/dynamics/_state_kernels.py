@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ehl.compiled import compiled
+from oilfilm.ehl.compiled import compiled
 
 from .arrays import BODIES
 

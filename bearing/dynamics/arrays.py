@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 Vector = tuple[float, float, float]
 
@@ -48,7 +48,7 @@ PRESCRIBED_RATE = 12  # its rate [m/s], [rad/s]
 OIL_VISCOSITY = 17  # of pockets and lands, over `Constants.film_viscosity` [-]
 PRESCRIBED_COLUMNS = 18
 
-# columns of `friction`, as the kernels of `ehl.traction` write them
+# columns of `friction`, as the kernels of `oilfilm.ehl.traction` write them
 FORCE_X, FORCE_Y, SPIN_MOMENT, ROLL_MOMENT = range(4)
 CENTRAL_FILM = 5
 FILM_DAMPING = 7
@@ -146,7 +146,7 @@ class RaceMotion(NamedTuple):
 
 
 class CoefficientData(NamedTuple):
-    """A coefficient of friction over the contact ellipse, as `ehl.traction` takes it."""
+    """A coefficient of friction over the contact ellipse, as `oilfilm.ehl.traction` takes it."""
 
     disc: Array  # quadrature over the ellipse, shape (3, n) [-]
     law: Array
@@ -154,7 +154,7 @@ class CoefficientData(NamedTuple):
 
 
 class TableData(NamedTuple):
-    """A traction table, as `ehl.traction` takes it."""
+    """A traction table, as `oilfilm.ehl.traction` takes it."""
 
     axes: Array
     constants: Array

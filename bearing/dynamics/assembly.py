@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.closed_form.hertz import contact_stiffness
-from ehl.traction.coefficients import RampedCoulomb
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import contact_stiffness
+from oilfilm.ehl.traction.coefficients import RampedCoulomb
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import reduced_modulus

@@ -4,8 +4,8 @@ from math import inf, pi, sin
 
 import numpy as np
 
-from ehl.closed_form.hertz import contact_stiffness
-from ehl.units import from_si
+from oilfilm.ehl.closed_form.hertz import contact_stiffness
+from oilfilm.ehl.units import from_si
 
 from ..geometry import Bearing
 from ..material import Material, reduced_modulus

@@ -1,15 +1,15 @@
-"""Friction of balls on races for the compiled equations: the laws of `ehl.traction` as arrays."""
+"""Friction of balls on races for the compiled equations: the laws of `oilfilm.ehl.traction` as arrays."""
 
 from dataclasses import dataclass
 from math import inf
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.traction._kernels import LEAST_SPEED, LOAD_POWER
-from ehl.traction.law import TractionLaw
-from ehl.traction.shear import EllipseLaw, EllipseRule, ellipse_nodes
-from ehl.traction_table.table import TractionTable
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.traction._kernels import LEAST_SPEED, LOAD_POWER
+from oilfilm.ehl.traction.law import TractionLaw
+from oilfilm.ehl.traction.shear import EllipseLaw, EllipseRule, ellipse_nodes
+from oilfilm.ehl.traction_table.table import TractionTable
 
 from ..friction.laws import RaceTraction
 from ..geometry import Bearing, Race

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..geometry import Bearing
 from ..operation import Operation

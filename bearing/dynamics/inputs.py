@@ -10,8 +10,8 @@ from enum import Enum
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from ehl.arrays import Array
-from ehl.options import require_positive
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.options import require_positive
 
 from ..operation import Operation
 from .arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.integrate import LSODA
 from threadpoolctl import threadpool_limits
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from . import _integration_kernels
 from ._integration_kernels import (

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Layout
 from .inputs import LoadType

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.traction.shear import STRAIGHT_NODES, unit_gauss
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.traction.shear import STRAIGHT_NODES, unit_gauss
 
 from ._motion_kernels import solved_derivative
 from .arrays import (

@@ -13,7 +13,7 @@ from time import perf_counter
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..files import write_bytes
 from ..geometry import Bearing
@@ -287,10 +287,10 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
     Examples
     --------
     >>> from bearing import Operation, load_bearing
-    >>> from bearing.dynamics.bodies import ring_body
-    >>> from bearing.dynamics.friction import RaceFriction
-    >>> from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
-    >>> from bearing.dynamics.simulation import simulation
+    >>> from oilfilm.bearing.dynamics.bodies import ring_body
+    >>> from oilfilm.bearing.dynamics.friction import RaceFriction
+    >>> from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
+    >>> from oilfilm.bearing.dynamics.simulation import simulation
     >>> bearing = load_bearing("6208")
     >>> model = DynamicsModel(
     ...     options=DynamicsOptions(end_time=1e-4, sample_interval=1e-5),

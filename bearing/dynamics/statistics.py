@@ -10,7 +10,7 @@ from math import pi
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..rating.frequencies import kinematic_cage_speed
 from .arrays import CAGE_ROTATION, CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Layout

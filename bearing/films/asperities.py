@@ -21,7 +21,7 @@ from math import erf, exp, gamma, inf, pi, sqrt
 import numpy as np
 import scipy
 
-from ehl.conditions import moes_groups
+from oilfilm.ehl.conditions import moes_groups
 
 from ..contacts.contact import BearingContact
 from ..geometry import Race

@@ -26,8 +26,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.closed_form.starvation import starvation_exponent
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.starvation import starvation_exponent
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution

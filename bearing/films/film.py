@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ehl.closed_form.film import ThermalReduction
-from ehl.conditions import ContactConditions
-from ehl.solution import ContactSolution, FilmValue
+from oilfilm.ehl.closed_form.film import ThermalReduction
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.solution import ContactSolution, FilmValue
 
 # of Hertz' pressure, from which on a node counts to the contact, whose gap goes with the film;
 # ahead of it the gap is that of the bodies [-]

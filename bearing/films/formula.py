@@ -34,15 +34,15 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy
 
-from ehl.arrays import Array
-from ehl.atlas.films import (
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.atlas.films import (
     AtlasFilms,
     NotInAtlasError,
     atlas_films_of_contacts,
     nearest_covered,
     skewed,
 )
-from ehl.closed_form.film import (
+from oilfilm.ehl.closed_form.film import (
     MAX_FILM_OVER_RADIUS,
     film_chittenden_central,
     film_hamrock_dowson_central,
@@ -50,11 +50,16 @@ from ehl.closed_form.film import (
     film_nijenbanning_central,
     inlet_heat,
 )
-from ehl.closed_form.hertz import HertzContact, ellipse_ratio, hertz_coefficients, hertz_deflection
-from ehl.conditions import ContactConditions
-from ehl.scaling import ScaledContact, scale_contact
-from ehl.solution import ContactSolution, FilmValue
-from ehl.traction.rolling_moment import kapitza_moment, rolling_moment
+from oilfilm.ehl.closed_form.hertz import (
+    HertzContact,
+    ellipse_ratio,
+    hertz_coefficients,
+    hertz_deflection,
+)
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.scaling import ScaledContact, scale_contact
+from oilfilm.ehl.solution import ContactSolution, FilmValue
+from oilfilm.ehl.traction.rolling_moment import kapitza_moment, rolling_moment
 
 from ..contacts.contact import BearingContact
 from .film import (

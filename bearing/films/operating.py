@@ -12,10 +12,10 @@ from math import inf
 
 import numpy as np
 
-from ehl.closed_form.film import ThermalReduction, inlet_heat
-from ehl.closed_form.starvation import FLOODED as FLOODED_SHARES
-from ehl.solution import ContactSolution
-from ehl.traction.rolling_moment import rolling_moment
+from oilfilm.ehl.closed_form.film import ThermalReduction, inlet_heat
+from oilfilm.ehl.closed_form.starvation import FLOODED as FLOODED_SHARES
+from oilfilm.ehl.solution import ContactSolution
+from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution

@@ -15,7 +15,7 @@ gives it. (One source, Yao et al. 2022, prints the opposite sign.)
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ehl.options import require_finite
+from oilfilm.ehl.options import require_finite
 
 from ..geometry import Bearing, Race
 from ..material import Material

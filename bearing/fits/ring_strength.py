@@ -27,7 +27,7 @@ from math import expm1, gamma, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..geometry import Bearing, Race, ring_material
 from ..material import Material

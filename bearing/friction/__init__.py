@@ -11,5 +11,5 @@ law         - the contract of every law of the friction of balls on races
 laws        - sources of the friction of balls on races that a case can name
 newton      - Newton's method for the balance of friction on balls: all balls at once
 resistance  - resistance beside sliding: hysteresis, drag, churning
-tables      - friction by a law of `ehl.traction` for each contact: traction tables
+tables      - friction by a law of `oilfilm.ehl.traction` for each contact: traction tables
 """

@@ -1,4 +1,4 @@
-"""Compiled friction of many contacts and its slope: laws of `ehl.traction`, by difference
+"""Compiled friction of many contacts and its slope: laws of `oilfilm.ehl.traction`, by difference
 quotients, films node by node, and Coulomb's; SI.
 
 Everything is arrays and floats; motion k = (S_x, S_y, Omega, omega). The NumPy twins are
@@ -8,8 +8,8 @@ tests/reference.
 
 import numpy as np
 
-from ehl.compiled import compiled, summing
-from ehl.oil._kernels import (
+from oilfilm.ehl.compiled import compiled, summing
+from oilfilm.ehl.oil._kernels import (
     FAR_BELOW,
     NEWTONIAN,
     REE_EYRING,
@@ -19,7 +19,7 @@ from ehl.oil._kernels import (
     limited_slope,
     shear_stress_slope,
 )
-from ehl.traction._kernels import hertz_friction, table_lookup
+from oilfilm.ehl.traction._kernels import hertz_friction, table_lookup
 
 # of the stress of oil at ambient pressure, up to which it counts as proportional to the rate [-]:
 # it makes some 1e-3 of the friction of a film

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array, unique_rows
+from oilfilm.ehl.arrays import Array, unique_rows
 
 from ..contacts.contact import BearingContact, dry_contacts
 from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..contacts.motion import ball_speeds
 from ..quasistatic.solution import QuasistaticSolution

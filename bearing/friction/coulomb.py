@@ -1,7 +1,7 @@
 r"""Coulomb friction of ball and race over the Hertz ellipse, a potential of their relative motion.
 
 With the motion k = (S_x, S_y, Omega, omega) of ball against race
-(`ehl.conditions.ContactKinematics`) the ball slides at
+(`oilfilm.ehl.conditions.ContactKinematics`) the ball slides at
 
     s_x = S_x - Omega y - omega y^2/(2 R),      s_y = S_y + Omega x,
 
@@ -22,8 +22,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.traction.shear import EllipseRule, ellipse_nodes
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.traction.shear import EllipseRule, ellipse_nodes
 
 from ..contacts.contact import BearingContact, dry_contacts
 from ..quasistatic.solution import QuasistaticSolution

@@ -18,7 +18,7 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions

@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array, unique_rows
-from ehl.atlas.fields import PLACE, film_shapes, shape_coordinates
-from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
-from ehl.conditions import curvature_height
-from ehl.oil.lubricant import Lubricant
-from ehl.oil.rheology import (
+from oilfilm.ehl.arrays import Array, unique_rows
+from oilfilm.ehl.atlas.fields import PLACE, film_shapes, shape_coordinates
+from oilfilm.ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
+from oilfilm.ehl.conditions import curvature_height
+from oilfilm.ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.oil.rheology import (
     KernelRheology,
     Rheology,
     contact_rheology,
@@ -21,7 +21,7 @@ from ehl.oil.rheology import (
     kernel_rheology,
     limiting_stress,
 )
-from ehl.traction.shear import (
+from oilfilm.ehl.traction.shear import (
     Cavitation,
     bounded_viscosity,
     dimensional_grid,

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.oil.rheology import Rheology
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
 from ..films.film import Films

@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ehl.conditions import ContactConditions
-from ehl.oil.rheology import Rheology
-from ehl.solution import ContactSolution
-from ehl.traction.coefficients import Coefficient
-from ehl.traction.law import TractionLaw
-from ehl.traction.shear import EllipseLaw
-from ehl.traction_table.table import TractionTable
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solution import ContactSolution
+from oilfilm.ehl.traction.coefficients import Coefficient
+from oilfilm.ehl.traction.law import TractionLaw
+from oilfilm.ehl.traction.shear import EllipseLaw
+from oilfilm.ehl.traction_table.table import TractionTable
 
 from ..contacts.contact import BearingContact, contact_shape
 from ..films.asperities import Asperities
@@ -31,7 +31,7 @@ SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolu
 
 
 class RaceTraction(FrictionSource):
-    """A law of `ehl.traction` for each contact, which the equations of motion take too."""
+    """A law of `oilfilm.ehl.traction` for each contact, which the equations of motion take too."""
 
     @abstractmethod
     def race_law(self, bearing: Bearing, race: Race, angle: float) -> TractionLaw:
@@ -48,7 +48,7 @@ class RaceTraction(FrictionSource):
 
 @dataclass(frozen=True, kw_only=True)
 class LawTraction(RaceTraction):
-    """A friction law for each race: traction tables, or any other of `ehl.traction`."""
+    """A friction law for each race: traction tables, or any other of `oilfilm.ehl.traction`."""
 
     laws: Mapping[Race, TractionLaw]
     # of the rolling moment of the tables' flooded, isothermal films that inlet heating and

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ._kernels import accept_steps, damped_steps, left_on_balls, motions
 from .law import TINY, ContactFriction

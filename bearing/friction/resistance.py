@@ -8,7 +8,7 @@ from math import cos, pi
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..contacts.contact import BearingContact
 from ..films.formula import heavy_moment

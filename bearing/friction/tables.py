@@ -1,4 +1,4 @@
-"""Friction of contacts by a law of `ehl.traction` each: traction tables and coefficients.
+"""Friction of contacts by a law of `oilfilm.ehl.traction` each: traction tables and coefficients.
 
 Traction tables of a bearing's two races, at one temperature of the oil or at several.
 
@@ -21,16 +21,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.oil.lubricant import Lubricant
-from ehl.oil.rheology import Rheology
-from ehl.solid.heat import SolidThermal
-from ehl.traction.law import TractionLaw
-from ehl.traction.shear import EllipseLaw
-from ehl.traction_table.build import TableOptions, build_table
-from ehl.traction_table.storage import read_table, write_table
-from ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable
-from ehl.traction_table.temperature import TemperatureTable, build_temperature_table
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solid.heat import SolidThermal
+from oilfilm.ehl.traction.law import TractionLaw
+from oilfilm.ehl.traction.shear import EllipseLaw
+from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.storage import read_table, write_table
+from oilfilm.ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable
+from oilfilm.ehl.traction_table.temperature import TemperatureTable, build_temperature_table
 
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.solid.heat import SolidThermal
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.solid.heat import SolidThermal
 
 from ..geometry import Bearing
 from ..material import Material

@@ -14,18 +14,18 @@ from functools import cache
 
 import numpy as np
 
-from ehl.arrays import Array, unique_rows
-from ehl.closed_form.hertz import HertzContact
-from ehl.oil.lubricant import Lubricant, heat_properties
-from ehl.oil.rheology import Rheology
-from ehl.solid.heat import (
+from oilfilm.ehl.arrays import Array, unique_rows
+from oilfilm.ehl.closed_form.hertz import HertzContact
+from oilfilm.ehl.oil.lubricant import Lubricant, heat_properties
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solid.heat import (
     SolidThermal,
     history_rate,
     marched_conductance,
     marched_flux,
     moving_speed,
 )
-from ehl.traction.shear import dimensional_conditions, dimensional_grid
+from oilfilm.ehl.traction.shear import dimensional_conditions, dimensional_grid
 
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions, with_oil

@@ -18,7 +18,7 @@ from math import log, pi, sqrt, tanh
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 STEFAN_BOLTZMANN = 5.670374e-8  # [W/(m^2 K^4)]
 # coefficient of a flat plate in laminar flow, Nu = C Pr^(1/3) Re^(1/2) [-]: theory (Pohlhausen,

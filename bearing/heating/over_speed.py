@@ -20,7 +20,7 @@ from math import exp, log
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 from .network import AMBIENT, OIL_SUPPLY, Conductance, HeatPath

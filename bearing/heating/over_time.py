@@ -35,8 +35,8 @@ from math import pi
 import numpy as np
 import scipy
 
-from ehl.arrays import Array
-from ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..geometry import Bearing
 from ..material import Material

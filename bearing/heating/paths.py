@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from functools import cache
 from math import pi
 
-from ehl.oil.lubricant import Lubricant
-from ehl.solid.bodies.conduction import ring_conductances
-from ehl.solid.bodies.ring_profile import RingProfile, Seat
+from oilfilm.ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.solid.bodies.conduction import ring_conductances
+from oilfilm.ehl.solid.bodies.ring_profile import RingProfile, Seat
 
 from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..material import Material

@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy
 
-from ehl.arrays import Array, lagrange_weights
-from ehl.units import ZERO_CELSIUS
+from oilfilm.ehl.arrays import Array, lagrange_weights
+from oilfilm.ehl.units import ZERO_CELSIUS
 
 from .friction_heat import UndrivenBallsError
 from .heat_state import HeatBalance, HeatState, SelfHeatingProblem, broyden, heat_state

@@ -161,7 +161,7 @@ def read_designation(text: str) -> Designation | None:
 
     Examples
     --------
-    >>> from bearing.library.designation import read_designation
+    >>> from oilfilm.bearing.library.designation import read_designation
     >>> read = read_designation("SKF 6205-2RS C3")
     >>> read.basic, read.sealed, read.clearance_class
     ('6205', True, 'C3')

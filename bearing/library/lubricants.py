@@ -16,13 +16,13 @@ from typing import Any
 
 import numpy as np
 
-from ehl.oil.free_volume import (
+from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     TaitVolume,
     pressure_viscosity_doolittle,
     relative_volume,
 )
-from ehl.oil.lubricant import (
+from oilfilm.ehl.oil.lubricant import (
     ROELANDS_LOG_OFFSET,
     ROELANDS_TEMPERATURE,
     DensityLaw,
@@ -38,7 +38,7 @@ from ehl.oil.lubricant import (
     pressure_viscosity_scaled,
     volume_heat,
 )
-from ehl.units import GIGAPASCAL, UNITS, ZERO_CELSIUS
+from oilfilm.ehl.units import GIGAPASCAL, UNITS, ZERO_CELSIUS
 
 from .plugins import (
     OILS,
@@ -54,7 +54,7 @@ HEAT_DATA = "oil_heat.toml"
 
 
 def oil_constants(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Fields of `ehl.Lubricant` with the constants of an oil's data.
+    """Fields of `oilfilm.ehl.Lubricant` with the constants of an oil's data.
 
     Parameters
     ----------
@@ -259,7 +259,7 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     temperature : float
         temperature of the oil [K]
     **laws : Any
-        further fields of `ehl.Lubricant`: viscosity_law, density_law, roelands_z [-],
+        further fields of `oilfilm.ehl.Lubricant`: viscosity_law, density_law, roelands_z [-],
         roelands_pressure [Pa]
 
     Returns

@@ -4,8 +4,8 @@ twin, of all balls together, is `solve_balls_twin` of tests/reference.
 
 import numpy as np
 
-from ehl.compiled import compiled
-from ehl.oil._kernels import copy, copy_rows
+from oilfilm.ehl.compiled import compiled
+from oilfilm.ehl.oil._kernels import copy, copy_rows
 
 from .kinematics import EDGE_COSINE, FRICTION_LIMIT, ROUND_OFF
 

@@ -34,7 +34,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..geometry import Bearing, Race
 from ..operation import BallKinematics, QuasistaticModel

@@ -34,8 +34,8 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.closed_form.hertz import contact_stiffness
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import contact_stiffness
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..operation import BallKinematics, Curvature

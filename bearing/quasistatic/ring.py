@@ -25,8 +25,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.solid.bodies.ring import RingField, ring_field
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.solid.bodies.ring import RingField, ring_field
 
 from ..geometry import SINGLE, Bearing, Race, Row, per_ball, row_azimuths, row_directions
 from ..operation import Operation

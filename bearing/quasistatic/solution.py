@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.units import from_si, notebook_html
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import from_si, notebook_html
 
 from ..geometry import Bearing, Row
 from ..operation import Operation, QuasistaticModel

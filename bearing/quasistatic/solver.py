@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import hertz_contact
 
 from ..geometry import (
     SINGLE,

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import root
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..geometry import SINGLE, Bearing
 from ..operation import Operation, QuasistaticModel

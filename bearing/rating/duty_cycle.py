@@ -14,7 +14,7 @@ most of the damage is done where a_ISO is small. Both are given. ISO 281 and ISO
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from ehl.units import HOUR, MILLION
+from oilfilm.ehl.units import HOUR, MILLION
 
 from ..geometry import Bearing
 from ..operation import Operation

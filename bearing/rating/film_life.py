@@ -18,8 +18,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.units import MILLION
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import MILLION
 
 from ..contacts.contacts import NEGLIGIBLE_LOAD
 from ..quasistatic.solution import QuasistaticSolution

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from math import degrees, hypot, isfinite, log, pi
 from typing import Any
 
-from ehl.units import MILLIMETRE
+from oilfilm.ehl.units import MILLIMETRE
 
 from ..geometry import Bearing, contact_angle_to_clearance
 from ..library import catalogue as typical

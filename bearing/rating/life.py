@@ -22,10 +22,10 @@ from math import degrees, hypot, pi, radians, sqrt
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.closed_form.hertz import hertz_contact
-from ehl.oil.lubricant import Lubricant
-from ehl.units import HOUR, MILLIMETRE, MILLION, RPM, ZERO_CELSIUS
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.units import HOUR, MILLIMETRE, MILLION, RPM, ZERO_CELSIUS
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import MaterialKind

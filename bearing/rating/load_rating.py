@@ -17,8 +17,8 @@ from math import cos, degrees, pi
 import numpy as np
 import scipy
 
-from ehl.closed_form.hertz import hertz_contact
-from ehl.units import MILLIMETRE, RPM
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.units import MILLIMETRE, RPM
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..operation import RatingInput

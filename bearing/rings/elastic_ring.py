@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import degrees, pi, radians
 
-from ehl.solid.bodies.ring_profile import Elasticity, RingCells, RingProfile, Seat
+from oilfilm.ehl.solid.bodies.ring_profile import Elasticity, RingCells, RingProfile, Seat
 
 from ..geometry import Bearing, Race, ring_material
 from ..material import Material

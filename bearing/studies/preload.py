@@ -18,9 +18,9 @@ from math import atan2, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import Array
-from ehl.closed_form.hertz import hertz_contact
-from ehl.units import RPM
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.units import RPM
 
 from .. import quasistatic
 from ..geometry import SINGLE, Bearing, Race, Row, contact_modulus, reduced_radii

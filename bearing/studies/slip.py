@@ -18,9 +18,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
-from ehl.arrays import Array
-from ehl.options import require_positive
-from ehl.units import MILLIMETRE, RPM
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.options import require_positive
+from oilfilm.ehl.units import MILLIMETRE, RPM
 
 from ..geometry import Bearing
 from ..operation import Operation, QuasistaticModel

@@ -41,8 +41,14 @@ from math import exp, isfinite, log
 import numpy as np
 import scipy
 
-from ehl import ContactConditions, ContactSolution, InletLayer, MoesConditions, SolverOptions
-from ehl.arrays import Array
+from oilfilm.ehl import (
+    ContactConditions,
+    ContactSolution,
+    InletLayer,
+    MoesConditions,
+    SolverOptions,
+)
+from oilfilm.ehl.arrays import Array
 
 Law = Callable[[float], float]  # R(r), K(r)
 

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ehl import Lubricant
-from ehl.units import from_si, notebook_html
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.units import from_si, notebook_html
 
 from ..contacts.contact import BearingContact
 from ..films.film import ContactFilm, Films

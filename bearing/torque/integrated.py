@@ -14,7 +14,7 @@ balls in balance.
 How far the oil of the films reaches, and what of the rolling part hangs on it.
 
 The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the layer that its
-oil ends in (`ehl.traction.rolling_moment`). The integrated torque takes that of the oil up to the
+oil ends in (`oilfilm.ehl.traction.rolling_moment`). The integrated torque takes that of the oil up to the
 layer that the lubricant states: here stand its uncertainty, what the solved boxes alone would
 give, and what twice the layer adds, at the same motion.
 """
@@ -24,11 +24,11 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.oil.lubricant import Lubricant
-from ehl.oil.rheology import Rheology
-from ehl.solution import ContactSolution
-from ehl.traction.rolling_moment import RollingMoment, rolling_moment
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solution import ContactSolution
+from oilfilm.ehl.traction.rolling_moment import RollingMoment, rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import ContactTraction, MotionMap, ball_speeds, contact_traction, motion_map

@@ -10,9 +10,9 @@ from math import hypot
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.oil.lubricant import Lubricant
-from ehl.units import MILLIMETRE, MILLION, RPM, from_si
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.units import MILLIMETRE, MILLION, RPM, from_si
 
 from ..contacts.contact import BearingContact
 from ..films.asperities import Asperities, LoadSharing, Spectrum

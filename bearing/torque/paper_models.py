@@ -26,7 +26,7 @@ import numpy as np
 from numpy.polynomial.polynomial import polyval
 from scipy.special import ellipe
 
-from ehl import Lubricant
+from oilfilm.ehl import Lubricant
 
 from ..contacts.contact import BearingContact, groove_curvature_radius
 from ..contacts.motion import ball_speeds, motion_map

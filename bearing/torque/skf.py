@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si
+from oilfilm.ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si
 
 from ..geometry import Bearing
 from ..library.catalogue import skf_series as designation_series

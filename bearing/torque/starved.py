@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..contacts.contact import BearingContact
 from ..films.asperities import Asperities, asperity_share

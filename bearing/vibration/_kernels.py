@@ -13,8 +13,8 @@ Fourth-order Runge-Kutta steps; works are integrated along with them.
 
 import numpy as np
 
-from ehl.compiled import compiled
-from ehl.oil._kernels import copy
+from oilfilm.ehl.compiled import compiled
+from oilfilm.ehl.oil._kernels import copy
 
 from .assembly import (
     BALLS,

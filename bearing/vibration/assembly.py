@@ -12,11 +12,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.closed_form.hertz import contact_stiffness
-from ehl.conditions import ContactConditions
-from ehl.options import SolverOptions
-from ehl.traction.linear_response import NormalResponse, highest_frequency, normal_response
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.closed_form.hertz import contact_stiffness
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.options import SolverOptions
+from oilfilm.ehl.traction.linear_response import NormalResponse, highest_frequency, normal_response
 
 from ..contacts.contact import BearingContact
 from ..dynamics.bodies import ring_body

@@ -11,7 +11,7 @@ from math import isfinite, pi
 import numpy as np
 import scipy
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 POINTS = 65536  # of a height over a turn: linear between, order 500 to 3e-4
 

@@ -6,7 +6,7 @@ from math import ceil, pi, sqrt
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import advance

@@ -26,19 +26,19 @@ from typing import Any
 
 from pydantic_core import from_json, to_json
 
-from bearing.contacts.contact import BearingContact
-from bearing.friction.laws import LawTraction
-from bearing.friction.tables import Tables, save_race_tables
-from postprocess import summary
-from postprocess.batch.store import FAILED, Record, record_of
-from postprocess.batch.summary import OUTSIDE
-from postprocess.bearing.results import BearingResults
-from postprocess.bearing.write import write_bearing_netcdf
-from postprocess.contact.summary import ContactResults
-from postprocess.contact.write import write_contact_netcdf
-from postprocess.dynamics.results import dynamics_summary
-from postprocess.slip.results import slip_summary
-from postprocess.traction.results import traction_summary
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.friction.laws import LawTraction
+from oilfilm.bearing.friction.tables import Tables, save_race_tables
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.batch.store import FAILED, Record, record_of
+from oilfilm.postprocess.batch.summary import OUTSIDE
+from oilfilm.postprocess.bearing.results import BearingResults
+from oilfilm.postprocess.bearing.write import write_bearing_netcdf
+from oilfilm.postprocess.contact.summary import ContactResults
+from oilfilm.postprocess.contact.write import write_contact_netcdf
+from oilfilm.postprocess.dynamics.results import dynamics_summary
+from oilfilm.postprocess.slip.results import slip_summary
+from oilfilm.postprocess.traction.results import traction_summary
 
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.friction import require_fitting_tables, resisted_traction

@@ -9,8 +9,15 @@ from itertools import groupby, islice
 from pathlib import Path
 from time import perf_counter
 
-from ehl.units import notebook_html
-from postprocess.batch.store import FAILED, LOST, PointStore, StoredPoints, is_sound, store_files
+from oilfilm.ehl.units import notebook_html
+from oilfilm.postprocess.batch.store import (
+    FAILED,
+    LOST,
+    PointStore,
+    StoredPoints,
+    is_sound,
+    store_files,
+)
 
 from ..format.rules import CaseError
 from ..runs.films import Progress
@@ -160,7 +167,7 @@ def run_batch(
     Returns
     -------
     Batch
-        The finished batch; `cases.batch.results` reads its points.
+        The finished batch; `oilfilm.cases.batch.results` reads its points.
 
     Raises
     ------

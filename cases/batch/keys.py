@@ -13,7 +13,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from bearing.library.plugins import plugin_sources
+from oilfilm.bearing.library.plugins import plugin_sources
 
 PACKAGES = ("ehl", "bearing", "postprocess", "cases")
 SUFFIXES = (".py", ".npz", ".csv", ".toml")

@@ -21,8 +21,8 @@ from math import prod
 from pathlib import Path
 from typing import Any, overload
 
-from ehl.units import unit_of
-from postprocess.batch.results import result_names
+from oilfilm.ehl.units import unit_of
+from oilfilm.postprocess.batch.results import result_names
 
 from ..format.bearing import CLEARANCE
 from ..format.fields import is_number

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
 
-from postprocess.batch.results import Design
-from postprocess.batch.store import Record
+from oilfilm.postprocess.batch.results import Design
+from oilfilm.postprocess.batch.store import Record
 
 from ..format.case import case_of_document
 from .keys import program_digest, value_in

@@ -10,7 +10,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from postprocess.batch.store import DONE
+from oilfilm.postprocess.batch.store import DONE
 
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message

@@ -14,9 +14,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import IO, Any
 
-from postprocess.batch.columns import CHUNK, Columns, InMemory, Row, columns_of
-from postprocess.batch.results import BatchPoint, BatchResults, Counts
-from postprocess.batch.store import (
+from oilfilm.postprocess.batch.columns import CHUNK, Columns, InMemory, Row, columns_of
+from oilfilm.postprocess.batch.results import BatchPoint, BatchResults, Counts
+from oilfilm.postprocess.batch.store import (
     DONE,
     FAILED,
     LOST,
@@ -25,9 +25,9 @@ from postprocess.batch.store import (
     store_files,
     summary_of,
 )
-from postprocess.batch.summary import batch_summary
-from postprocess.batch.write import write_batch_csv, write_batch_netcdf
-from postprocess.files import write_json
+from oilfilm.postprocess.batch.summary import batch_summary
+from oilfilm.postprocess.batch.write import write_batch_csv, write_batch_netcdf
+from oilfilm.postprocess.files import write_json
 
 from ..runs.output_directory import write_digests
 from ..version import version

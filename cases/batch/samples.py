@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from ehl.arrays import Array
-from postprocess.batch.results import Design
+from oilfilm.ehl.arrays import Array
+from oilfilm.postprocess.batch.results import Design
 
 from ..format.fields import is_number, validated
 from ..format.rules import CaseProblem, KeyPath, shown

@@ -22,8 +22,8 @@ from hashlib import blake2b
 from pathlib import Path
 from typing import Any
 
-from bearing.friction.laws import FilmTraction
-from bearing.friction.tables import (
+from oilfilm.bearing.friction.laws import FilmTraction
+from oilfilm.bearing.friction.tables import (
     LOAD_SPAN,
     Tables,
     race_progress,
@@ -31,13 +31,13 @@ from bearing.friction.tables import (
     table_contacts,
     table_range,
 )
-from bearing.operation import BallKinematics
-from ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
-from ehl.multigrid.starved import cores
-from ehl.oil.rheology import Rheology
-from ehl.traction_table.build import TableOptions, build_table
-from ehl.traction_table.film import FilmSample, film_sample
-from ehl.traction_table.table import TableContact, TableRange
+from oilfilm.bearing.operation import BallKinematics
+from oilfilm.ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
+from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.film import FilmSample, film_sample
+from oilfilm.ehl.traction_table.table import TableContact, TableRange
 
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.contact import FilmPhysics
@@ -61,7 +61,7 @@ class _Reader(pickle.Unpickler):
     def find_class(self, module: str, name: str) -> Any:
         found = super().find_class(module, name)
         package = module.partition(".")[0]
-        own = package == "ehl" and isinstance(found, type)
+        own = module.startswith("oilfilm.ehl.") and isinstance(found, type)
         if own or (package == "numpy" and name in ARRAY_CLASSES):
             return found
         raise pickle.UnpicklingError(f"{module}.{name}")

@@ -14,8 +14,8 @@ import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from bearing.files import PARTIAL, write_bytes
-from postprocess.batch.store import (
+from oilfilm.bearing.files import PARTIAL, write_bytes
+from oilfilm.postprocess.batch.store import (
     DONE,
     PATTERN,
     PointStore,

@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path as FilePath
 from typing import Any, NamedTuple
 
-from postprocess.batch.results import Design
+from oilfilm.postprocess.batch.results import Design
 
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text

@@ -2,7 +2,7 @@
 
 | module | responsibility |
 |---|---|
-| __main__ | `python -m cases.cli` |
+| __main__ | `python -m oilfilm.cases.cli` |
 | start | entry point: signals and streams first |
 | main | registers the commands |
 | app | the application and options shared by commands |
@@ -23,7 +23,7 @@
 | new | text of new case files |
 | verify | verify |
 
-__main__  - `python -m cases.cli` is the command `oilfilm`
+__main__  - `python -m oilfilm.cases.cli` is the command `oilfilm`
 batch     - commands on many points
 compute   - commands that compute a case
 documents - commands on results

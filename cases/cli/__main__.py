@@ -1,4 +1,4 @@
-"""`python -m cases.cli` is the command `oilfilm`."""
+"""`python -m oilfilm.cases.cli` is the command `oilfilm`."""
 
 from .start import main
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from bearing.files import is_disk_failure
+from oilfilm.bearing.files import is_disk_failure
 
 from ..format.rules import CaseError
 from ..runs.interrupt import finish_first, print_message
@@ -32,8 +32,8 @@ from .terminal import (
 )
 
 if TYPE_CHECKING:
-    from postprocess.batch.columns import Columns
-    from postprocess.batch.results import BatchResults
+    from oilfilm.postprocess.batch.columns import Columns
+    from oilfilm.postprocess.batch.results import BatchResults
 
     from ..batch.engine import Batch, PointSelection
     from ..batch.points import Sweep
@@ -210,7 +210,7 @@ def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
     """Writers of further files."""
     if not wanted.parquet:
         return {}
-    from postprocess.batch.write import write_batch_parquet
+    from oilfilm.postprocess.batch.write import write_batch_parquet
 
     from ..batch.store import PARQUET
 
@@ -219,7 +219,7 @@ def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
 
 def _report_cost(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) -> None:
     """Announce the time that the points of one shard will take, estimated from the first point."""
-    from ehl.multigrid.starved import cores
+    from oilfilm.ehl.multigrid.starved import cores
 
     from ..format.case import case_of_document
 
@@ -266,7 +266,7 @@ def report_stored_points(directory: Path | None) -> Iterator[None]:
 
 def _pool(plan: Sweep, wanted: _Wanted) -> Callable[[], Pool]:
     def start() -> Pool:
-        from ehl.multigrid.starved import cores
+        from oilfilm.ehl.multigrid.starved import cores
 
         from ..batch.pools import ClusterPool, LocalPool, Pool, executor_factory
         from ..runs.kernel_cache import compiled_stamp
@@ -283,7 +283,7 @@ def _pool(plan: Sweep, wanted: _Wanted) -> Callable[[], Pool]:
 
 
 def _plot(results: BatchResults, directory: Path) -> None:
-    from postprocess.batch.plots import write_batch_plots
+    from oilfilm.postprocess.batch.plots import write_batch_plots
 
     if results.counts is not None:
         print_message(
@@ -315,7 +315,7 @@ def _report(
     results: BatchResults, columns: Columns, directory: Path | None, as_json: bool, quiet: bool
 ) -> int:
     """Print summary or table; exit code, in which a lost worker is a failure of the machine."""
-    from postprocess.batch.summary import batch_summary, batch_table, counts_of
+    from oilfilm.postprocess.batch.summary import batch_summary, batch_table, counts_of
 
     document = batch_summary(results, columns)
     code = report(document, lambda: batch_table(results, columns), directory, as_json, quiet)

@@ -31,7 +31,7 @@ from .output import (
 from .terminal import CaseName, Json, Output, Quiet, app, enter_context, guarded, progress_bar
 
 if TYPE_CHECKING:
-    from ehl.traction_table.build import FilmSampler
+    from oilfilm.ehl.traction_table.build import FilmSampler
 
 TableFile = Annotated[
     Path | None,
@@ -64,9 +64,9 @@ def run(
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
         loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'", heated=False)
         directory = results_directory(case, output, as_json)
-        from ehl.multigrid.starved import cores
-        from postprocess import summary
-        from postprocess.bearing.write import bearing_table
+        from oilfilm.ehl.multigrid.starved import cores
+        from oilfilm.postprocess import summary
+        from oilfilm.postprocess.bearing.write import bearing_table
 
         from ..runs.bearing import Interrupted, run_case
 
@@ -106,9 +106,9 @@ def contact(
         if not isinstance(loaded, ContactCase):
             raise CaseError(f"{case}: is a bearing; run it with 'oilfilm run {case}'")
         directory = results_directory(case, output, as_json)
-        from ehl.multigrid.starved import cores
-        from postprocess import summary
-        from postprocess.contact.write import contact_table
+        from oilfilm.ehl.multigrid.starved import cores
+        from oilfilm.postprocess import summary
+        from oilfilm.postprocess.contact.write import contact_table
 
         from ..runs.contact import run_contact
 
@@ -126,8 +126,8 @@ def contact(
 @guarded
 def film(case: CaseName, as_json: Json = False, quiet: Quiet = False) -> int:
     """Films of a contact, or of each contact of a bearing, by the film atlas, without a solve."""
-    from postprocess.bearing.atlas import atlas_bearing_summary, atlas_bearing_table
-    from postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
+    from oilfilm.postprocess.bearing.atlas import atlas_bearing_summary, atlas_bearing_table
+    from oilfilm.postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
 
     from ..format.case import ContactCase, load_case
     from ..runs.atlas import run_atlas_bearing, run_atlas_contact
@@ -157,7 +157,7 @@ def slip(
     """Map gross slip of the balls after Hirano, and the minimum preload, from a [slip] table."""
     loaded = load_bearing(case, "slip maps need a bearing")
     directory = results_directory(case, output, as_json)
-    from ehl.multigrid.starved import cores
+    from oilfilm.ehl.multigrid.starved import cores
 
     from ..runs.stiffness import run_slip
 
@@ -168,8 +168,8 @@ def slip(
     except KeyboardInterrupt:
         print_message("oilfilm: of unfinished slip maps nothing is kept")
         raise
-    from postprocess.slip.results import slip_summary
-    from postprocess.slip.write import slip_table, write_slip
+    from oilfilm.postprocess.slip.results import slip_summary
+    from oilfilm.postprocess.slip.write import slip_table, write_slip
 
     save_with(lambda folder: write_slip(results, folder), directory)
     document = slip_summary(results)
@@ -198,7 +198,7 @@ def stiffness(
     quiet: Quiet = False,
 ) -> int:
     """Stiffness of a bearing over speed, also as a bearing element for the rotor code ROSS."""
-    from ehl.units import RPM
+    from oilfilm.ehl.units import RPM
 
     loaded = load_bearing(case, "a stiffness needs a bearing")
     directory = results_directory(case, output, as_json)
@@ -207,8 +207,8 @@ def stiffness(
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
     with progress_bar(quiet=quiet) as progress:
         results = run_stiffness(loaded, case, ends, points, damping, progress)
-    from postprocess.stiffness.results import stiffness_summary
-    from postprocess.stiffness.write import stiffness_table, write_stiffness
+    from oilfilm.postprocess.stiffness.results import stiffness_summary
+    from oilfilm.postprocess.stiffness.write import stiffness_table, write_stiffness
 
     save_with(lambda folder: write_stiffness(results, folder), directory)
     document = stiffness_summary(results)
@@ -245,8 +245,8 @@ def temperatures(
     with progress_bar(quiet=quiet) as progress:
         study = partial(run_temperatures, loaded, case, run_case, duration, progress)
         results = interruptible(study)
-    from postprocess.temperatures.results import temperatures_summary
-    from postprocess.temperatures.write import temperatures_table, write_temperatures
+    from oilfilm.postprocess.temperatures.results import temperatures_summary
+    from oilfilm.postprocess.temperatures.write import temperatures_table, write_temperatures
 
     save_with(lambda folder: write_temperatures(results, folder), directory)
     document = temperatures_summary(results)
@@ -305,7 +305,7 @@ def table(
         )
     if path is not None:
         lock_output_file(path)
-    from ehl.multigrid.starved import cores
+    from oilfilm.ehl.multigrid.starved import cores
 
     from ..runs import traction_table as runs
 
@@ -315,8 +315,8 @@ def table(
     atlas = loaded.file.friction.table_films == "atlas"
     cost = table_cost(points, count, workers or cores(), atlas=atlas)
     report_cost(cost, quiet=quiet)
-    from postprocess.traction.results import traction_summary
-    from postprocess.traction.write import save_tables, traction_table, write_traction
+    from oilfilm.postprocess.traction.results import traction_summary
+    from oilfilm.postprocess.traction.write import save_tables, traction_table, write_traction
 
     with _film_sampler(path) as sample:
         with progress_bar(quiet=quiet) as progress:
@@ -335,7 +335,7 @@ def table(
 @contextmanager
 def _film_sampler(path: Path | None) -> Iterator[FilmSampler]:
     """Solves films and keeps them beside the table until that is complete."""
-    from ehl.traction_table.film import film_sample
+    from oilfilm.ehl.traction_table.film import film_sample
 
     from ..batch.shared_tables import remove_films, stored_film_sampler
 

@@ -46,7 +46,7 @@ class Axis(StrEnum):
 @guarded
 def report(directory: Directory, quiet: Errors = False) -> None:
     """Write one self-contained HTML page of results."""
-    from postprocess.report.page import write_report
+    from oilfilm.postprocess.report.page import write_report
 
     with reading(directory):
         path = write_report(lock_output_directory(directory))
@@ -72,14 +72,14 @@ def compare(
     quiet: Errors = False,
 ) -> int:
     """Compare two results: differences of input and numbers."""
-    from postprocess.compare.summary import compare as compared
+    from oilfilm.postprocess.compare.summary import compare as compared
 
     with reading(first, second):
         comparison = compared(first, second)
     if as_json:
         print_json(comparison.document())
     elif not quiet:
-        from postprocess.compare.summary import comparison_table
+        from oilfilm.postprocess.compare.summary import comparison_table
 
         print_table(comparison_table(comparison))
     for name, converged in zip(comparison.names, comparison.converged, strict=True):
@@ -108,7 +108,7 @@ def cut(
     ] = 0.0,
 ) -> None:
     """Write film and pressure along a line through a contact as CSV."""
-    from postprocess.contact.plots import write_line_cut
+    from oilfilm.postprocess.contact.plots import write_line_cut
 
     with reading(directory):
         file = lock_output_file(output or Path("cut.csv"))
@@ -135,8 +135,8 @@ def interferogram(
     ] = 1.5,
 ) -> None:
     """Draw the film of a contact as an optical interferometer would see it."""
-    from ehl.units import NANOMETRE
-    from postprocess.contact.plots import SODIUM, Optics, write_interferogram
+    from oilfilm.ehl.units import NANOMETRE
+    from oilfilm.postprocess.contact.plots import SODIUM, Optics, write_interferogram
 
     with reading(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
@@ -169,8 +169,8 @@ def diagram(
     ] = None,
 ) -> None:
     """Draw numbers of a batch over its keys: film, torque and life over speed, a line per load."""
-    from postprocess.batch.plots import write_diagram
-    from postprocess.batch.store import read_batch
+    from oilfilm.postprocess.batch.plots import write_diagram
+    from oilfilm.postprocess.batch.store import read_batch
 
     with reading(directory):
         file = lock_output_file(output or Path("diagram.png"))
@@ -217,10 +217,10 @@ def _write_document(directory: Path, file: Path, kind: str) -> tuple[Path, ...]:
     if kind not in DOCUMENTS:
         return ()
     if kind == "xlsx":
-        from postprocess.report.plots_pdf import write_workbook
+        from oilfilm.postprocess.report.plots_pdf import write_workbook
 
         return (write_workbook(directory, file),)
-    from postprocess.report.plots_pdf import write_pdf
+    from oilfilm.postprocess.report.plots_pdf import write_pdf
 
     return (write_pdf(directory, file),)
 
@@ -272,7 +272,7 @@ def view(
     for file in (screenshot, html, movie):
         if file is not None:
             lock_output_file(file)
-    from postprocess.scene import scene
+    from oilfilm.postprocess.scene import scene
 
     factors = None if magnification is None else (magnification, magnification)
     options = scene.SceneOptions(

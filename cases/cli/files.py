@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from bearing.library.plugins import PluginError
-from ehl.units import from_si, to_si
+from oilfilm.bearing.library.plugins import PluginError
+from oilfilm.ehl.units import from_si, to_si
 
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
@@ -20,7 +20,7 @@ from .output import print_notes
 from .terminal import BAD_INPUT, app, guarded, print_json, print_lines
 
 if TYPE_CHECKING:
-    from bearing.material import Material
+    from oilfilm.bearing.material import Material
 
 
 class Listing(StrEnum):
@@ -181,7 +181,7 @@ def _name_and_designation(bearing: str, words: list[str]) -> tuple[str, str]:
     """NAME, the first word or else the last, and the designation with the other words;
     `CaseError` where both are suffixes that make it another bearing.
     """
-    from bearing.library.designation import read_designation
+    from oilfilm.bearing.library.designation import read_designation
 
     plain = read_designation(bearing)
     for name, more in ((words[0], words[1:]), (words[-1], words[:-1])):
@@ -269,32 +269,32 @@ def listing(kind: str) -> dict[str, str]:
     if kind == "sweeps":
         return {name: title(path) for name, path in shipped_sweeps().items()}
     if kind == "bearings":
-        from bearing.library.bearings import list_bearings, load_catalogue_entry
+        from oilfilm.bearing.library.bearings import list_bearings, load_catalogue_entry
 
         return {name: _dimensions(load_catalogue_entry(name)) for name in list_bearings()}
     if kind == "materials":
-        from bearing.material import list_materials, load_material
+        from oilfilm.bearing.material import list_materials, load_material
 
         return {name: _properties(load_material(name)) for name in list_materials()}
     if kind == "greases":
-        from bearing.library.lubricants import list_greases, load_grease
+        from oilfilm.bearing.library.lubricants import list_greases, load_grease
 
         greases = (load_grease(name) for name in list_greases())
         return {grease.name: f"{grease.oil}; {grease.thickener}" for grease in greases}
     if kind == "typical":
-        from bearing.library.plugins import library_data
+        from oilfilm.bearing.library.plugins import library_data
 
         return {key: _range(data) for key, data in library_data("typical.toml").items()}
     if kind == "plugins":
         return _plugins()
-    from bearing.library.lubricants import list_lubricants
+    from oilfilm.bearing.library.lubricants import list_lubricants
 
     return {name: _oil(name) for name in list_lubricants()}
 
 
 def _plugins() -> dict[str, str]:
     """Oils that other distributions bring, and their faults."""
-    from bearing.library.plugins import KINDS, plugins
+    from oilfilm.bearing.library.plugins import KINDS, plugins
 
     found: dict[str, str] = {}
     for one in (one for kind in KINDS for one in plugins(kind)):
@@ -327,7 +327,7 @@ def _properties(material: Material) -> str:
 
 def _oil(name: str) -> str:
     """Viscosity and its pressure coefficient, or why a plug-in has none."""
-    from bearing.library.lubricants import library_lubricant
+    from oilfilm.bearing.library.lubricants import library_lubricant
 
     try:
         oil = library_lubricant(name, to_si("oil_C", 40.0))

@@ -13,16 +13,16 @@ from dataclasses import dataclass, replace
 from math import floor, isfinite, log, log10, pi, radians
 from typing import Any
 
-from bearing.library.bearings import load_catalogue_entry, named_designation
-from bearing.library.catalogue import boundary_dimensions, with_designation
-from bearing.library.designation import Designation, series_and_bore
-from bearing.library.lubricants import library_lubricant
-from bearing.library.plugins import library_data
-from bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
-from bearing.rating.life import viscosity_ratio
-from bearing.torque.skf import palmgren_torque, viscous_factor
-from ehl.oil.lubricant import Lubricant
-from ehl.units import MILLIMETRE, RPM, from_si, to_si
+from oilfilm.bearing.library.bearings import load_catalogue_entry, named_designation
+from oilfilm.bearing.library.catalogue import boundary_dimensions, with_designation
+from oilfilm.bearing.library.designation import Designation, series_and_bore
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.plugins import library_data
+from oilfilm.bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
+from oilfilm.bearing.rating.life import viscosity_ratio
+from oilfilm.bearing.torque.skf import palmgren_torque, viscous_factor
+from oilfilm.ehl.oil.lubricant import Lubricant
+from oilfilm.ehl.units import MILLIMETRE, RPM, from_si, to_si
 
 from ..format.document import validate_text
 from ..format.rules import CaseError

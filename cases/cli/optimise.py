@@ -65,7 +65,7 @@ def _found(
     study: Study, directory: Path, workers: int | None, *, resume: bool, quiet: bool
 ) -> OptimisationResult:
     """Search with workers that stay until the end."""
-    from ehl.multigrid.starved import cores
+    from oilfilm.ehl.multigrid.starved import cores
 
     from ..optimise.search import PersistentPool, search_designs
     from ..runs.kernel_cache import compiled_stamp
@@ -102,7 +102,7 @@ def optimisation_table(found: OptimisationResult) -> Group:
     from rich.console import Group
     from rich.text import Text
 
-    from postprocess.quantities import evenly_chosen
+    from oilfilm.postprocess.quantities import evenly_chosen
 
     from ..optimise.search import confirmation_messages, improvement
 
@@ -136,7 +136,7 @@ def _gain(gain: dict[str, Any]) -> str:
 
 def _columns(designs: dict[str, Design], keys: Sequence[str], names: Sequence[str]) -> Table:
     """Designs side by side: values of the keys, then goals and constraints."""
-    from postprocess.quantities import number, number_table
+    from oilfilm.postprocess.quantities import number, number_table
 
     own = list(designs.values())
     rows = [[_words(key), *(number(one.values[key], ".5g") for one in own)] for key in keys]
@@ -145,7 +145,7 @@ def _columns(designs: dict[str, Design], keys: Sequence[str], names: Sequence[st
 
 
 def _words(name: str) -> str:
-    from ehl.units import unit_symbol, without_unit
+    from oilfilm.ehl.units import unit_symbol, without_unit
 
     last = name.rpartition(".")[2]
     return f"{without_unit(last)} {unit_symbol(last)}".strip()

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     from rich.console import Group
 
-    from postprocess.bearing.results import BearingResults
-    from postprocess.contact.summary import ContactResults
+    from oilfilm.postprocess.bearing.results import BearingResults
+    from oilfilm.postprocess.contact.summary import ContactResults
 
     from ..format.case import Case
     from ..runs.films import Progress
@@ -259,7 +259,7 @@ def _of_failure(message: str) -> bool:
 
 
 if TYPE_CHECKING:
-    from ehl import SolverOptions
+    from oilfilm.ehl import SolverOptions
 
     from ..format.case import Case, ContactCase
     from ..format.dynamics import DynamicsTable
@@ -475,7 +475,7 @@ def transient_cost(case: ContactCase) -> tuple[str, float]:
     """
     if case.transient is None:
         return "", 0.0
-    from ehl.transient.run import planned_steps
+    from oilfilm.ehl.transient.run import planned_steps
 
     conditions, options = case.transient
     try:

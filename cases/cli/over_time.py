@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from bearing.files import is_disk_failure
+from oilfilm.bearing.files import is_disk_failure
 
 from ..format.rules import CaseError
 from ..runs.interrupt import finish_first, print_message
@@ -90,8 +90,8 @@ def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool
     except KeyboardInterrupt:
         print_message("oilfilm: of an unfinished vibration nothing is kept")
         raise
-    from postprocess.vibration.summary import vibration_summary
-    from postprocess.vibration.write import vibration_table, write_vibration
+    from oilfilm.postprocess.vibration.summary import vibration_summary
+    from oilfilm.postprocess.vibration.write import vibration_table, write_vibration
 
     hurry = Event()
     save_with(lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set)
@@ -100,8 +100,8 @@ def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool
 
 
 if TYPE_CHECKING:
-    from bearing.dynamics.simulation import Simulation
-    from postprocess.dynamics.results import DynamicsResults
+    from oilfilm.bearing.dynamics.simulation import Simulation
+    from oilfilm.postprocess.dynamics.results import DynamicsResults
 
     from ..format.case import Case
 
@@ -170,8 +170,8 @@ def dynamics(
         except Interrupted as stop:
             _keep(loaded, stop.results, stop.simulation, directory)
             raise KeyboardInterrupt from None
-        from postprocess.dynamics.results import dynamics_summary
-        from postprocess.dynamics.write import dynamics_table
+        from oilfilm.postprocess.dynamics.results import dynamics_summary
+        from oilfilm.postprocess.dynamics.write import dynamics_table
 
         hurry = Event()
         save_with(lambda target: _write(results, target, hurry.is_set), directory, hurry.set)
@@ -197,8 +197,8 @@ def _write(
 
     Pictures and motion are left out when one is `hurried`.
     """
-    from postprocess.dynamics.write import write_dynamics
-    from postprocess.scene.vtk_history import write_motion
+    from oilfilm.postprocess.dynamics.write import write_dynamics
+    from oilfilm.postprocess.scene.vtk_history import write_motion
 
     problems = write_dynamics(results, directory, is_interrupted)
     try:
@@ -230,8 +230,8 @@ def _window(text: str | None, animation: Path | None, case: Case) -> tuple[float
 
 def _animate(directory: Path, file: Path, window: tuple[float, float] | None) -> None:
     """Draw the motion; where that fails a message says so, and the results stay."""
-    from postprocess.scene.rendering import RenderingError
-    from postprocess.scene.scene import AnimationOptions, animate
+    from oilfilm.postprocess.scene.rendering import RenderingError
+    from oilfilm.postprocess.scene.scene import AnimationOptions, animate
 
     try:
         animate(directory, file, AnimationOptions(window=window))
@@ -247,8 +247,8 @@ def _keep(
     """Write what an interrupted simulation has so far, and the file to go on from."""
     if directory is None:
         return
-    from bearing.dynamics.simulation import save_restart
-    from postprocess.dynamics.write import write_dynamics
+    from oilfilm.bearing.dynamics.simulation import save_restart
+    from oilfilm.postprocess.dynamics.write import write_dynamics
 
     from ..runs.dynamics import case_key
 
@@ -262,7 +262,7 @@ def _keep(
 
 
 if TYPE_CHECKING:
-    from postprocess.contact.transient_summary import TransientResults
+    from oilfilm.postprocess.contact.transient_summary import TransientResults
 
 
 @app.command()
@@ -278,7 +278,7 @@ def transient(
 
     Steps are kept in DIR_steps while it runs; the same command goes on with them.
     """
-    from ehl.transient.run import StartError
+    from oilfilm.ehl.transient.run import StartError
 
     from ..format.case import ContactCase, load_case
     from ..runs.transient import Interrupted as TransientInterrupted
@@ -311,7 +311,7 @@ def transient(
         from ..runs.transient import Checkpoints
 
         Checkpoints(folder, "").forget()
-    from postprocess.contact.transient_summary import transient_summary, transient_table
+    from oilfilm.postprocess.contact.transient_summary import transient_summary, transient_table
 
     document = transient_summary(results)
     return report(document, lambda: transient_table(document), directory, as_json, quiet)
@@ -328,8 +328,12 @@ def _writer(
     """Writes all files of a run into a folder; movie and fields for ParaView unless `hurried`."""
 
     def write(folder: Path) -> tuple[str, ...]:
-        from postprocess.contact.transient_plots import write_transient
-        from postprocess.scene.transient import MOVIE_FILE, write_movie, write_transient_series
+        from oilfilm.postprocess.contact.transient_plots import write_transient
+        from oilfilm.postprocess.scene.transient import (
+            MOVIE_FILE,
+            write_movie,
+            write_transient_series,
+        )
 
         problems = write_transient(results, folder, is_interrupted)
         try:

@@ -29,8 +29,8 @@ from typing import TYPE_CHECKING, Annotated, ParamSpec, TypeVar
 
 import typer
 
-from bearing.files import is_disk_failure
-from bearing.library.plugins import PluginError
+from oilfilm.bearing.files import is_disk_failure
+from oilfilm.bearing.library.plugins import PluginError
 
 from ..format.rules import CaseError
 from ..runs.interrupt import interrupt, print_message
@@ -379,7 +379,7 @@ class _CompilationNotice(logging.Handler):
 @contextmanager
 def _report_compilation() -> Iterator[None]:
     """Tell when kernels are compiled."""
-    logger = logging.getLogger("ehl.compiled")
+    logger = logging.getLogger("oilfilm.ehl.compiled")
     notice = _CompilationNotice()
     logger.setLevel(logging.INFO)
     logger.addHandler(notice)

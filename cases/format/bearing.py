@@ -6,14 +6,19 @@ from dataclasses import replace
 from math import acos, asin, cos, degrees, floor, hypot, pi, radians
 from typing import Annotated
 
-from bearing.films.asperities import LoadSharing, Spectrum
-from bearing.geometry import ANGULAR_CONTACT, Bearing, BearingType, contact_angle_to_clearance
-from bearing.library.bearings import TOLERANCE_CLASSES
-from bearing.library.catalogue import CLEARANCE_CLASSES, clearance_class
-from bearing.material import Material
-from bearing.operation import RatingInput
-from bearing.torque.skf import Series, series_of, skf_series
-from ehl.units import MICROMETRE, from_si, to_si
+from oilfilm.bearing.films.asperities import LoadSharing, Spectrum
+from oilfilm.bearing.geometry import (
+    ANGULAR_CONTACT,
+    Bearing,
+    BearingType,
+    contact_angle_to_clearance,
+)
+from oilfilm.bearing.library.bearings import TOLERANCE_CLASSES
+from oilfilm.bearing.library.catalogue import CLEARANCE_CLASSES, clearance_class
+from oilfilm.bearing.material import Material
+from oilfilm.bearing.operation import RatingInput
+from oilfilm.bearing.torque.skf import Series, series_of, skf_series
+from oilfilm.ehl.units import MICROMETRE, from_si, to_si
 
 from .fields import Name, OneOf, Table, above, between, described, length, within
 from .rules import Below, CaseProblem, CaseValues, Needs, Where, bounded, shown

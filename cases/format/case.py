@@ -7,21 +7,21 @@ from math import radians
 from pathlib import Path
 from typing import Any
 
-from bearing.fits.clearance import ClearanceBudget
-from bearing.friction.law import BallTraction
-from bearing.geometry import Bearing, Row
-from bearing.library.bearings import warn_of_estimates
-from bearing.library.lubricants import load_grease
-from bearing.material import Material
-from bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
-from bearing.rating.load_rating import capacity
-from bearing.supply.supply import Supply
-from bearing.supply.track import TrackPasses
-from bearing.torque.models import FrictionInput
-from bearing.torque.skf import NO_LOSS, InletFactors, inlet_factors
-from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
-from ehl.oil.rheology import Rheology
-from ehl.transient.inputs import TransientConditions, TransientOptions
+from oilfilm.bearing.fits.clearance import ClearanceBudget
+from oilfilm.bearing.friction.law import BallTraction
+from oilfilm.bearing.geometry import Bearing, Row
+from oilfilm.bearing.library.bearings import warn_of_estimates
+from oilfilm.bearing.library.lubricants import load_grease
+from oilfilm.bearing.material import Material
+from oilfilm.bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
+from oilfilm.bearing.rating.load_rating import capacity
+from oilfilm.bearing.supply.supply import Supply
+from oilfilm.bearing.supply.track import TrackPasses
+from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.skf import NO_LOSS, InletFactors, inlet_factors
+from oilfilm.ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions
 
 from . import bearing as bearings
 from . import contact as contacts

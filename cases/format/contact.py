@@ -11,10 +11,10 @@ from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
-from bearing.heating.friction_heat import solid_thermal
-from bearing.material import Material, list_materials, material_data, reduced_modulus
-from bearing.supply.track import TrackPasses
-from ehl import (
+from oilfilm.bearing.heating.friction_heat import solid_thermal
+from oilfilm.bearing.material import Material, list_materials, material_data, reduced_modulus
+from oilfilm.bearing.supply.track import TrackPasses
+from oilfilm.ehl import (
     ContactConditions,
     ContactSolution,
     InletLayer,
@@ -23,13 +23,13 @@ from ehl import (
     SolverOptions,
     solve_contact,
 )
-from ehl.conditions import surface_motion
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.rheology import Rheology
-from ehl.options import GENERALIZED_POINTS, TOLERANCE
-from ehl.solid.heat import SolidThermal
-from ehl.solid.layered import Coating
-from ehl.traction.linear_response import highest_frequency
+from oilfilm.ehl.conditions import surface_motion
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.options import GENERALIZED_POINTS, TOLERANCE
+from oilfilm.ehl.solid.heat import SolidThermal
+from oilfilm.ehl.solid.layered import Coating
+from oilfilm.ehl.traction.linear_response import highest_frequency
 
 from .fields import (
     FORCE_MAXIMUM,

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
-from bearing.dynamics.inputs import Guidance, LoadType, NormalLaw, RaceStiffness, Start
-from bearing.friction.resistance import Cage
-from bearing.geometry import Race
-from ehl.traction.coefficients import COEFFICIENTS
-from ehl.units import from_si
+from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, NormalLaw, RaceStiffness, Start
+from oilfilm.bearing.friction.resistance import Cage
+from oilfilm.bearing.geometry import Race
+from oilfilm.ehl.traction.coefficients import COEFFICIENTS
+from oilfilm.ehl.units import from_si
 
 from . import programs
 from .fields import (

@@ -19,7 +19,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from ehl.units import to_si, without_unit
+from oilfilm.ehl.units import to_si, without_unit
 
 from .rules import CaseProblem, schema_faults
 

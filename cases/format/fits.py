@@ -8,25 +8,29 @@ from dataclasses import dataclass, replace
 from math import radians
 from typing import Literal
 
-from bearing.fits.clearance import (
+from oilfilm.bearing.fits.clearance import (
     ClearanceBudget,
     Fit,
     TemperatureRise,
     cage_clearance,
     clearance_budget,
 )
-from bearing.geometry import Bearing, Race, shoulder_diameter
-from bearing.heating.heat_state import HIGHEST_TEMPERATURE
-from bearing.heating.paths import PUMPED_TO_OIL, Surroundings
-from bearing.library.bearings import TOLERANCE_CLASSES, inner_interference, outer_interference
-from bearing.material import Material, load_material
-from bearing.operation import Operation
-from bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
-from bearing.torque.skf import Lubrication
-from ehl import Lubricant
-from ehl.oil.rheology import Rheology
-from ehl.solid.bodies.ring_profile import Seat
-from ehl.units import to_si
+from oilfilm.bearing.geometry import Bearing, Race, shoulder_diameter
+from oilfilm.bearing.heating.heat_state import HIGHEST_TEMPERATURE
+from oilfilm.bearing.heating.paths import PUMPED_TO_OIL, Surroundings
+from oilfilm.bearing.library.bearings import (
+    TOLERANCE_CLASSES,
+    inner_interference,
+    outer_interference,
+)
+from oilfilm.bearing.material import Material, load_material
+from oilfilm.bearing.operation import Operation
+from oilfilm.bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
+from oilfilm.bearing.torque.skf import Lubrication
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solid.bodies.ring_profile import Seat
+from oilfilm.ehl.units import to_si
 
 from .bearing import BearingTable
 from .fields import (

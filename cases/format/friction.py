@@ -12,25 +12,30 @@ from typing import Annotated, Any, Literal
 
 from pydantic import create_model
 
-from bearing.films.asperities import LoadSharing
-from bearing.friction.law import BallTraction, FrictionSource
-from bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction, LawTraction
-from bearing.friction.resistance import Cage
-from bearing.friction.tables import Solids, Tables, load_tables
-from bearing.geometry import Bearing, contact_modulus, reduced_radii
-from bearing.library.bearings import named_designation
-from bearing.library.catalogue import nearest_series
-from bearing.library.lubricants import limiting_coefficient, lubricant_data
-from bearing.operation import BallKinematics
-from bearing.supply.supply import CAPTURED, InletFilm, Supply
-from bearing.torque.models import FrictionInput
-from bearing.torque.skf import InletFactors, Lubrication, series_of
-from ehl import Lubricant
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.traction.coefficients import COEFFICIENTS, Constant
-from ehl.traction_table.table import TractionTable
-from ehl.traction_table.temperature import TemperatureTable
-from ehl.units import to_si
+from oilfilm.bearing.films.asperities import LoadSharing
+from oilfilm.bearing.friction.law import BallTraction, FrictionSource
+from oilfilm.bearing.friction.laws import (
+    CoefficientTraction,
+    CoulombTraction,
+    FilmTraction,
+    LawTraction,
+)
+from oilfilm.bearing.friction.resistance import Cage
+from oilfilm.bearing.friction.tables import Solids, Tables, load_tables
+from oilfilm.bearing.geometry import Bearing, contact_modulus, reduced_radii
+from oilfilm.bearing.library.bearings import named_designation
+from oilfilm.bearing.library.catalogue import nearest_series
+from oilfilm.bearing.library.lubricants import limiting_coefficient, lubricant_data
+from oilfilm.bearing.operation import BallKinematics
+from oilfilm.bearing.supply.supply import CAPTURED, InletFilm, Supply
+from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.skf import InletFactors, Lubrication, series_of
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.traction.coefficients import COEFFICIENTS, Constant
+from oilfilm.ehl.traction_table.table import TractionTable
+from oilfilm.ehl.traction_table.temperature import TemperatureTable
+from oilfilm.ehl.units import to_si
 
 from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum
 from .contact import CaseFilms, FilmPhysics

@@ -3,11 +3,17 @@
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any
 
-from bearing.library.bearings import catalogue_name, list_bearings, load_catalogue_entry
-from bearing.library.lubricants import list_greases, list_lubricants, load_grease
-from bearing.library.plugins import matching_name
-from bearing.material import STRENGTH, Material, MaterialKind, list_materials, load_material
-from ehl.units import from_si
+from oilfilm.bearing.library.bearings import catalogue_name, list_bearings, load_catalogue_entry
+from oilfilm.bearing.library.lubricants import list_greases, list_lubricants, load_grease
+from oilfilm.bearing.library.plugins import matching_name
+from oilfilm.bearing.material import (
+    STRENGTH,
+    Material,
+    MaterialKind,
+    list_materials,
+    load_material,
+)
+from oilfilm.ehl.units import from_si
 
 from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
 from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded

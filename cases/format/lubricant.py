@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from math import log
 from typing import Annotated, Any, Literal
 
-from bearing.library.lubricants import library_lubricant, list_lubricants, lubricant_data
-from ehl import DensityLaw, Lubricant, ViscosityLaw
-from ehl.oil.free_volume import (
+from oilfilm.bearing.library.lubricants import library_lubricant, list_lubricants, lubricant_data
+from oilfilm.ehl import DensityLaw, Lubricant, ViscosityLaw
+from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     ExpansivityForm,
     TaitVolume,
@@ -19,7 +19,7 @@ from ehl.oil.free_volume import (
     pressure_viscosity_doolittle,
     pressure_viscosity_yasutomi,
 )
-from ehl.oil.lubricant import (
+from oilfilm.ehl.oil.lubricant import (
     PRESSURE_VISCOSITY_TOLERANCE,
     ROELANDS_LOG_OFFSET,
     ROELANDS_PRESSURE,
@@ -27,8 +27,8 @@ from ehl.oil.lubricant import (
     pressure_viscosity_modulus,
     pressure_viscosity_scaled,
 )
-from ehl.oil.rheology import ShearLaw
-from ehl.units import GIGAPASCAL, ZERO_CELSIUS, from_si, to_si
+from oilfilm.ehl.oil.rheology import ShearLaw
+from oilfilm.ehl.units import GIGAPASCAL, ZERO_CELSIUS, from_si, to_si
 
 from .fields import Name, OneOf, Table, above, between, described, name_in_si, rounded, within
 from .rules import (
@@ -410,7 +410,7 @@ class LubricantTable(OilTable):
 
 
 VISCOSITIES = ("viscosity_mPa_s", "kinematic_viscosity_mm2_s")
-# 700 K, below which bearing.library.lubricants has its laws; the tables keep the lower end
+# 700 K, below which oilfilm.bearing.library.lubricants has its laws; the tables keep the lower end
 LIBRARY_TEMPERATURE_C = 426.85
 PRESSURE_VISCOSITY = "pressure_viscosity_1_GPa"
 ROELANDS_PRESSURE_KEY = "roelands_pressure_MPa"

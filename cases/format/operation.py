@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from bearing.operation import BallKinematics, Curvature, Operation, QuasistaticModel
+from oilfilm.bearing.operation import BallKinematics, Curvature, Operation, QuasistaticModel
 
 from .fields import (
     FORCE_MAXIMUM,

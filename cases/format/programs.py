@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from typing import Any
 
-from bearing.library.lubricants import list_lubricants, lubricant_data
-from bearing.library.plugins import matching_name
+from oilfilm.bearing.library.lubricants import list_lubricants, lubricant_data
+from oilfilm.bearing.library.plugins import matching_name
 
 from .fields import FREE_WORD
 from .lubricant import VISCOSITIES, Oil, oil_of

@@ -6,10 +6,10 @@ from dataclasses import replace
 from itertools import combinations
 from typing import Annotated, Any, Literal
 
-from bearing.geometry import Bearing, Row
-from bearing.library.plugins import library_data
-from bearing.operation import QuasistaticModel
-from bearing.studies.preload import preloaded_row
+from oilfilm.bearing.geometry import Bearing, Row
+from oilfilm.bearing.library.plugins import library_data
+from oilfilm.bearing.operation import QuasistaticModel
+from oilfilm.bearing.studies.preload import preloaded_row
 
 from .fields import (
     FORCE_MAXIMUM,

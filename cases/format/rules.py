@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from functools import cache
 from typing import Any
 
-from ehl.units import UNITS
+from oilfilm.ehl.units import UNITS
 
 KeyPath = tuple[str | int, ...]
 

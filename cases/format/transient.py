@@ -7,9 +7,9 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 
-from ehl import ContactConditions, MoesConditions
-from ehl.arrays import Array
-from ehl.transient.inputs import (
+from oilfilm.ehl import ContactConditions, MoesConditions
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.transient.inputs import (
     Course,
     Dent,
     Feature,
@@ -21,7 +21,7 @@ from ehl.transient.inputs import (
     TransientOptions,
     Waviness,
 )
-from ehl.units import MICROMETRE
+from oilfilm.ehl.units import MICROMETRE
 
 from .contact import ContactEhlTable
 from .fields import OneOf, SpeedTable, Table, above, between, described, is_number, within

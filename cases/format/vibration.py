@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 import numpy as np
 
-from bearing.vibration.form import Defect, DefectKind, Place, SurfaceForm, Wave
-from bearing.vibration.inputs import (
+from oilfilm.bearing.vibration.form import Defect, DefectKind, Place, SurfaceForm, Wave
+from oilfilm.bearing.vibration.inputs import (
     ContactLaw,
     Direction,
     Sensor,
@@ -16,8 +16,8 @@ from bearing.vibration.inputs import (
     VibrationOptions,
     WaveFilter,
 )
-from ehl.arrays import Array
-from ehl.units import MICROMETRE, RPM
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import MICROMETRE, RPM
 
 from .fields import OneOf, Table, above, between, checked, described, numbers, within
 from .rules import (

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from postprocess.batch.plots import Designs, write_front
-from postprocess.files import write_csv, write_json
+from oilfilm.postprocess.batch.plots import Designs, write_front
+from oilfilm.postprocess.files import write_csv, write_json
 
 from ..runs.output_directory import write_digests
 from ..version import version

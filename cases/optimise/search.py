@@ -29,8 +29,8 @@ from scipy.optimize import minimize
 from scipy.spatial.distance import cdist
 from scipy.stats import norm, qmc
 
-from ehl.arrays import Array
-from postprocess.batch.results import BatchPoint
+from oilfilm.ehl.arrays import Array
+from oilfilm.postprocess.batch.results import BatchPoint
 
 from ..batch.engine import PointSelection, run_batch
 from ..batch.plan import Setting

@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.units import notebook_html
-from postprocess.batch.results import BatchPoint, point_error, result_names
-from postprocess.batch.summary import point_numbers
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import notebook_html
+from oilfilm.postprocess.batch.results import BatchPoint, point_error, result_names
+from oilfilm.postprocess.batch.summary import point_numbers
 
 from ..batch.keys import value_in
 from ..batch.plan import (

@@ -4,17 +4,17 @@ from collections.abc import Sequence
 from dataclasses import replace
 from time import perf_counter
 
-from bearing.contacts.contact import BearingContact
-from bearing.contacts.contacts import contact_conditions
-from bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
-from bearing.films.film import ContactFilm, FilmOrigin, Films
-from bearing.films.formula import formula_films, too_thick
-from bearing.geometry import SINGLE
-from bearing.quasistatic.solver import solve_quasistatic
-from ehl import ContactConditions, atlas_films
-from ehl.atlas.films import NotInAtlasError
-from postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasRecord
-from postprocess.contact.atlas import AtlasContactResults, AtlasRecord
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
+from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
+from oilfilm.bearing.films.formula import formula_films, too_thick
+from oilfilm.bearing.geometry import SINGLE
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.ehl import ContactConditions, atlas_films
+from oilfilm.ehl.atlas.films import NotInAtlasError
+from oilfilm.postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasRecord
+from oilfilm.postprocess.contact.atlas import AtlasContactResults, AtlasRecord
 
 from ..format.case import Case, ContactCase
 from ..format.contact import FilmModel

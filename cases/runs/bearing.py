@@ -12,33 +12,33 @@ from functools import partial
 from time import perf_counter
 from typing import Any, NamedTuple
 
-from bearing.contacts.contact import BearingContact
-from bearing.contacts.contacts import contact_conditions
-from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
-from bearing.films.decay import film_decay
-from bearing.films.film import ContactFilm, Films
-from bearing.films.formula import formula_film
-from bearing.films.operating import OilAtInlets, solved_films, supplied_films
-from bearing.friction.laws import FilmTraction, LawTraction
-from bearing.operation import BallKinematics
-from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
-from bearing.rating.frequencies import bearing_frequencies
-from bearing.rating.life import bearing_life
-from bearing.rating.load_rating import reference_speed, static_rating
-from bearing.supply.supply import AMPLE, GrooveOil, InletFilm, Supply, groove_oil
-from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
-from bearing.torque.integrated import (
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
+from oilfilm.bearing.films.decay import film_decay
+from oilfilm.bearing.films.film import ContactFilm, Films
+from oilfilm.bearing.films.formula import formula_film
+from oilfilm.bearing.films.operating import OilAtInlets, solved_films, supplied_films
+from oilfilm.bearing.friction.laws import FilmTraction, LawTraction
+from oilfilm.bearing.operation import BallKinematics
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
+from oilfilm.bearing.rating.frequencies import bearing_frequencies
+from oilfilm.bearing.rating.life import bearing_life
+from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
+from oilfilm.bearing.supply.supply import AMPLE, GrooveOil, InletFilm, Supply, groove_oil
+from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
+from oilfilm.bearing.torque.integrated import (
     SolvedShear,
     bearing_films,
     films_torque,
     law_torque,
     solved_shear,
 )
-from bearing.torque.starved import SupplyTorque, Total, supply_band
-from ehl import ContactSolution
-from ehl.arrays import Array
-from postprocess.bearing.results import BearingResults
+from oilfilm.bearing.torque.starved import SupplyTorque, Total, supply_band
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.arrays import Array
+from oilfilm.postprocess.bearing.results import BearingResults
 
 from ..format.case import Case, LoadCaseInput, new_notes
 from ..format.contact import FilmModel

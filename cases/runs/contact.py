@@ -4,14 +4,20 @@ from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 
-from bearing.supply.track import SolvedPass, solved_passes
-from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
-from ehl.conditions import contact_kinematics
-from ehl.finite_element.solver import solve_contact_finite_element
-from ehl.traction import NormalResponse, normal_response
-from ehl.traction.rolling_moment import rolling_moment
-from ehl.traction.shear import TractionResult, integrate_traction
-from postprocess.contact.summary import ContactResults
+from oilfilm.bearing.supply.track import SolvedPass, solved_passes
+from oilfilm.ehl import (
+    ContactConditions,
+    ContactSolution,
+    MoesConditions,
+    SolverOptions,
+    solve_contact,
+)
+from oilfilm.ehl.conditions import contact_kinematics
+from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
+from oilfilm.ehl.traction import NormalResponse, normal_response
+from oilfilm.ehl.traction.rolling_moment import rolling_moment
+from oilfilm.ehl.traction.shear import TractionResult, integrate_traction
+from oilfilm.postprocess.contact.summary import ContactResults
 
 from ..format.case import ContactCase
 from ..format.contact import FilmModel

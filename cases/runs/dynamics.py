@@ -11,10 +11,10 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from bearing.dynamics.assembly import race_stiffnesses
-from bearing.dynamics.bodies import cage_body, ring_body
-from bearing.dynamics.friction import RaceFriction
-from bearing.dynamics.inputs import (
+from oilfilm.bearing.dynamics.assembly import race_stiffnesses
+from oilfilm.bearing.dynamics.bodies import cage_body, ring_body
+from oilfilm.bearing.dynamics.friction import RaceFriction
+from oilfilm.bearing.dynamics.inputs import (
     CageBody,
     DynamicsModel,
     DynamicsOptions,
@@ -24,7 +24,7 @@ from bearing.dynamics.inputs import (
     NormalLaw,
     RaceStiffness,
 )
-from bearing.dynamics.model import (
+from oilfilm.bearing.dynamics.model import (
     CAGE_MATERIAL,
     ball_drag,
     cage_of_dimensions,
@@ -33,20 +33,20 @@ from bearing.dynamics.model import (
     viscosity_over_time,
     with_race_friction,
 )
-from bearing.dynamics.simulation import Simulation, load_restart, simulation
-from bearing.dynamics.statistics import (
+from oilfilm.bearing.dynamics.simulation import Simulation, load_restart, simulation
+from oilfilm.bearing.dynamics.statistics import (
     RunningStatistics,
     SimulationStatistics,
     other_start,
     simulated_statistics,
 )
-from bearing.friction.laws import CoefficientTraction
-from bearing.geometry import Race
-from bearing.library.lubricants import dynamic_viscosity
-from ehl.traction.coefficients import COEFFICIENTS, RampedCoulomb
-from ehl.units import from_si
-from postprocess.dynamics.history import HistoryWriter
-from postprocess.dynamics.results import DynamicsResults
+from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.library.lubricants import dynamic_viscosity
+from oilfilm.ehl.traction.coefficients import COEFFICIENTS, RampedCoulomb
+from oilfilm.ehl.units import from_si
+from oilfilm.postprocess.dynamics.history import HistoryWriter
+from oilfilm.postprocess.dynamics.results import DynamicsResults
 
 from ..format.case import Case, oil_of_file
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction

@@ -9,22 +9,22 @@ from dataclasses import fields, replace
 from math import degrees, isclose
 from typing import NamedTuple
 
-from bearing.contacts.contact import BearingContact
-from bearing.contacts.motion import ContactTraction
-from bearing.contacts.stress import SurfaceTension, surface_tensions
-from bearing.films.formula import (
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.contacts.motion import ContactTraction
+from oilfilm.bearing.contacts.stress import SurfaceTension, surface_tensions
+from oilfilm.bearing.films.formula import (
     CELLS_BY_POINTS,
     CELLS_BY_TOLERANCE,
     formula_films,
     resolvable,
     too_thick,
 )
-from bearing.fits.ring_strength import Strength, ring_strengths, strength_map
-from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.supply.supply import Supply, inlet_layer
-from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
-from ehl.multigrid.starved import cores, film_threads
-from ehl.oil.lubricant import InletLayer
+from oilfilm.bearing.fits.ring_strength import Strength, ring_strengths, strength_map
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.supply.supply import Supply, inlet_layer
+from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
+from oilfilm.ehl.multigrid.starved import cores, film_threads
+from oilfilm.ehl.oil.lubricant import InletLayer
 
 from ..format.case import Case
 from ..format.contact import FilmModel, FilmPhysics
@@ -236,7 +236,7 @@ def film_solver(solve: Solve | None, films: FilmPhysics) -> SolveOne | None:
     Returns
     -------
     SolveOne | None
-        The solver; None: `ehl.solve_contact`.
+        The solver; None: `oilfilm.ehl.solve_contact`.
     """
     if solve is not None:
         return lambda conditions, options: solve(conditions, options, films)
@@ -265,7 +265,7 @@ def solve_contacts(
     notify : Progress
         Called with films done, films in all, and a text.
     solve : SolveOne | None
-        Solver of one film; None: `ehl.solve_contact`.
+        Solver of one film; None: `oilfilm.ehl.solve_contact`.
 
     Returns
     -------

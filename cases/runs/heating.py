@@ -8,12 +8,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearing.contacts.contact import BearingContact
-from bearing.films.film import Films
-from bearing.friction.balance import BalancedFriction
-from bearing.geometry import SINGLE
-from bearing.heating.friction_heat import FrictionHeat, heat_of_torque
-from bearing.heating.heat_state import (
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.films.film import Films
+from oilfilm.bearing.friction.balance import BalancedFriction
+from oilfilm.bearing.geometry import SINGLE
+from oilfilm.bearing.heating.friction_heat import FrictionHeat, heat_of_torque
+from oilfilm.bearing.heating.heat_state import (
     FilmsHeat,
     FrictionModel,
     OperatingState,
@@ -22,14 +22,14 @@ from bearing.heating.heat_state import (
     formula_conductances,
     heat_state,
 )
-from bearing.heating.network import NODES
-from bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
-from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.torque.breakdown import INTEGRATED, model_torque
-from bearing.torque.skf import InletFactors, inlet_factors
-from ehl import Lubricant
-from ehl.arrays import Array
-from ehl.units import ZERO_CELSIUS, from_si
+from oilfilm.bearing.heating.network import NODES
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.torque.breakdown import INTEGRATED, model_torque
+from oilfilm.bearing.torque.skf import InletFactors, inlet_factors
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import ZERO_CELSIUS, from_si
 
 from ..format.case import Case, case_of_file
 from ..format.contact import FilmModel

@@ -13,7 +13,7 @@ from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
-from ehl.compiled import kernel_digest
+from oilfilm.ehl.compiled import kernel_digest
 
 from ..version import version
 from .processes import THREADS, own_packages
@@ -111,7 +111,7 @@ def _warm_up(kind: str) -> "subprocess.Popen[bytes]":
 
 
 def _package() -> Path | None:
-    spec = find_spec("ehl")
+    spec = find_spec("oilfilm.ehl")
     return None if spec is None or not spec.origin else Path(spec.origin).parent
 
 

@@ -24,11 +24,11 @@ from hashlib import sha256
 from pathlib import Path
 from time import time
 
-from bearing.files import PARTIAL, umask, write_bytes
-from ehl import ContactConditions
-from ehl.solid.layered import Coating
-from postprocess.netcdf_read import open_results
-from postprocess.scene.export import export_results
+from oilfilm.bearing.files import PARTIAL, umask, write_bytes
+from oilfilm.ehl import ContactConditions
+from oilfilm.ehl.solid.layered import Coating
+from oilfilm.postprocess.netcdf_read import open_results
+from oilfilm.postprocess.scene.export import export_results
 
 from ..format.case import ContactCase, case_of_document
 from ..format.rules import CaseError

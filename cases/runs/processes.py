@@ -32,10 +32,10 @@ from shutil import copytree
 from tempfile import TemporaryDirectory
 from typing import Any
 
-import postprocess
-from ehl.multigrid.starved import cores
-from postprocess.files import attempt
-from postprocess.quantities import FILMS, OTHERS, PARAVIEW
+from oilfilm import postprocess
+from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.postprocess.files import attempt
+from oilfilm.postprocess.quantities import FILMS, OTHERS, PARAVIEW
 
 PATIENCE = 0.2  # for a process to be gone after its end was asked for [s]
 THREADS = (
@@ -48,7 +48,7 @@ THREADS = (
 # new objects from which the collector looks for cycles: with Python's own 700 it takes a fifth of
 # the time in which a bearing case is loaded, with this a tenth, with half and double of it as much
 COLLECTED = 50_000
-POINTS = ("cases.batch.compute",)  # what computes the points of a batch
+POINTS = ("oilfilm.cases.batch.compute",)  # what computes the points of a batch
 FORK_SERVER = "forkserver"  # loads the libraries once for all processes, where there is one
 
 
@@ -74,7 +74,10 @@ def own_packages() -> dict[str, str]:
     """Environment of processes that are to import the packages of this one, and not those of the
     folder they start in.
     """
-    paths = [str(Path(__file__).parents[2]), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
+    paths = [
+        str(Path(sys.modules["oilfilm"].__file__ or "").parents[1]),
+        *os.environ.get("PYTHONPATH", "").split(os.pathsep),
+    ]
     paths = list(dict.fromkeys(filter(None, paths)))
     return {"PYTHONSAFEPATH": "1", "PYTHONPATH": os.pathsep.join(paths)}
 
@@ -176,7 +179,7 @@ MOST_PROCESSES = 4
 EXTRAS = "VTK and plots"
 LOOK = 0.1  # from one look for an interrupt to the next [s]
 TERMINATION = 0.3  # for processes to end that were told to [s]
-LOADED = ["cases.runs.processes", "postprocess.writer.run"]
+LOADED = ["oilfilm.cases.runs.processes", "oilfilm.postprocess.writer.run"]
 
 
 @dataclass(slots=True)
@@ -216,7 +219,7 @@ class Drawing:
         self._begin(results, self._ahead, (FILMS,))
 
     def write(self, results: Any, folder: Path) -> tuple[str, ...]:
-        """Write a run as `postprocess.write_results`, to the same files.
+        """Write a run as `oilfilm.postprocess.write_results`, to the same files.
 
         Parameters
         ----------

@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from bearing.geometry import SINGLE
-from bearing.operation import BallKinematics
-from bearing.quasistatic.solver import solve_quasistatic
-from bearing.studies.preload import stiffness_over_speed
-from bearing.studies.slip import (
+from oilfilm.bearing.geometry import SINGLE
+from oilfilm.bearing.operation import BallKinematics
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.bearing.studies.preload import stiffness_over_speed
+from oilfilm.bearing.studies.slip import (
     Mapper,
     SlipStudy,
     critical_curves,
@@ -26,9 +26,9 @@ from bearing.studies.slip import (
     minimum_radial_load_skf,
     slip_surface,
 )
-from ehl.multigrid.starved import cores
-from postprocess.slip.results import MinimumLoads, SlipResults
-from postprocess.stiffness.results import StiffnessResults
+from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.postprocess.slip.results import MinimumLoads, SlipResults
+from oilfilm.postprocess.stiffness.results import StiffnessResults
 
 from ..format.case import Case
 from ..format.operation import SlipTable

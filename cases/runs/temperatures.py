@@ -5,14 +5,14 @@ from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 
-from bearing.heating.heat_state import SelfHeatingProblem
-from bearing.heating.over_speed import at_speed, balances_over_speed
-from bearing.heating.over_time import warm_up
-from bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
-from bearing.torque.breakdown import INTEGRATED
-from ehl.units import from_si
-from postprocess.bearing.results import BearingResults
-from postprocess.temperatures.results import TemperatureResults
+from oilfilm.bearing.heating.heat_state import SelfHeatingProblem
+from oilfilm.bearing.heating.over_speed import at_speed, balances_over_speed
+from oilfilm.bearing.heating.over_time import warm_up
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
+from oilfilm.bearing.torque.breakdown import INTEGRATED
+from oilfilm.ehl.units import from_si
+from oilfilm.postprocess.bearing.results import BearingResults
+from oilfilm.postprocess.temperatures.results import TemperatureResults
 
 from ..format.case import Case
 from ..format.rules import CaseError
@@ -42,7 +42,7 @@ def run_temperatures(
     name : str
         Name of the case in messages.
     run : Callable[[Case], BearingResults]
-        Computes a case: `cases.runs.bearing.run_case`.
+        Computes a case: `oilfilm.cases.runs.bearing.run_case`.
     duration : float | None, optional
         Time of the course [s]; None: five times the longest time constant.
     progress : Progress | None, optional

@@ -10,16 +10,16 @@ from typing import Any
 
 import numpy as np
 
-from bearing.contacts.contact import BearingContact
-from bearing.contacts.motion import ContactTraction, bearing_kinematics, contact_traction
-from bearing.friction.equilibrium import solve_traction_equilibrium
-from bearing.friction.law import BallTraction
-from bearing.friction.laws import FilmTraction, LawTraction
-from bearing.geometry import SINGLE, Bearing, Row
-from bearing.operation import BallKinematics, Operation, QuasistaticModel
-from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.quasistatic.solver import solve_quasistatic
-from ehl import ContactConditions, ContactSolution
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.contacts.motion import ContactTraction, bearing_kinematics, contact_traction
+from oilfilm.bearing.friction.equilibrium import solve_traction_equilibrium
+from oilfilm.bearing.friction.law import BallTraction
+from oilfilm.bearing.friction.laws import FilmTraction, LawTraction
+from oilfilm.bearing.geometry import SINGLE, Bearing, Row
+from oilfilm.bearing.operation import BallKinematics, Operation, QuasistaticModel
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.ehl import ContactConditions, ContactSolution
 
 from ..format.case import Case
 from ..format.contact import CaseFilms

@@ -7,16 +7,20 @@ from itertools import pairwise
 from math import inf
 from time import perf_counter
 
-from bearing.friction.tables import build_race_tables, build_temperature_tables, race_progress
-from ehl import Lubricant, SolverOptions
-from ehl.multigrid.starved import cores
-from ehl.oil.rheology import Rheology
-from ehl.traction_table.build import FilmSampler, TableOptions, atlas_sampler
-from ehl.traction_table.film import film_sample
-from ehl.traction_table.full_solves import full_solves
-from ehl.traction_table.table import TableRange
-from ehl.units import ZERO_CELSIUS
-from postprocess.traction.results import TractionResults
+from oilfilm.bearing.friction.tables import (
+    build_race_tables,
+    build_temperature_tables,
+    race_progress,
+)
+from oilfilm.ehl import Lubricant, SolverOptions
+from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.traction_table.build import FilmSampler, TableOptions, atlas_sampler
+from oilfilm.ehl.traction_table.film import film_sample
+from oilfilm.ehl.traction_table.full_solves import full_solves
+from oilfilm.ehl.traction_table.table import TableRange
+from oilfilm.ehl.units import ZERO_CELSIUS
+from oilfilm.postprocess.traction.results import TractionResults
 
 from ..format.case import Case, oil_of_file
 from ..format.document import BearingFile, read_text, validate_text

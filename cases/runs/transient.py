@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from bearing.files import write_bytes
-from ehl.transient.record import Frame, StepRecord
-from ehl.transient.run import TransientRun, transient_run
-from ehl.transient.step import Past
-from ehl.transient.waves import wave_results
-from postprocess.contact.transient_summary import TransientResults
+from oilfilm.bearing.files import write_bytes
+from oilfilm.ehl.transient.record import Frame, StepRecord
+from oilfilm.ehl.transient.run import TransientRun, transient_run
+from oilfilm.ehl.transient.step import Past
+from oilfilm.ehl.transient.waves import wave_results
+from oilfilm.postprocess.contact.transient_summary import TransientResults
 
 from ..format.case import ContactCase
 from ..format.rules import CaseError

@@ -12,7 +12,7 @@ from math import cbrt, log2, pi, sqrt
 import numpy as np
 from scipy.special import ellipe, ellipk
 
-from ehl import (
+from oilfilm.ehl import (
     ContactConditions,
     ContactSolution,
     DensityLaw,
@@ -22,11 +22,11 @@ from ehl import (
     ViscosityLaw,
     solve_contact,
 )
-from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients, hertz_contact
-from ehl.grid import Grid
-from ehl.multigrid.starved import cores, film_threads
-from ehl.scaling import scale_contact
-from ehl.solid.deformation import deflect, deflection_kernel
+from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients, hertz_contact
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.multigrid.starved import cores, film_threads
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solid.deformation import deflect, deflection_kernel
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 ISOVISCOUS = Lubricant(

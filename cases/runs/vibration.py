@@ -5,14 +5,14 @@ from dataclasses import replace
 from functools import partial
 from time import perf_counter
 
-from bearing.contacts.contact import BearingContact
-from bearing.contacts.contacts import contact_conditions
-from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.vibration.assembly import FilmsNotSolvedError, assembled, film_load_fractions
-from bearing.vibration.inputs import Direction
-from bearing.vibration.simulation import VibrationRun, pieces, vibration_run
-from ehl.multigrid.newton import LinearSolverError
-from postprocess.vibration.results import VibrationResults
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.vibration.assembly import FilmsNotSolvedError, assembled, film_load_fractions
+from oilfilm.bearing.vibration.inputs import Direction
+from oilfilm.bearing.vibration.simulation import VibrationRun, pieces, vibration_run
+from oilfilm.ehl.multigrid.newton import LinearSolverError
+from oilfilm.postprocess.vibration.results import VibrationResults
 
 from ..format.case import Case
 from ..format.rules import CaseError, InvalidKeyError

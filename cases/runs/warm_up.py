@@ -1,4 +1,4 @@
-"""Kernels compiled before a command needs them: `python -m cases.runs.warm_up KIND`.
+"""Kernels compiled before a command needs them: `python -m oilfilm.cases.runs.warm_up KIND`.
 
 A process of its own that `kernel_cache.compiled_ahead` starts. It calls first the kernels that
 the command needs last, and leaves them in numba's cache on the disk.
@@ -10,16 +10,16 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from bearing.dynamics import _motion_kernels
-from bearing.dynamics._cage_kernels import cage_land, pocket_forces
-from bearing.dynamics._implicit_kernels import implicit_friction
-from bearing.dynamics._integration_kernels import renew_friction, renew_pockets
-from bearing.dynamics.assembly import assemble
-from bearing.dynamics.initial import StartingPoint
-from bearing.dynamics.inputs import LoadType
-from bearing.friction.law import ContactFriction, Dissipation
-from bearing.friction.newton import MotionProblem, minimise
-from ehl.arrays import Array
+from oilfilm.bearing.dynamics import _motion_kernels
+from oilfilm.bearing.dynamics._cage_kernels import cage_land, pocket_forces
+from oilfilm.bearing.dynamics._implicit_kernels import implicit_friction
+from oilfilm.bearing.dynamics._integration_kernels import renew_friction, renew_pockets
+from oilfilm.bearing.dynamics.assembly import assemble
+from oilfilm.bearing.dynamics.initial import StartingPoint
+from oilfilm.bearing.dynamics.inputs import LoadType
+from oilfilm.bearing.friction.law import ContactFriction, Dissipation
+from oilfilm.bearing.friction.newton import MotionProblem, minimise
+from oilfilm.ehl.arrays import Array
 
 from ..format.case import Case, ContactCase, load_case
 from .contact import run_contact

@@ -675,7 +675,7 @@ def heat_properties(
 
 
 def oil_numbers(lubricant: Lubricant) -> Array:
-    """Constants of a lubricant as the array that `ehl.oil._kernels` takes.
+    """Constants of a lubricant as the array that `oilfilm.ehl.oil._kernels` takes.
 
     Codes of the two laws; eta_0, rho_0, T_0, beta, thermal expansion; constants of the viscosity
     law, of Tait's equation, of the heat under pressure, of the density. Without a temperature
@@ -689,7 +689,7 @@ def oil_numbers(lubricant: Lubricant) -> Array:
     Returns
     -------
     Array
-        constants by the columns of `ehl.oil._kernels`, shape (35,) [SI]
+        constants by the columns of `oilfilm.ehl.oil._kernels`, shape (35,) [SI]
     """
     oil = lubricant
     temperature = UNNAMED_TEMPERATURE if oil.temperature is None else oil.temperature

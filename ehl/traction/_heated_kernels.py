@@ -10,7 +10,7 @@ temperature along, and conduction takes heat out of it,
     \theta_1),
 
 the conduction of a parabola between walls, whose own rise is that of moving half-spaces
-(`ehl.solid.heat`):
+(`oilfilm.ehl.solid.heat`):
 
 .. math:: \theta_i(x) = \frac{1}{\sqrt{\pi u_i}\,e_i} \int \frac{q_i\,dx'}{\sqrt{x - x'}} .
 

@@ -245,8 +245,8 @@ def integrate_traction(
     ...     lubricant=oil,
     ... )
     >>> solution = solve_contact(contact, SolverOptions(points=65))
-    >>> from ehl.conditions import ContactKinematics
-    >>> from ehl.oil.rheology import Rheology, ShearLaw
+    >>> from oilfilm.ehl.conditions import ContactKinematics
+    >>> from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
     >>> motion = ContactKinematics(entrainment_speed=1.5, sliding_x=0.05, rolling=150.0)
     >>> rheology = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
     >>> traction = integrate_traction(solution, motion, rheology)

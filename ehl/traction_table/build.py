@@ -414,9 +414,9 @@ def build_table(
     A coarse table of films from the atlas, for a look at its use; leave out the options.
 
     >>> from ehl import Lubricant
-    >>> from ehl.oil.rheology import Rheology, ShearLaw
-    >>> from ehl.traction_table.build import atlas_sampler
-    >>> from ehl.traction_table.film import film_sample
+    >>> from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+    >>> from oilfilm.ehl.traction_table.build import atlas_sampler
+    >>> from oilfilm.ehl.traction_table.film import film_sample
     >>> contact = TableContact(
     ...     radius_x=0.01,
     ...     radius_y=0.02,

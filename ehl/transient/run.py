@@ -661,7 +661,7 @@ def solve_transient(
     ...     entrainment_speed=1.5,
     ...     lubricant=oil,
     ... )
-    >>> from ehl.transient.inputs import Course, TransientConditions, TransientOptions
+    >>> from oilfilm.ehl.transient.inputs import Course, TransientConditions, TransientOptions
     >>> falling = Course(times=(0.0, 2e-4), values=(60.0, 30.0))
     >>> conditions = TransientConditions(contact=contact, end_time=3e-4, load=falling)
     >>> options = TransientOptions(points=33, domain=(-2.5, 1.5, 2.0), frames=2)

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ehl.arrays import Array
+from oilfilm.ehl.arrays import Array
 
 from .columns import Columns
 from .results import BatchPoint, BatchResults, Design, main_results, point_error

@@ -17,8 +17,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ehl.arrays import Array
-from ehl.units import unit_of, unit_symbol, without_unit
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import unit_of, unit_symbol, without_unit
 
 from ..bearing.quantities import TORQUE_PARTS, torque_model
 from ..plot_style import INK, REFERENCE, titled_panels, write_figure

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ehl.units import notebook_html, unit_of, unit_symbol, without_unit
+from oilfilm.ehl.units import notebook_html, unit_of, unit_symbol, without_unit
 
 from ..bearing.contacts import CONTACT_QUANTITY
 from ..bearing.quantities import (

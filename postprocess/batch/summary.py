@@ -9,7 +9,7 @@ from typing import Any
 from rich.console import Group
 from rich.table import Table
 
-from ehl.units import unit_symbol, without_unit
+from oilfilm.ehl.units import unit_symbol, without_unit
 
 from ..quantities import NOTHING, in_figures, number, number_table, titled
 from .columns import Columns, InMemory, columns_of
@@ -120,8 +120,8 @@ def _counted(counts: Counts) -> Iterator[str]:
     off = counts.done - counts.converged
     if off:
         yield f"{off} of {counts.points} points not converged; column converged of the table"
-    for message, number in counts.reasons[:MOST_NAMED]:
-        yield f"{number} points without a result, as: {message}"
+    for message, count in counts.reasons[:MOST_NAMED]:
+        yield f"{count} points without a result, as: {message}"
 
 
 def _messages(results: BatchResults) -> Iterator[str]:

@@ -13,8 +13,8 @@ import numpy as np
 import pyarrow
 import pyarrow.parquet
 
-from bearing.files import atomic_path
-from ehl.units import unit_of
+from oilfilm.bearing.files import atomic_path
+from oilfilm.ehl.units import unit_of
 
 from ..files import write_csv
 from ..netcdf_write import DatasetParts, Variables, write_dataset_in_parts

@@ -7,11 +7,11 @@ from typing import Any
 from rich.console import Group
 from rich.text import Text
 
-from bearing.contacts.contact import BearingContact
-from bearing.films.film import ContactFilm
-from bearing.films.formula import atlas_film
-from bearing.films.operating import operating_films
-from ehl.units import value_with_error
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.films.film import ContactFilm
+from oilfilm.bearing.films.formula import atlas_film
+from oilfilm.bearing.films.operating import operating_films
+from oilfilm.ehl.units import value_with_error
 
 from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
 from ..files import plain_document

@@ -5,13 +5,18 @@ from dataclasses import dataclass
 from math import hypot, isfinite
 from typing import Any
 
-from bearing.contacts.contact import BearingContact
-from bearing.contacts.stress import ContactStress, SurfaceTension, contact_stresses, edge_tension
-from bearing.films.film import ContactFilm, FilmOrigin
-from bearing.films.formula import too_thick
-from bearing.heating.network import Conductance
-from bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
-from ehl.units import to_si
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.contacts.stress import (
+    ContactStress,
+    SurfaceTension,
+    contact_stresses,
+    edge_tension,
+)
+from oilfilm.bearing.films.film import ContactFilm, FilmOrigin
+from oilfilm.bearing.films.formula import too_thick
+from oilfilm.bearing.heating.network import Conductance
+from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
+from oilfilm.ehl.units import to_si
 
 from ..contact.summary import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
 from ..quantities import by_key, quantities, values_of

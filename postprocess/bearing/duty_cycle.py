@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from typing import Any
 
-from bearing.rating.duty_cycle import LoadCase
-from ehl.units import from_si
+from oilfilm.bearing.rating.duty_cycle import LoadCase
+from oilfilm.ehl.units import from_si
 
 from ..quantities import in_figures, values_of
 from .quantities import DUTY_CYCLE, LOAD_CASE

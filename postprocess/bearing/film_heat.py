@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 
-from bearing.contacts.contact import BearingContact
-from bearing.films.film import ContactFilm, Films, FilmThickness, solved_with_heat
-from bearing.films.operating import film_heat
-from ehl import ContactSolution
-from ehl.closed_form.film import LARGEST_LOADING
-from ehl.units import from_si
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.films.film import ContactFilm, Films, FilmThickness, solved_with_heat
+from oilfilm.bearing.films.operating import film_heat
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.closed_form.film import LARGEST_LOADING
+from oilfilm.ehl.units import from_si
 
 from ..quantities import quantities
 

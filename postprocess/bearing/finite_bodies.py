@@ -5,9 +5,9 @@ that shoulders cut.
 from collections.abc import Iterator
 from typing import Any
 
-from bearing.contacts.stress import Truncation, truncation
-from bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
-from ehl.units import from_si
+from oilfilm.bearing.contacts.stress import Truncation, truncation
+from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
+from oilfilm.ehl.units import from_si
 
 from ..quantities import quantities, values_of
 from .results import BearingResults, balls_text

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 from typing import Any
 
-from bearing.heating.network import NODES
-from bearing.heating.over_speed import required_heat_transfer, required_oil_flow
-from bearing.heating.self_heating import SelfHeatingSolution
-from ehl.arrays import Array
-from ehl.units import from_si
+from oilfilm.bearing.heating.network import NODES
+from oilfilm.bearing.heating.over_speed import required_heat_transfer, required_oil_flow
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import from_si
 
 from ..quantities import values_of
 from .quantities import HEATING, PATH, STABILITY, STABILITY_KEYS

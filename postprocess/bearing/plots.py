@@ -13,9 +13,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from bearing.quasistatic.solution import QuasistaticSolution
-from ehl import ContactSolution
-from ehl.units import value_with_error
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.units import value_with_error
 
 from ..contact.plots import draw_contact, draw_map, film_text
 from ..contact.view import ContactView, contact_view

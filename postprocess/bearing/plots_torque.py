@@ -17,11 +17,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from bearing.fits.ring_strength import LARGE_SHARE, StrengthMap
-from bearing.geometry import Race
-from bearing.torque.models import ModelTorque
-from ehl.arrays import Array
-from ehl.units import from_si
+from oilfilm.bearing.fits.ring_strength import LARGE_SHARE, StrengthMap
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.torque.models import ModelTorque
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import from_si
 
 from ..plot_style import (
     BALL_COLOUR,

@@ -5,30 +5,30 @@ from functools import cached_property
 from math import degrees
 from typing import Any
 
-from bearing.contacts.contact import BearingContact
-from bearing.contacts.finite_bodies import FiniteBodies
-from bearing.contacts.motion import ContactTraction
-from bearing.contacts.stress import SurfaceTension
-from bearing.films.decay import FilmDecay
-from bearing.films.film import NO_HEAT, ContactFilm, first_same, heated_solution
-from bearing.films.operating import operating_films, solved_films
-from bearing.fits.clearance import ClearanceBudget
-from bearing.fits.ring_strength import Strength
-from bearing.heating.network import Conductance
-from bearing.heating.self_heating import SelfHeatingSolution
-from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.rating.duty_cycle import DutyCycle
-from bearing.rating.frequencies import Frequencies
-from bearing.rating.life import LifeRating
-from bearing.supply.supply import GrooveOil
-from bearing.torque.breakdown import TorqueBreakdown
-from bearing.torque.integrated import RollingExtent, rolling_extent, rolling_moments
-from bearing.torque.starved import SupplyBand, SupplyTorque
-from ehl import ContactSolution, Lubricant
-from ehl.arrays import Array
-from ehl.traction.instruments import FilmInstruments, film_instruments
-from ehl.traction.rolling_moment import RollingMoment
-from ehl.units import from_si, notebook_html
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.contacts.finite_bodies import FiniteBodies
+from oilfilm.bearing.contacts.motion import ContactTraction
+from oilfilm.bearing.contacts.stress import SurfaceTension
+from oilfilm.bearing.films.decay import FilmDecay
+from oilfilm.bearing.films.film import NO_HEAT, ContactFilm, first_same, heated_solution
+from oilfilm.bearing.films.operating import operating_films, solved_films
+from oilfilm.bearing.fits.clearance import ClearanceBudget
+from oilfilm.bearing.fits.ring_strength import Strength
+from oilfilm.bearing.heating.network import Conductance
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.rating.duty_cycle import DutyCycle
+from oilfilm.bearing.rating.frequencies import Frequencies
+from oilfilm.bearing.rating.life import LifeRating
+from oilfilm.bearing.supply.supply import GrooveOil
+from oilfilm.bearing.torque.breakdown import TorqueBreakdown
+from oilfilm.bearing.torque.integrated import RollingExtent, rolling_extent, rolling_moments
+from oilfilm.bearing.torque.starved import SupplyBand, SupplyTorque
+from oilfilm.ehl import ContactSolution, Lubricant
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.traction.instruments import FilmInstruments, film_instruments
+from oilfilm.ehl.traction.rolling_moment import RollingMoment
+from oilfilm.ehl.units import from_si, notebook_html
 
 from ..contact.summary import oil_permittivity
 from ..quantities import FILMS, OTHERS, Results, listed

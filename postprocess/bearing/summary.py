@@ -16,29 +16,29 @@ from typing import Any
 
 import numpy as np
 
-from bearing.contacts.electrical import (
+from oilfilm.bearing.contacts.electrical import (
     CERAMIC_PERMITTIVITY,
     INSULATOR,
     bearing_electrical,
     electrical_lack,
 )
-from bearing.fits.ring_strength import LARGE_SHARE, RingStrength, StrengthMap
-from bearing.geometry import Race
-from bearing.library.bearings import named_designation
-from bearing.quasistatic.ring import ball_forces, seat_reactions
-from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.rating.film_life import ContactKappa, FilmLife, film_life
-from bearing.rating.frequencies import bearing_frequencies, kinematic_frequencies
-from bearing.rating.life import (
+from oilfilm.bearing.fits.ring_strength import LARGE_SHARE, RingStrength, StrengthMap
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.library.bearings import named_designation
+from oilfilm.bearing.quasistatic.ring import ball_forces, seat_reactions
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.rating.film_life import ContactKappa, FilmLife, film_life
+from oilfilm.bearing.rating.frequencies import bearing_frequencies, kinematic_frequencies
+from oilfilm.bearing.rating.life import (
     LARGEST_A_ISO,
     LARGEST_KAPPA,
     SMALLEST_KAPPA,
     relubrication_interval,
 )
-from bearing.rings.compliance import response_of
-from bearing.rings.elastic_ring import ElasticRing
-from ehl.solid.bodies import RingResponse, Seat
-from ehl.units import MEGAPASCAL, MICROMETRE, from_si, to_si
+from oilfilm.bearing.rings.compliance import response_of
+from oilfilm.bearing.rings.elastic_ring import ElasticRing
+from oilfilm.ehl.solid.bodies import RingResponse, Seat
+from oilfilm.ehl.units import MEGAPASCAL, MICROMETRE, from_si, to_si
 
 from ..contact.summary import oil_permittivity, solution_messages
 from ..files import plain_document

@@ -8,13 +8,13 @@ from collections.abc import Iterator, Mapping
 from math import isfinite
 from typing import Any
 
-from bearing.films.film import ContactFilm, FilmOrigin, Films
-from bearing.films.operating import of_driven_balls
-from bearing.operation import BallKinematics
-from bearing.torque.breakdown import NAMES, TorqueBreakdown
-from bearing.torque.integrated import SolvedShear
-from bearing.torque.models import ModelTorque
-from ehl.units import from_si
+from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
+from oilfilm.bearing.films.operating import of_driven_balls
+from oilfilm.bearing.operation import BallKinematics
+from oilfilm.bearing.torque.breakdown import NAMES, TorqueBreakdown
+from oilfilm.bearing.torque.integrated import SolvedShear
+from oilfilm.bearing.torque.models import ModelTorque
+from oilfilm.ehl.units import from_si
 
 from ..netcdf_write import DataGroup, Variables
 from ..quantities import values_of
@@ -482,8 +482,8 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         )
     yield (
         f"supply: {kind}; starved are starved_film_... of the contacts (flooded films "
-        f"{_origin(films)}), supply, the torque model starved{_supply_total_text(results)}; film_..., "
-        "lambda_ratio, maps and the other torque models are flooded"
+        f"{_origin(films)}), supply, the torque model starved{_supply_total_text(results)}; "
+        "film_..., lambda_ratio, maps and the other torque models are flooded"
     )
     if len(films) < len(torque.films):
         yield "contacts.starved_film_...: null where no flooded film is known"

@@ -13,10 +13,10 @@ import numpy as np
 from rich.console import Console, Group
 from rich.table import Table
 
-from bearing.contacts.contact import BearingContact
-from bearing.quasistatic.solution import QuasistaticSolution
-from ehl import ContactSolution
-from ehl.units import from_si, unit_of, unit_symbol, value_with_error
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.units import from_si, unit_of, unit_symbol, value_with_error
 
 from ..contact.write import field_group
 from ..files import contact_name, write_csv

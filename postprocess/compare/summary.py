@@ -16,7 +16,7 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from ehl.units import unit_of
+from oilfilm.ehl.units import unit_of
 
 from ..batch.results import main_results
 from ..files import read_summary

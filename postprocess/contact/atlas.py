@@ -7,10 +7,10 @@ from typing import Any
 
 from rich.console import Group
 
-from ehl import AtlasFilms, AtlasValue, ContactConditions, MoesConditions
-from ehl.atlas.films import skewed
-from ehl.scaling import ScaledContact, scale_contact
-from ehl.units import from_si, value_with_error
+from oilfilm.ehl import AtlasFilms, AtlasValue, ContactConditions, MoesConditions
+from oilfilm.ehl.atlas.films import skewed
+from oilfilm.ehl.scaling import ScaledContact, scale_contact
+from oilfilm.ehl.units import from_si, value_with_error
 
 from ..files import plain_document
 from ..quantities import Results, facts_table, quantities, titled, values_of

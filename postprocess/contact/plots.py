@@ -28,8 +28,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from ehl.arrays import Array
-from ehl.units import MICROMETRE, MILLIMETRE, NANOMETRE, value_with_error
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import MICROMETRE, MILLIMETRE, NANOMETRE, value_with_error
 
 from ..files import write_csv
 from ..plot_style import (

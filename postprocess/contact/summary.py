@@ -23,16 +23,16 @@ from typing import Any
 import numpy as np
 import xarray
 
-from bearing.supply.supply import compression, starvation_law
-from bearing.supply.track import SolvedPass
-from ehl import ContactConditions, ContactSolution, ViscosityLaw
-from ehl.atlas.films import atlas_disagreements
-from ehl.closed_form import film as film_formulas
-from ehl.traction import NormalResponse
-from ehl.traction.instruments import OIL_PERMITTIVITY, FilmInstruments, film_instruments
-from ehl.traction.rolling_moment import RollingMoment, rolling_moment
-from ehl.traction.shear import TractionResult
-from ehl.units import MILLIMETRE, from_si, notebook_html, to_si, value_with_error
+from oilfilm.bearing.supply.supply import compression, starvation_law
+from oilfilm.bearing.supply.track import SolvedPass
+from oilfilm.ehl import ContactConditions, ContactSolution, ViscosityLaw
+from oilfilm.ehl.atlas.films import atlas_disagreements
+from oilfilm.ehl.closed_form import film as film_formulas
+from oilfilm.ehl.traction import NormalResponse
+from oilfilm.ehl.traction.instruments import OIL_PERMITTIVITY, FilmInstruments, film_instruments
+from oilfilm.ehl.traction.rolling_moment import RollingMoment, rolling_moment
+from oilfilm.ehl.traction.shear import TractionResult
+from oilfilm.ehl.units import MILLIMETRE, from_si, notebook_html, to_si, value_with_error
 
 from ..files import plain_document
 from ..netcdf_read import open_results

@@ -12,8 +12,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from ehl.transient.record import QUANTITIES, TransientSolution
-from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, from_si
+from oilfilm.ehl.transient.record import QUANTITIES, TransientSolution
+from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, from_si
 
 from ..files import SUMMARY_FILE, write_csv, write_json
 from ..netcdf_write import FIELDS_FILE, DataGroup, Variables, root_attributes, write_groups

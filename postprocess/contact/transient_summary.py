@@ -12,10 +12,10 @@ import numpy as np
 from rich.console import Group
 from rich.table import Table
 
-from ehl.transient.inputs import Feature
-from ehl.transient.record import TransientSolution
-from ehl.transient.waves import WaveResult
-from ehl.units import from_si
+from oilfilm.ehl.transient.inputs import Feature
+from oilfilm.ehl.transient.record import TransientSolution
+from oilfilm.ehl.transient.waves import WaveResult
+from oilfilm.ehl.units import from_si
 
 from ..files import plain_document
 from ..quantities import Results

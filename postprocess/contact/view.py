@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from ehl import ContactSolution
-from ehl.arrays import Array
-from ehl.solution import OilSupply
-from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, from_si, unit_of
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.solution import OilSupply
+from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, from_si, unit_of
 
 from ..plot_style import (
     QUIET_PRESSURE,

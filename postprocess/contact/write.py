@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from rich.console import Group
 
-from ehl import ContactSolution
-from ehl.solution import OilSupply
-from ehl.units import GIGAPASCAL, MICROMETRE, from_si, value_with_error
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.solution import OilSupply
+from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, from_si, value_with_error
 
 from ..netcdf_write import DataGroup, Variables, root_attributes, write_groups
 from ..quantities import facts_table, titled

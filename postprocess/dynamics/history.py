@@ -10,10 +10,10 @@ import h5netcdf
 import h5py
 import numpy as np
 
-from bearing.dynamics.arrays import CONTACT, ContactColumns, Layout
-from bearing.dynamics.record import Record
-from bearing.dynamics.statistics import MECHANISMS
-from bearing.files import require_room
+from oilfilm.bearing.dynamics.arrays import CONTACT, ContactColumns, Layout
+from oilfilm.bearing.dynamics.record import Record
+from oilfilm.bearing.dynamics.statistics import MECHANISMS
+from oilfilm.bearing.files import require_room
 
 HISTORY_FILE = "history.nc"
 FORMAT = 1

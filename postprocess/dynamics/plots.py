@@ -15,9 +15,15 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
-from bearing.dynamics.statistics import AVERAGED_SHARE, INPUTS, LOSSES, angle_by_load, spin_speeds
-from bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
-from ehl.units import to_si
+from oilfilm.bearing.dynamics.statistics import (
+    AVERAGED_SHARE,
+    INPUTS,
+    LOSSES,
+    angle_by_load,
+    spin_speeds,
+)
+from oilfilm.bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
+from oilfilm.ehl.units import to_si
 
 from ..plot_style import (
     BALL_COLOUR,

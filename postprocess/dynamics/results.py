@@ -15,10 +15,10 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from bearing.dynamics._integration_kernels import EVALUATIONS, REJECTED, STEPS
-from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
-from bearing.dynamics.simulation import Simulation
-from bearing.dynamics.statistics import (
+from oilfilm.bearing.dynamics._integration_kernels import EVALUATIONS, REJECTED, STEPS
+from oilfilm.bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
+from oilfilm.bearing.dynamics.simulation import Simulation
+from oilfilm.bearing.dynamics.statistics import (
     FEWEST_PLACES,
     INPUTS,
     LOSSES,
@@ -28,8 +28,8 @@ from bearing.dynamics.statistics import (
     simulation_statistics,
     states,
 )
-from bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
-from ehl.units import from_si
+from oilfilm.bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
+from oilfilm.ehl.units import from_si
 
 from ..files import plain
 from ..quantities import CAGE_SPEED, Results, by_key, quantities, rows_of, values_of

@@ -6,7 +6,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from ehl.units import unit_symbol
+from oilfilm.ehl.units import unit_symbol
 
 from ..batch.results import MAIN_QUANTITY
 from . import html

@@ -9,8 +9,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from bearing.torque.models import ModelTorque
-from ehl.units import to_si, unit_symbol
+from oilfilm.bearing.torque.models import ModelTorque
+from oilfilm.ehl.units import to_si, unit_symbol
 
 from ..bearing.contacts import CONTACT_QUANTITY, REPORT_COLUMNS
 from ..bearing.plots_torque import KINDS, torque_svg

@@ -19,8 +19,8 @@ from typing import Any, NamedTuple
 from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from bearing.library.bearings import estimated_fields
-from ehl.units import from_si, unit_symbol, value_with_error, without_unit
+from oilfilm.bearing.library.bearings import estimated_fields
+from oilfilm.ehl.units import from_si, unit_symbol, value_with_error, without_unit
 
 from ..batch.results import MAIN_QUANTITY, thinnest_film
 from ..quantities import NOTHING, STIFFNESS_HEADLINES, Quantity, in_figures

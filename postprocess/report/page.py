@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ehl.units import unit_symbol
+from oilfilm.ehl.units import unit_symbol
 
 from ..files import read_summary, write_text
 from . import batch, bearing, html, simulations

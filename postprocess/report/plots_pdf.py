@@ -17,8 +17,8 @@ from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
-from bearing.files import atomic_path
-from ehl.units import unit_symbol, without_unit
+from oilfilm.bearing.files import atomic_path
+from oilfilm.ehl.units import unit_symbol, without_unit
 
 from ..batch.results import MAIN_QUANTITY, MOST_COMPONENTS, components, main_results
 from ..files import read_summary

@@ -9,7 +9,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from ehl.units import unit_symbol
+from oilfilm.ehl.units import unit_symbol
 
 from ..dynamics.results import BALLS, RACES, RUN, SPEEDS, STARTS, STATES
 from ..quantities import FREQUENCIES, Quantity, by_key

@@ -17,8 +17,8 @@ import numpy as np
 import pyvista as pv
 import xarray
 
-from ehl.arrays import Array
-from ehl.units import MICROMETRE, MILLIMETRE
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import MICROMETRE, MILLIMETRE
 
 from ..contact.summary import film_maps
 from ..netcdf_read import open_results

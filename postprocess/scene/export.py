@@ -14,10 +14,10 @@ import numpy as np
 import xarray
 from numpy.typing import NDArray
 
-from bearing.files import require_room
-from ehl.arrays import Array
-from ehl.solid.layered import Coating, layered_mesh
-from ehl.units import GIGAPASCAL, MILLIMETRE
+from oilfilm.bearing.files import require_room
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.solid.layered import Coating, layered_mesh
+from oilfilm.ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..contact.summary import film_maps, require_contacts
 from ..contact.view import ALL, principal_coordinates, shown

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearing.contacts.contact import BearingContact
-from bearing.geometry import Bearing
-from ehl.arrays import Array
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.geometry import Bearing
+from oilfilm.ehl.arrays import Array
 
 from ..contact.view import within
 

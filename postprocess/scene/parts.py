@@ -10,8 +10,8 @@ import numpy as np
 import pyvista as pv
 import xarray
 
-from ehl.arrays import Array
-from ehl.units import MILLIMETRE
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import MILLIMETRE
 
 from ..plot_style import BALL_COLOUR, CAGE_COLOUR, COLOUR_MAPS, INK
 from .vtk import COLLECTION_FILE

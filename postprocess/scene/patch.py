@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import xarray
 
-from ehl.arrays import Array
-from ehl.units import MICROMETRE, MILLIMETRE
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import MICROMETRE, MILLIMETRE
 
 from ..contact.summary import shown_nodes
 from ..contact.view import ALL, principal_coordinates, refined, shown

@@ -30,9 +30,9 @@ from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import escape
 from PIL import Image
 
-from bearing.files import atomic_path
-from ehl.arrays import Array
-from ehl.units import GIGAPASCAL
+from oilfilm.bearing.files import atomic_path
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import GIGAPASCAL
 
 from ..plot_style import INK, colour_stops, film_ticks
 from ..report.html import environment
@@ -196,7 +196,7 @@ def run_python(arguments: list[str], patience: float | None) -> None:
     RenderingError
         If the process fails or takes too long.
     """
-    home = str(Path(__file__).resolve().parents[2])
+    home = str(Path(sys.modules["oilfilm"].__file__ or "").resolve().parents[1])
     paths = [home, *filter(None, [os.environ.get("PYTHONPATH")])]
     environment = rendering_environment() | {"PYTHONPATH": os.pathsep.join(paths)}
     reader, writer = os.pipe()

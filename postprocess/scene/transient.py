@@ -16,11 +16,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
-from bearing.files import write_bytes
-from ehl.arrays import Array
-from ehl.grid import unfolded
-from ehl.transient.record import Frame, TransientSolution
-from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from oilfilm.bearing.files import write_bytes
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.grid import unfolded
+from oilfilm.ehl.transient.record import Frame, TransientSolution
+from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 from ..contact.transient_plots import MILLISECOND, film_span, shown
 from ..dynamics.results import open_history

@@ -25,15 +25,15 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
 
-from bearing.contacts.contact import BearingContact
-from bearing.files import atomic_path, write_bytes
-from bearing.geometry import Race
-from bearing.quasistatic.ring import ring_displacements
-from ehl import ContactSolution
-from ehl.arrays import Array
-from ehl.solid.bodies.ring import RingStress
-from ehl.solid.subsurface import subsurface_stress
-from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
+from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.files import atomic_path, write_bytes
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.quasistatic.ring import ring_displacements
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.solid.bodies.ring import RingStress
+from oilfilm.ehl.solid.subsurface import subsurface_stress
+from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 from ..bearing.results import BearingResults
 from ..contact.summary import ContactResults

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.studies.slip import HIRANO_CAVEAT, CriticalCurves, SlipSurface, slip_factors
-from ehl.arrays import Array
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, CriticalCurves, SlipSurface, slip_factors
+from oilfilm.ehl.arrays import Array
 
 from ..bearing.quantities import BALL_QUANTITY
 from ..files import plain

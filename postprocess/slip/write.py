@@ -20,9 +20,9 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from bearing.studies.slip import CriticalCurves
-from ehl.arrays import Array
-from ehl.units import from_si, unit_symbol
+from oilfilm.bearing.studies.slip import CriticalCurves
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import from_si, unit_symbol
 
 from ..bearing.quantities import BALL_QUANTITY
 from ..files import CsvTable

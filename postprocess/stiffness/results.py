@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from bearing.studies.preload import StiffnessOverSpeed
-from ehl.arrays import Array
-from ehl.units import from_si
+from oilfilm.bearing.studies.preload import StiffnessOverSpeed
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import from_si
 
 from ..files import plain
 from ..quantities import STIFFNESS_ORDER, STIFFNESS_UNITS, Quantity, Results, rows_of

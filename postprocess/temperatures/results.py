@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from bearing.heating.network import NODES
-from bearing.heating.over_speed import SpeedBranch, SpeedLimit
-from bearing.heating.over_time import WarmUp
-from bearing.heating.self_heating import SelfHeatingSolution
-from ehl.units import from_si
+from oilfilm.bearing.heating.network import NODES
+from oilfilm.bearing.heating.over_speed import SpeedBranch, SpeedLimit
+from oilfilm.bearing.heating.over_time import WarmUp
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
+from oilfilm.ehl.units import from_si
 
 from ..files import plain
 from ..quantities import Quantity, Results, rows_of, values_of

@@ -15,8 +15,8 @@ from matplotlib.figure import Figure
 from rich.console import Group
 from rich.text import Text
 
-from bearing.heating.network import NODES
-from bearing.heating.over_speed import SpeedLimit
+from oilfilm.bearing.heating.network import NODES
+from oilfilm.bearing.heating.over_speed import SpeedLimit
 
 from ..files import CsvTable
 from ..netcdf_write import StudyFiles, Variables, write_study

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from bearing.friction.tables import Tables, TemperatureTables
-from ehl.traction_table.table import FullSolve, TractionTable
+from oilfilm.bearing.friction.tables import Tables, TemperatureTables
+from oilfilm.ehl.traction_table.table import FullSolve, TractionTable
 
 from ..files import plain
 from ..quantities import Results

@@ -16,8 +16,8 @@ from rich import box
 from rich.console import Group
 from rich.table import Table
 
-from bearing.friction.tables import save_race_tables, save_temperature_tables
-from ehl.traction_table.table import TractionTable
+from oilfilm.bearing.friction.tables import save_race_tables, save_temperature_tables
+from oilfilm.ehl.traction_table.table import TractionTable
 
 from ..plot_style import titled_panels, write_figure
 from ..quantities import number_table

@@ -11,11 +11,11 @@ from math import log2, pi, sqrt
 import numpy as np
 from scipy.signal import ShortTimeFFT, get_window, hilbert, resample_poly
 
-from bearing.vibration.assembly import AXES, BALLS, INNER, OUTER, SENSOR
-from bearing.vibration.inputs import Direction
-from bearing.vibration.simulation import OVERSAMPLED, VibrationRun
-from ehl.arrays import Array
-from ehl.units import RPM
+from oilfilm.bearing.vibration.assembly import AXES, BALLS, INNER, OUTER, SENSOR
+from oilfilm.bearing.vibration.inputs import Direction
+from oilfilm.bearing.vibration.simulation import OVERSAMPLED, VibrationRun
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import RPM
 
 from ..quantities import Results
 

@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from bearing.vibration.assembly import BALLS
-from bearing.vibration.inputs import ContactLaw, WaveFilter
-from bearing.vibration.lines import expected_lines, kinematic, passing
-from bearing.vibration.simulation import VibrationRun
-from ehl.units import from_si
+from oilfilm.bearing.vibration.assembly import BALLS
+from oilfilm.bearing.vibration.inputs import ContactLaw, WaveFilter
+from oilfilm.bearing.vibration.lines import expected_lines, kinematic, passing
+from oilfilm.bearing.vibration.simulation import VibrationRun
+from oilfilm.ehl.units import from_si
 
 from ..files import plain
 from .results import (

@@ -18,12 +18,12 @@ import numpy as np
 from matplotlib.figure import Figure
 from rich.console import Group
 
-from bearing.files import write_bytes
-from bearing.vibration.assembly import INNER, OUTER, SENSOR
-from bearing.vibration.inputs import VibrationOptions
-from bearing.vibration.simulation import OVERSAMPLED
-from ehl.arrays import Array
-from ehl.units import from_si
+from oilfilm.bearing.files import write_bytes
+from oilfilm.bearing.vibration.assembly import INNER, OUTER, SENSOR
+from oilfilm.bearing.vibration.inputs import VibrationOptions
+from oilfilm.bearing.vibration.simulation import OVERSAMPLED
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import from_si
 
 from ..files import CsvTable
 from ..netcdf_write import StudyFiles, Variables, write_study

@@ -24,7 +24,8 @@ def module_files(root=ROOT):
     for layer in LAYERS:
         for path in sorted((root / layer).rglob("*.py")):
             parts = path.relative_to(root).with_suffix("").parts
-            files[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+            parts = parts[:-1] if parts[-1] == "__init__" else parts
+            files[".".join(parts if layer == "oilfilm" else ("oilfilm", *parts))] = path
     return files
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import sys
 
+import pytest
+
 from .sources import FILES, LAYERS, at, layer, nodes, nothing, tree
 
 HOMES = {
@@ -26,8 +28,8 @@ HOMES = {
     "xarray": ("postprocess/*/*.py",),
     "h5netcdf": ("postprocess/netcdf_write.py", "postprocess/*/history.py"),
     "h5py": ("postprocess/netcdf_write.py", "postprocess/*/history.py"),
-    "typer": ("cases/cli/*.py", "cases/cli/over_time/*.py"),
-    "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/batch/planning/*.py", "cases/optimise/*.py"),
+    "typer": ("cases/cli/*.py",),
+    "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/optimise/*.py"),
     "pydantic_core": ("cases/format/*.py", "cases/batch/compute.py"),
     "rich": ("cases/cli/*.py", "postprocess/*table.py", "postprocess/*/*.py"),
     "PIL": ("postprocess/scene/*.py",),
@@ -45,8 +47,35 @@ def is_type_checking(node):
     return isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
 
 
+def top_names(node):
+    """Libraries and layers that an absolute import names."""
+    if isinstance(node, ast.Import):
+        dotted = [alias.name for alias in node.names]
+    elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+        whole = node.module == "oilfilm"
+        dotted = [f"oilfilm.{alias.name}" for alias in node.names] if whole else [node.module]
+    else:
+        return set()
+    parts = [name.split(".") for name in dotted]
+    return {part[1] if part[0] == "oilfilm" and part[1:2] and part[1] in LAYERS else part[0] for part in parts}
+
+
+@pytest.mark.parametrize(
+    ("code", "names"),
+    [
+        ("import numpy as np", {"numpy"}),
+        ("from oilfilm.ehl.solver import solve_contact", {"ehl"}),
+        ("from oilfilm import bearing, ehl", {"bearing", "ehl"}),
+        ("from oilfilm import solve_contact", {"oilfilm"}),
+        ("from .oil import lubricant", set()),
+    ],
+)
+def test_which_layers_an_import_names(code, names):
+    assert top_names(ast.parse(code).body[0]) == names
+
+
 def imports(name, *, typing_only=True):
-    """Top names of the absolute imports of a module; without those for type checkers if not `typing_only`."""
+    """Libraries and layers that a module imports; without those for type checkers if not `typing_only`."""
     skipped = set()
     if not typing_only:
         blocks = [node for node in ast.walk(tree(name)) if is_type_checking(node)]
@@ -55,10 +84,7 @@ def imports(name, *, typing_only=True):
     for node in ast.walk(tree(name)):
         if id(node) in skipped:
             continue
-        if isinstance(node, ast.Import):
-            found |= {alias.name.split(".")[0] for alias in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
-            found.add(node.module.split(".")[0])
+        found |= top_names(node)
     return found
 
 

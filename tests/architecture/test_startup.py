@@ -21,7 +21,7 @@ def imported(code):
 def test_help_imports_nothing_heavy():
     code = """
 import sys
-from cases.cli.start import main
+from oilfilm.cases.cli.start import main
 sys.argv = ["oilfilm", "--help"]
 try:
     main()
@@ -32,12 +32,12 @@ except SystemExit as stop:
 
 
 def test_the_contact_solver_is_loaded_when_it_is_used():
-    assert imported("import ehl") <= {"numpy"}
-    assert {"scipy", "numba"} <= imported("import ehl; ehl.solve_contact")
+    assert imported("from oilfilm import ehl") <= {"numpy"}
+    assert {"scipy", "numba"} <= imported("from oilfilm import ehl; oilfilm.ehl.solve_contact")
 
 
 def test_bearings_are_loaded_without_scipy():
-    assert imported("import bearing") <= {"numpy"}
+    assert imported("from oilfilm import bearing") <= {"numpy"}
 
 
 def test_the_front_door_is_empty_until_it_is_used():
@@ -46,4 +46,4 @@ def test_the_front_door_is_empty_until_it_is_used():
 
 
 def test_results_and_cases_are_loaded_when_they_are_used():
-    assert imported("import cases, postprocess") <= {"numpy"}
+    assert imported("from oilfilm import cases, postprocess") <= {"numpy"}

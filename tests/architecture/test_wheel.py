@@ -11,8 +11,12 @@ from .import_graph import LAYERS, ROOT
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 
 
-def test_the_wheel_is_the_layers():
-    assert PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"] == {"packages": list(LAYERS)}
+def test_the_wheel_is_the_layers_under_one_name():
+    wheel = PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]
+    assert wheel["only-include"] == list(LAYERS)
+    assert wheel["sources"] == {layer: f"oilfilm/{layer}" for layer in LAYERS if layer != "oilfilm"}
+    assert wheel["dev-mode-dirs"] == ["build/links"]
+    assert "custom" in wheel["hooks"]
 
 
 @pytest.mark.parametrize("layer", LAYERS)

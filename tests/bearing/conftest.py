@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from bearing import Bearing, Material, contact_angle_to_clearance
+from oilfilm.bearing import Bearing, Material, contact_angle_to_clearance
 
 RPM = pi / 30.0  # [rad/s]
 

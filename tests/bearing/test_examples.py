@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from bearing import (
+from oilfilm.bearing import (
     Bearing,
     Material,
     Operation,
@@ -24,8 +24,8 @@ from bearing import (
     reduced_modulus,
     solve_quasistatic,
 )
-from bearing.dynamics.simulation import simulation
-from bearing.library.designation import read_designation
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.library.designation import read_designation
 
 OBJECTS = [
     *(Bearing, Material, Operation, bearing_frequencies, bearing_life, library_lubricant),

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Operation, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
-from bearing.geometry import contact_modulus
-from bearing.operation import Curvature
-from bearing.quasistatic.kinematics import stiffness_at, stiffness_series
-from ehl.closed_form.hertz import contact_stiffness
+from oilfilm.bearing import Operation, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
+from oilfilm.bearing.geometry import contact_modulus
+from oilfilm.bearing.operation import Curvature
+from oilfilm.bearing.quasistatic.kinematics import stiffness_at, stiffness_series
+from oilfilm.ehl.closed_form.hertz import contact_stiffness
 
 
 def test_clearance_and_contact_angle_are_inverse():

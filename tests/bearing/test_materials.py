@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from bearing import Material, MaterialKind, list_materials, load_material
-from bearing.material import FIELDS, material_data
+from oilfilm.bearing import Material, MaterialKind, list_materials, load_material
+from oilfilm.bearing.material import FIELDS, material_data
 
 CAGES = ("brass", "bronze", "pa66", "pa66 glass filled", "peek", "phenolic", "pvx")
 

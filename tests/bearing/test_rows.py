@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
-from bearing import (
+from oilfilm.bearing import (
     Arrangement,
     Operation,
     QuasistaticModel,
@@ -23,10 +23,10 @@ from bearing import (
     preloaded_row,
     solve_quasistatic,
 )
-from bearing.geometry import SINGLE
-from bearing.operation import HYPOTHESES
-from bearing.torque.models import FrictionInput, skf_model
-from ehl import Lubricant
+from oilfilm.bearing.geometry import SINGLE
+from oilfilm.bearing.operation import HYPOTHESES
+from oilfilm.bearing.torque.models import FrictionInput, skf_model
+from oilfilm.ehl import Lubricant
 
 WIDTH = 16e-3  # [m]
 FREE = (None, None)

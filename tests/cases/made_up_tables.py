@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from bearing import solve_quasistatic
-from bearing.friction.tables import table_contacts, table_range
-from ehl.traction_table.compression import stored_values
-from ehl.traction_table.table import TableError, TractionTable
+from oilfilm.bearing import solve_quasistatic
+from oilfilm.bearing.friction.tables import table_contacts, table_range
+from oilfilm.ehl.traction_table.compression import stored_values
+from oilfilm.ehl.traction_table.table import TableError, TractionTable
 
 NODES = (4, 4, 9, 5, 9)
 NO_ERROR = TableError(

@@ -8,8 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-import ehl
-from ehl.compiled import forget_old_kernels, kernel_digest, kernel_sources
+from oilfilm import ehl
+from oilfilm.ehl.compiled import forget_old_kernels, kernel_digest, kernel_sources
 
 ROOT = Path(ehl.__file__).parents[1]  # of the packages that are tested, installed or not
 CALLER = """
@@ -17,17 +17,17 @@ import hashlib
 import sys
 from pathlib import Path
 
-import ehl.compiled
+import oilfilm.ehl.compiled
 
 sources = sorted(Path(__file__).parent.glob("*/_kernels.py"))
 digest = hashlib.sha256(b"".join(path.read_bytes() for path in sources)).hexdigest()
-ehl.compiled.kernel_digest = lambda: digest
+oilfilm.ehl.compiled.kernel_digest = lambda: digest
 from outer._kernels import twice_of_inner
 
 print(twice_of_inner(3.0))
 """
 OUTER = """
-from ehl.compiled import compiled
+from oilfilm.ehl.compiled import compiled
 from inner._kernels import inner
 
 @compiled
@@ -35,7 +35,7 @@ def twice_of_inner(x):
     return 2.0 * inner(x)
 """
 INNER = """
-from ehl.compiled import compiled
+from oilfilm.ehl.compiled import compiled
 
 @compiled
 def inner(x):
@@ -95,7 +95,7 @@ def test_all_that_kernels_import_is_among_the_sources():
 
 def test_the_digest_is_of_the_contents(monkeypatch, tmp_path):
     source = tmp_path / "_kernels.py"
-    monkeypatch.setattr("ehl.compiled.kernel_sources", lambda: [source])
+    monkeypatch.setattr("oilfilm.ehl.compiled.kernel_sources", lambda: [source])
     source.write_text("one")
     first = kernel_digest.__wrapped__()
     os.utime(source, (1.0, 1.0))

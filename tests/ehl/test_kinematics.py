@@ -8,8 +8,8 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from ehl import ContactConditions, Lubricant
-from ehl.conditions import ContactKinematics, contact_kinematics
+from oilfilm.ehl import ContactConditions, Lubricant
+from oilfilm.ehl.conditions import ContactKinematics, contact_kinematics
 
 CONTACT = ContactConditions(
     load=100.0,

@@ -5,7 +5,7 @@ from math import degrees, pi
 import numpy as np
 import pytest
 
-from ehl.units import UNITS, from_si, to_si, unit_of, unit_symbol
+from oilfilm.ehl.units import UNITS, from_si, to_si, unit_of, unit_symbol
 
 
 @pytest.mark.parametrize(

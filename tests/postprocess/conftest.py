@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearing import Bearing, Material, Operation, bearing_frequencies, contact_conditions, solve_quasistatic
-from ehl import (
+from oilfilm.bearing import Bearing, Material, Operation, bearing_frequencies, contact_conditions, solve_quasistatic
+from oilfilm.ehl import (
     ContactConditions,
     ContactSolution,
     ConvergenceRecord,
@@ -15,10 +15,10 @@ from ehl import (
     MoesConditions,
     SolverOptions,
 )
-from ehl.scaling import scale_contact
-from postprocess import write_results
-from postprocess.bearing.results import BearingResults
-from postprocess.contact.summary import ContactResults
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.postprocess import write_results
+from oilfilm.postprocess.bearing.results import BearingResults
+from oilfilm.postprocess.contact.summary import ContactResults
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, name="example oil")
 SILICON_NITRIDE = Material(name="silicon nitride", youngs_modulus=310e9, poisson_ratio=0.26, density=3250.0)

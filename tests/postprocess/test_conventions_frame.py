@@ -7,8 +7,8 @@ import pytest
 from conventions_frame import draw_frame
 from matplotlib.figure import Figure
 
-from bearing import BallKinematics, QuasistaticModel, solve_quasistatic
-from cases import load_case
+from oilfilm.bearing import BallKinematics, QuasistaticModel, solve_quasistatic
+from oilfilm.cases import load_case
 
 
 @pytest.fixture(scope="module")

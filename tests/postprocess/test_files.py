@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.files import atomic_path
-from postprocess import open_results, summary
-from postprocess.bearing.write import write_bearing_netcdf, write_contacts_csv
-from postprocess.contact.write import write_contact_netcdf
-from postprocess.files import write_json
+from oilfilm.bearing.files import atomic_path
+from oilfilm.postprocess import open_results, summary
+from oilfilm.postprocess.bearing.write import write_bearing_netcdf, write_contacts_csv
+from oilfilm.postprocess.contact.write import write_contact_netcdf
+from oilfilm.postprocess.files import write_json
 
 xr = pytest.importorskip("xarray")
 
@@ -88,7 +88,7 @@ def test_foreign_file_is_refused(tmp_path):
 
 def test_the_first_format_is_read(contact_results, tmp_path):
     """Written before a grid could lie at an angle to the entrainment."""
-    from postprocess.scene.patch import Patch
+    from oilfilm.postprocess.scene.patch import Patch
 
     write_contact_netcdf(contact_results, tmp_path / "new.nc", summary(contact_results))
     with xr.open_datatree(tmp_path / "new.nc", engine="h5netcdf") as tree:

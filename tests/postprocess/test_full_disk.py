@@ -11,11 +11,11 @@ import h5netcdf
 import numpy as np
 import pytest
 
-from bearing.files import require_room, write_bytes
-from postprocess.files import attempt
+from oilfilm.bearing.files import require_room, write_bytes
+from oilfilm.postprocess.files import attempt
 
 resource = pytest.importorskip("resource", reason="limits of POSIX")
-OILFILM = [sys.executable, "-m", "cases.cli"]
+OILFILM = [sys.executable, "-m", "oilfilm.cases.cli"]
 
 
 @pytest.fixture
@@ -44,7 +44,7 @@ import resource
 import numpy as np
 from types import SimpleNamespace
 from pathlib import Path
-from postprocess.dynamics import history
+from oilfilm.postprocess.dynamics import history
 
 def variables(record, balls):
     return {{"v": (("time", "ball"), record.v, "N"), "contact_state": (("time", "ball"), record.v, "1")}}
@@ -91,7 +91,7 @@ def test_hdf5_of_a_mesh_is_not_begun_without_room(bearing_folder, tmp_path):
     code = (
         f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000)); sys.argv[1:] = {words}"
     )
-    code += "; from cases.cli.start import main; main()"
+    code += "; from oilfilm.cases.cli.start import main; main()"
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert answer.returncode == 4, answer.stderr
     assert "File too large" in answer.stderr
@@ -111,7 +111,7 @@ def test_commands_end_with_one_line_and_code_4(words, tmp_path):
     limit = (
         f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (6000, 6000)); sys.argv[1:] = {words.split()}"
     )
-    code = f"{limit}; from cases.cli.start import main; main()"
+    code = f"{limit}; from oilfilm.cases.cli.start import main; main()"
     answer = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert answer.returncode == 4
     assert sum("failed: " in line for line in answer.stderr.splitlines()) == 1

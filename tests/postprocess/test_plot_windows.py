@@ -9,8 +9,8 @@ import pytest
 import xarray
 from matplotlib.figure import Figure
 
-from postprocess.dynamics.plots import FEWEST_SAMPLES, _without_spikes, draw_spectrum
-from postprocess.slip.write import draw_balls
+from oilfilm.postprocess.dynamics.plots import FEWEST_SAMPLES, _without_spikes, draw_spectrum
+from oilfilm.postprocess.slip.write import draw_balls
 
 
 def drawn(*lines):

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import FilmValue
-from ehl.units import value_with_error
-from postprocess import summary
-from postprocess.bearing.plots import (
+from oilfilm.ehl import FilmValue
+from oilfilm.ehl.units import value_with_error
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.bearing.plots import (
     _chosen,
     _limits,
     _logarithmic_film,
@@ -20,11 +20,11 @@ from postprocess.bearing.plots import (
     draw_per_azimuth,
     write_bearing_plots,
 )
-from postprocess.bearing.write import bearing_table
-from postprocess.contact import plots
-from postprocess.contact.plots import write_contact_plots
-from postprocess.contact.view import contact_view, principal_coordinates, refined
-from postprocess.plot_style import few_ticks
+from oilfilm.postprocess.bearing.write import bearing_table
+from oilfilm.postprocess.contact import plots
+from oilfilm.postprocess.contact.plots import write_contact_plots
+from oilfilm.postprocess.contact.view import contact_view, principal_coordinates, refined
+from oilfilm.postprocess.plot_style import few_ticks
 
 pytest.importorskip("matplotlib")
 from matplotlib.figure import Figure
@@ -93,7 +93,7 @@ def test_the_overview_says_how_many_balls_have_a_map(bearing_results, monkeypatc
     figure = Figure()
     draw_per_azimuth(figure, bearing_results, "pressure")
     assert "balls with films" not in figure.axes[-1].get_xlabel()
-    monkeypatch.setattr("postprocess.bearing.plots.COLUMNS", 3)
+    monkeypatch.setattr("oilfilm.postprocess.bearing.plots.COLUMNS", 3)
     figure = Figure()
     draw_per_azimuth(figure, bearing_results, "pressure")
     assert figure.axes[-1].get_xlabel().endswith("maps: 5 of the 9 balls with films")

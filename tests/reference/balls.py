@@ -4,9 +4,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bearing.quasistatic._kernels import BALL_TARGET, BALL_TOLERANCE, MAX_BALL_STEPS, MAX_HALVINGS
-from bearing.quasistatic.balls import LIGHT_LOAD_RATIO, BallProblem, BallsEquilibrium, BallState, _start, ball_state
-from bearing.quasistatic.kinematics import ROUND_OFF
+from oilfilm.bearing.quasistatic._kernels import BALL_TARGET, BALL_TOLERANCE, MAX_BALL_STEPS, MAX_HALVINGS
+from oilfilm.bearing.quasistatic.balls import (
+    LIGHT_LOAD_RATIO,
+    BallProblem,
+    BallsEquilibrium,
+    BallState,
+    _start,
+    ball_state,
+)
+from oilfilm.bearing.quasistatic.kinematics import ROUND_OFF
 
 STEP = 1.0e-30  # [m]
 

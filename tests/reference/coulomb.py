@@ -7,11 +7,11 @@ from math import pi
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from bearing.friction.coulomb import Ellipses
-from bearing.friction.law import Dissipation
-from bearing.torque.paper_models import SlidingContact
-from ehl.arrays import Array
-from ehl.traction.shear import EllipseRule, ellipse_nodes
+from oilfilm.bearing.friction.coulomb import Ellipses
+from oilfilm.bearing.friction.law import Dissipation
+from oilfilm.bearing.torque.paper_models import SlidingContact
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.traction.shear import EllipseRule, ellipse_nodes
 
 # of the quadrature over the ellipse
 RADII = 24

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import brentq
 
-from bearing.dynamics.arrays import (
+from oilfilm.bearing.dynamics.arrays import (
     COEFFICIENT,
     DAMPING,
     EXPONENT,
@@ -24,10 +24,10 @@ from bearing.dynamics.arrays import (
     Layout,
     TableData,
 )
-from ehl.arrays import Array
-from ehl.traction._kernels import LOAD_POWER
-from ehl.traction_table.splines import spline_weights
-from ehl.traction_table.table import TractionTable, load_coordinate
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.traction._kernels import LOAD_POWER
+from oilfilm.ehl.traction_table.splines import spline_weights
+from oilfilm.ehl.traction_table.table import TractionTable, load_coordinate
 
 from .ehl.traction import table_forces
 

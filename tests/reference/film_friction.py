@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ehl.oil.rheology import Rheology, shear_stress
+from oilfilm.ehl.oil.rheology import Rheology, shear_stress
 
 STEP = 1e-5  # relative change of the rate for a difference quotient [-]
 

@@ -2,7 +2,7 @@
 
     M(T) omega = h (T - T_ambient) + rho c V (T - T_supply)
 
-with one temperature T for rings, balls and oil; the network of `bearing.heating` with a single node.
+with one temperature T for rings, balls and oil; the network of `oilfilm.bearing.heating` with a single node.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from math import isfinite
 
 import scipy
 
-from bearing.heating.heat_state import HIGHEST_TEMPERATURE, HeatBalance
-from ehl.units import ZERO_CELSIUS
+from oilfilm.bearing.heating.heat_state import HIGHEST_TEMPERATURE, HeatBalance
+from oilfilm.ehl.units import ZERO_CELSIUS
 
 FIRST_RISE = 10.0  # of the search; doubled until the cooling exceeds the friction [K]
 TOLERANCE = 1.0e-4  # of the temperature [K]

@@ -1,10 +1,10 @@
-"""Forces left on balls, and Newton's damped step, in NumPy: twins of the kernels of `bearing.friction.newton`."""
+"""Forces left on balls, and Newton's damped step, in NumPy: twins of the kernels of `oilfilm.bearing.friction.newton`."""
 
 import numpy as np
 
-from bearing.friction.law import TINY, Dissipation
-from bearing.friction.newton import MotionProblem, contacts_of
-from ehl.arrays import Array
+from oilfilm.bearing.friction.law import TINY, Dissipation
+from oilfilm.bearing.friction.newton import MotionProblem, contacts_of
+from oilfilm.ehl.arrays import Array
 
 
 def left_on_balls_twin(z: Array, problem: MotionProblem, balls: Array) -> tuple[Array, Array, Array]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from bearing.geometry import Race
-from bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 
 
 def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> tuple[float, float, float]:

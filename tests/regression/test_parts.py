@@ -13,9 +13,9 @@ from pathlib import Path
 
 import pytest
 
-from cases import load_case, run_case, run_contact
-from cases.format.document import read_text
-from cases.format.shipped import find_case
+from oilfilm.cases import load_case, run_case, run_contact
+from oilfilm.cases.format.document import read_text
+from oilfilm.cases.format.shipped import find_case
 
 EXPECTED = Path(__file__).with_name("expected_parts.json")
 CLOSED, SOLVED = 1e-6, 5e-3
@@ -36,7 +36,7 @@ def leaves(node, name=""):
 
 def bearing_parts(stem):
     """Torque by model and part, and the stiffness."""
-    from postprocess import summary
+    from oilfilm.postprocess import summary
 
     found = summary(run_case(load_case(stem)))
     return leaves(found["torque_N_mm"], "torque_N_mm") | leaves(found["ring"]["stiffness"]["matrix"], "stiffness")
@@ -44,7 +44,7 @@ def bearing_parts(stem):
 
 def electrical_parts(stem):
     """Capacitance and breakdown voltage of the bearing, and of its contacts by their films, on a coarse grid."""
-    from postprocess import summary
+    from oilfilm.postprocess import summary
 
     case = load_case(stem)
     found = summary(run_case(replace(case, solver=replace(case.solver, points=65))))
@@ -55,8 +55,8 @@ def electrical_parts(stem):
 
 def slip_parts(folder):
     """Critical loads, slip factors and preloads of the 7000C on a coarse mesh."""
-    from cases.runs.stiffness import run_slip
-    from postprocess.slip.results import slip_summary
+    from oilfilm.cases.runs.stiffness import run_slip
+    from oilfilm.postprocess.slip.results import slip_summary
 
     text = read_text(find_case("hirano_7000C")).replace("points = 51\n", "points = 3\ncritical_points = 2\n")
     path = folder / "slip.toml"
@@ -93,8 +93,8 @@ PROGRAMS = {"unbalance": unbalance_parts, "warming": warming_parts}
 
 def simulated(stem, changes, folder):
     """Numbers of a shipped simulation with changes of its text."""
-    from cases.runs.dynamics import run_dynamics
-    from postprocess.dynamics.results import dynamics_summary
+    from oilfilm.cases.runs.dynamics import run_dynamics
+    from oilfilm.postprocess.dynamics.results import dynamics_summary
 
     text = read_text(find_case(stem))
     for old, new in changes:
@@ -111,7 +111,7 @@ def field_parts(folder):
     """Least, mean and largest value of each field of the VTK file of a single contact."""
     import pyvista
 
-    from postprocess.scene.vtk import write_collection
+    from oilfilm.postprocess.scene.vtk import write_collection
 
     case = load_case("ball_on_disc")
     write_collection(run_contact(replace(case, solver=replace(case.solver, points=65, tolerance=None))), folder)

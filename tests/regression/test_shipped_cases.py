@@ -17,8 +17,8 @@ from pathlib import Path
 
 import pytest
 
-from cases import Case, load_case, run_case, run_contact
-from cases.format.shipped import LIBRARY, shipped_cases, shipped_sweeps
+from oilfilm.cases import Case, load_case, run_case, run_contact
+from oilfilm.cases.format.shipped import LIBRARY, shipped_cases, shipped_sweeps
 
 STEMS = tuple(shipped_cases())
 QUICK = ("209_radial_8900N", "218_axial_22250N", "ball_on_disc", "moes_20_10", "6208_full_ceramic")
@@ -47,7 +47,7 @@ NOISE = 1e-6  # of values that are zero, in the unit of their key
 
 def numbers(stem, points=None):
     """The main results of a case, by key, with its own points along x or others."""
-    from postprocess import summary
+    from oilfilm.postprocess import summary
 
     case = load_case(stem)
     if points is not None:

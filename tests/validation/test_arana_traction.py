@@ -22,13 +22,13 @@ from math import asinh, log, pi
 import numpy as np
 import pytest
 
-from bearing.library.lubricants import library_lubricant
-from ehl import ContactConditions, SolverOptions, solve_contact
-from ehl.closed_form.hertz import hertz_contact
-from ehl.conditions import contact_kinematics
-from ehl.oil.lubricant import viscosity
-from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology, shear_stress
-from ehl.traction.shear import dimensional_grid, integrate_traction
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.ehl import ContactConditions, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.conditions import contact_kinematics
+from oilfilm.ehl.oil.lubricant import viscosity
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, contact_rheology, shear_stress
+from oilfilm.ehl.traction.shear import dimensional_grid, integrate_traction
 
 TEMPERATURE = 333.15
 SLIDES = (0.02, 0.05, 0.1, 0.4)

@@ -15,15 +15,15 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from bearing import solve_quasistatic
-from bearing.friction.tables import load_tables, save_race_tables, table_contacts, table_range
-from bearing.geometry import Race
-from cases import load_case
-from ehl import SolverOptions, solve_contact
-from ehl.conditions import ContactKinematics
-from ehl.traction.rolling_moment import rolling_moment
-from ehl.traction.shear import integrate_traction
-from ehl.traction_table.build import TableOptions, build_table
+from oilfilm.bearing import solve_quasistatic
+from oilfilm.bearing.friction.tables import load_tables, save_race_tables, table_contacts, table_range
+from oilfilm.bearing.geometry import Race
+from oilfilm.cases import load_case
+from oilfilm.ehl import SolverOptions, solve_contact
+from oilfilm.ehl.conditions import ContactKinematics
+from oilfilm.ehl.traction.rolling_moment import rolling_moment
+from oilfilm.ehl.traction.shear import integrate_traction
+from oilfilm.ehl.traction_table.build import TableOptions, build_table
 
 from ..reference.ehl.traction import largest_force
 

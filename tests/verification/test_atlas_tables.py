@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearing import contact_conditions, solve_quasistatic
-from bearing.friction.laws import LawTraction
-from bearing.friction.tables import build_race_tables
-from bearing.torque.integrated import law_torque
-from cases.format.case import case_of_document
-from ehl.traction_table.build import TableOptions, atlas_sampler
-from ehl.traction_table.film import film_sample
+from oilfilm.bearing import contact_conditions, solve_quasistatic
+from oilfilm.bearing.friction.laws import LawTraction
+from oilfilm.bearing.friction.tables import build_race_tables
+from oilfilm.bearing.torque.integrated import law_torque
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.ehl.traction_table.build import TableOptions, atlas_sampler
+from oilfilm.ehl.traction_table.film import film_sample
 
 SEED = 20261126
 POINTS = 12

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 import pytest
 
-from cases import run_case
-from cases.format.case import case_of_document
-from postprocess import summary
+from oilfilm.cases import run_case
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.postprocess import summary
 
 PAIR = {
     "rows": [

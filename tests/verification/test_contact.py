@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.library.lubricants import library_lubricant
-from ehl import (
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.ehl import (
     ContactConditions,
     DensityLaw,
     Lubricant,
@@ -26,11 +26,11 @@ from ehl import (
     solve_contact,
     solver,
 )
-from ehl.conditions import moes_groups
-from ehl.multigrid import full_multigrid
-from ehl.multigrid.cycle import cycle, refresh_factors, start_level, update_film
-from ehl.multigrid.film_values import extrapolate
-from ehl.multigrid.full_multigrid import (
+from oilfilm.ehl.conditions import moes_groups
+from oilfilm.ehl.multigrid import full_multigrid
+from oilfilm.ehl.multigrid.cycle import cycle, refresh_factors, start_level, update_film
+from oilfilm.ehl.multigrid.film_values import extrapolate
+from oilfilm.ehl.multigrid.full_multigrid import (
     ATTEMPTS,
     Progress,
     choose_domain,
@@ -38,10 +38,10 @@ from ehl.multigrid.full_multigrid import (
     solve_with_fallbacks,
     start_from_hertz,
 )
-from ehl.multigrid.history import FINISHED, central_film
-from ehl.multigrid.levels import Damping
-from ehl.scaling import scale_contact
-from ehl.solver import solve_attempts
+from oilfilm.ehl.multigrid.history import FINISHED, central_film
+from oilfilm.ehl.multigrid.levels import Damping
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solver import solve_attempts
 
 from ..reference.ehl.uniform_flow import UniformFlow
 
@@ -548,7 +548,7 @@ def test_equations_of_a_solution_hold_and_its_oil_is_conserved():
 
 def test_a_film_at_rest_without_the_equations_is_not_converged(monkeypatch):
     """Whatever film and load say: above the limit of the residual there is no film value."""
-    monkeypatch.setattr("ehl.multigrid.history.CONVERGED", (1e-12, 1e-3))
+    monkeypatch.setattr("oilfilm.ehl.multigrid.history.CONVERGED", (1e-12, 1e-3))
     solution = solve_contact(INNER_500N, SolverOptions(points=65, max_cycles=6))
     assert not solution.converged
     assert solution.film_central is None and solution.film_minimum_uncertainty is None
@@ -558,8 +558,8 @@ def test_wide_bars_are_unresolved(monkeypatch):
     """A mesh that is fine enough for the film, and bars beyond the limit: said with the bar."""
     solution = solve_contact(replace(CIRCULAR, load_parameter=700.0), SolverOptions(points=129))
     bar = solution.film_minimum_dimensionless.relative_uncertainty
-    monkeypatch.setattr("ehl.multigrid.film_values.LARGEST_BAR", 0.5 * bar)
-    monkeypatch.setattr("ehl.multigrid.history.RESOLVED", 0.1)
+    monkeypatch.setattr("oilfilm.ehl.multigrid.film_values.LARGEST_BAR", 0.5 * bar)
+    monkeypatch.setattr("oilfilm.ehl.multigrid.history.RESOLVED", 0.1)
     solution = solve_contact(replace(CIRCULAR, load_parameter=700.0), SolverOptions(points=129))
     assert solution.converged and not solution.resolved
     assert "error bar" in solution.message

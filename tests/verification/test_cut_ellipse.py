@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 from scipy.fft import irfft2, rfft2
 
-from bearing.contacts.stress import cut_approach
-from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
-from ehl.solid.compliance import corner_integrals
+from oilfilm.bearing.contacts.stress import cut_approach
+from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
+from oilfilm.ehl.solid.compliance import corner_integrals
 
 HALF_WIDTH = 1.7  # of the mesh in x [a]
 STEPS = 60  # pressures change by less than 1e-4 after 30

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import (
+from oilfilm.bearing import (
     Bearing,
     Material,
     Operation,
@@ -22,19 +22,19 @@ from bearing import (
     solve_quasistatic,
     solve_traction_equilibrium,
 )
-from bearing.dynamics.bodies import ring_body
-from bearing.dynamics.friction import RaceFriction, race_friction
-from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
-from bearing.dynamics.record import join
-from bearing.dynamics.simulation import simulation
-from bearing.friction.balance import balance_driven_balls
-from bearing.friction.law import BallTraction
-from bearing.friction.laws import CoefficientTraction, LawTraction
-from bearing.friction.tables import build_race_tables
-from cases import load_case
-from ehl import Lubricant
-from ehl.traction.coefficients import FourConstants
-from ehl.traction_table.build import TableOptions
+from oilfilm.bearing.dynamics.bodies import ring_body
+from oilfilm.bearing.dynamics.friction import RaceFriction, race_friction
+from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
+from oilfilm.bearing.dynamics.record import join
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.friction.balance import balance_driven_balls
+from oilfilm.bearing.friction.law import BallTraction
+from oilfilm.bearing.friction.laws import CoefficientTraction, LawTraction
+from oilfilm.bearing.friction.tables import build_race_tables
+from oilfilm.cases import load_case
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.traction.coefficients import FourConstants
+from oilfilm.ehl.traction_table.build import TableOptions
 
 STEEL = Material(name="test steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)  # makes contact conditions; the friction is a law's
@@ -118,7 +118,7 @@ def compare(found, operation, friction):
     state, balance = balanced(operation, {Race.INNER: friction.inner, Race.OUTER: friction.outer})
     expected = balance.motions[0]
     found = motion(record.state[-1], layout)
-    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.ContactColumns`
+    races = record.races[-1, :, 0]  # columns as `oilfilm.bearing.dynamics.arrays.ContactColumns`
     assert_allclose(found, [expected.orbit_speed, *expected.rotation], rtol=1e-3)
     assert_allclose(found[0], expected.orbit_speed, rtol=2e-5)
     assert_allclose(races[:, 0], [state.inner_load[0], state.outer_load[0]], rtol=1e-4)

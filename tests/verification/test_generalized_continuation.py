@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
+from verification.contacts import BALL_ON_DISC
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized.film_heat import FilmHeat
-from ehl.generalized.flow import Continuation, GeneralizedFlow
-from ehl.generalized.solver import (
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.generalized.film_heat import FilmHeat
+from oilfilm.ehl.generalized.flow import Continuation, GeneralizedFlow
+from oilfilm.ehl.generalized.solver import (
     CONTINUED,
     FOLLOWED_PRESSURE,
     SMALLER_STEP,
@@ -19,12 +20,11 @@ from ehl.generalized.solver import (
     solve_by_continuation,
     solve_generalized,
 )
-from ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid
-from ehl.oil.lubricant import ThermalProperties, log_viscosity_ratio
-from ehl.oil.rheology import Rheology, ShearLaw, divide_stresses, shear_stress
-from ehl.scaling import scale_contact
-from ehl.solid.heat import SolidThermal
-from verification.contacts import BALL_ON_DISC
+from oilfilm.ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid
+from oilfilm.ehl.oil.lubricant import ThermalProperties, log_viscosity_ratio
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, divide_stresses, shear_stress
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solid.heat import SolidThermal
 
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.04, expansion=7e-4)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8, temperature=333.0, thermal=HEAT)
@@ -245,8 +245,8 @@ def test_a_film_that_heat_makes_too_thin_is_unresolved(monkeypatch):
     assert films[1] < 0.95 * films[0]
     mesh = float(plain.X[1] - plain.X[0])
     between = np.mean(films) / (scale_contact(conditions).curvature_x * mesh**2)
-    monkeypatch.setattr("ehl.multigrid.history.RESOLVED", between)
-    monkeypatch.setattr("ehl.multigrid.film_values.LARGEST_BAR", 1.0)
+    monkeypatch.setattr("oilfilm.ehl.multigrid.history.RESOLVED", between)
+    monkeypatch.setattr("oilfilm.ehl.multigrid.film_values.LARGEST_BAR", 1.0)
     assert solve_contact(conditions, COARSE).resolved
     heated = solve_by_continuation(flow, COARSE)[0]
     assert heated.converged and not heated.resolved

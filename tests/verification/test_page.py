@@ -14,10 +14,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from typer.testing import CliRunner
-
-from ehl.closed_form.film import moes_film_nijenbanning
-from ehl.conditions import moes_groups
-from ehl.scaling import scale_contact
 from verification.asymptotes import asymptotes
 from verification.contacts import NAMED, from_groups, moes
 from verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
@@ -29,6 +25,10 @@ from verification.robustness import QUICK_OPTIONS, Finished, read_finished, stro
 from verification.robustness_page import robustness_section
 from verification.run import app
 from verification.sections import MAKERS, document
+
+from oilfilm.ehl.closed_form.film import moes_film_nijenbanning
+from oilfilm.ehl.conditions import moes_groups
+from oilfilm.ehl.scaling import scale_contact
 
 ROOT = Path(__file__).parents[2]
 PAGES = ROOT / "docs" / "validation"

@@ -11,10 +11,10 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from bearing import Bearing, Material, Operation, contact_angle_to_clearance
-from bearing.dynamics.bodies import cage_body, ring_body
-from bearing.dynamics.friction import RaceFriction, race_friction
-from bearing.dynamics.inputs import (
+from oilfilm.bearing import Bearing, Material, Operation, contact_angle_to_clearance
+from oilfilm.bearing.dynamics.bodies import cage_body, ring_body
+from oilfilm.bearing.dynamics.friction import RaceFriction, race_friction
+from oilfilm.bearing.dynamics.inputs import (
     CageBody,
     DynamicsModel,
     DynamicsOptions,
@@ -25,11 +25,11 @@ from bearing.dynamics.inputs import (
     Schedule,
     Start,
 )
-from bearing.dynamics.record import Record
-from bearing.dynamics.simulation import Simulation, from_state, simulation
-from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
-from bearing.friction.laws import CoefficientTraction
-from ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.bearing.dynamics.record import Record
+from oilfilm.bearing.dynamics.simulation import Simulation, from_state, simulation
+from oilfilm.bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
+from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
 
 SEED = 734821
 LAWS = (NormalLaw.HERTZ, NormalLaw.LANKARANI_NIKRAVESH, NormalLaw.HUNT_CROSSLEY, NormalLaw.FLORES)

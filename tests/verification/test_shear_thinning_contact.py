@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized.flow import GeneralizedFlow
-from ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.generalized.flow import GeneralizedFlow
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 
 from ..reference.ehl.uniform_flow import UniformFlow
 

@@ -6,11 +6,11 @@ from functools import cache
 
 import pytest
 
-from bearing.contacts.contacts import contact_conditions
-from cases import load_case
-from cases.runs.traction_films import case_equilibrium
-from ehl import SolverOptions, solve_contact
-from ehl.finite_element.solver import solve_contact_finite_element
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.cases import load_case
+from oilfilm.cases.runs.traction_films import case_equilibrium
+from oilfilm.ehl import SolverOptions, solve_contact
+from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
 
 CONTACTS = {"6208_full_ceramic": 5, "7008C_hybrid": 18, "6304_planar": 3}  # distinct ones of each case
 OPTIONS = SolverOptions(points=257)

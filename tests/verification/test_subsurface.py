@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.closed_form.hertz_stress import hertz_axis_stress, hertz_maximum_shear, hertz_orthogonal_shear
-from ehl.solid.subsurface import rectangle_stress, subsurface_stress
+from oilfilm.ehl.closed_form.hertz_stress import hertz_axis_stress, hertz_maximum_shear, hertz_orthogonal_shear
+from oilfilm.ehl.solid.subsurface import rectangle_stress, subsurface_stress
 
 NU = 0.3
 

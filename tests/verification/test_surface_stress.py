@@ -12,8 +12,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from ehl.closed_form.hertz_stress import hertz_edge_tension
-from ehl.solid.subsurface import surface_stress
+from oilfilm.ehl.closed_form.hertz_stress import hertz_edge_tension
+from oilfilm.ehl.solid.subsurface import surface_stress
 
 NU = 0.26
 

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.closed_form.film import film_reduction_gupta, thermal_loading
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.lubricant import ThermalProperties
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.solid.heat import SolidThermal
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.film import film_reduction_gupta, thermal_loading
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.lubricant import ThermalProperties
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.solid.heat import SolidThermal
 
 from ..reference.ehl.uniform_flow import UniformFlow
 

@@ -7,14 +7,14 @@ from math import pi
 import numpy as np
 from numpy.testing import assert_allclose
 
-from bearing import Operation, Race, solve_quasistatic, solve_traction_equilibrium
-from bearing.dynamics.bodies import ring_body
-from bearing.dynamics.friction import RaceFriction, race_friction
-from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
-from bearing.dynamics.simulation import simulation
-from bearing.friction.law import BallTraction
-from bearing.friction.laws import CoefficientTraction, LawTraction
-from ehl.traction.coefficients import FourConstants
+from oilfilm.bearing import Operation, Race, solve_quasistatic, solve_traction_equilibrium
+from oilfilm.bearing.dynamics.bodies import ring_body
+from oilfilm.bearing.dynamics.friction import RaceFriction, race_friction
+from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.friction.law import BallTraction
+from oilfilm.bearing.friction.laws import CoefficientTraction, LawTraction
+from oilfilm.ehl.traction.coefficients import FourConstants
 
 from .test_dynamics_equilibrium import BEARING, OIL, motion, settled
 
@@ -28,7 +28,7 @@ def test_steady_dynamics_is_the_traction_equilibrium_with_its_loads():
     )
     friction = race_friction(CoefficientTraction(FourConstants.of_curve(0.05, 0.03, 0.03)), BEARING, still.point.angles)
     record, layout, _ = settled(operation, friction)
-    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.ContactColumns`
+    races = record.races[-1, :, 0]  # columns as `oilfilm.bearing.dynamics.arrays.ContactColumns`
 
     source = LawTraction(laws={Race.INNER: friction.inner, Race.OUTER: friction.outer})
     traction = BallTraction(source=source, lubricant=OIL)

@@ -2,7 +2,7 @@
 
 `python tools/atlas/circles.py SEED NUMBER` draws contacts of balls on grooves, solves each on 129 points, counts its
 moment in the gap of circles and in that of paraboloids, and prints A, L, R_x/R_y, the layer over a^2/R_x + h_c, the
-share of the moment that is lost, and that share by `ehl.traction.rolling_moment.circles_moment_loss`.
+share of the moment that is lost, and that share by `oilfilm.ehl.traction.rolling_moment.circles_moment_loss`.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from math import exp, log
 
 import numpy as np
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.closed_form.hertz import hertz_coefficients
-from ehl.scaling import scale_contact
-from ehl.traction.rolling_moment import MeniscusRegion, circles_moment_loss, rolling_moment
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.traction.rolling_moment import MeniscusRegion, circles_moment_loss, rolling_moment
 
 POINTS = 129
 MODULUS = (2.26e11, 3.1e11)  # E' of steel on steel, and of ceramics [Pa]

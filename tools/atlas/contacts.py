@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.stats import qmc
 
-from ehl import Lubricant
-from ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
@@ -70,7 +70,7 @@ PARTS = {
     "rigid oil": Part(RIGID, LUBRICANT, ANY_RATIO, any_oil=True, random=False, seed=9),
     "held rigid": Part((0.35, 2.4), (0.0, 30.0), (0.01, 5.0), any_oil=False, random=True, seed=HELD_OUT + 6),
     "held rigid oil": Part((0.35, 2.4), (0.0, 30.0), (0.01, 5.0), any_oil=True, random=True, seed=HELD_OUT + 7),
-    # oils of other laws stand for Roelands oils of these z, see `ehl.atlas.oils`
+    # oils of other laws stand for Roelands oils of these z, see `oilfilm.ehl.atlas.oils`
     "wide oil": Part(HEAVY, LUBRICANT, SLIM, any_oil=True, random=False, seed=10, oils=WIDE_OILS),
     "light wide oil": Part(LIGHT, LUBRICANT, SLIM, any_oil=True, random=False, seed=11, oils=WIDE_OILS),
     "rigid wide oil": Part(RIGID, LUBRICANT, ANY_RATIO, any_oil=True, random=False, seed=12, oils=WIDE_OILS),

@@ -17,8 +17,8 @@ from typing import NamedTuple
 import numpy as np
 from contacts import LIGHT_FIELDS, places
 
-from ehl import SolverOptions
-from ehl.atlas.fields import (
+from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.atlas.fields import (
     CELL_ROWS,
     CELLS,
     FILE,
@@ -36,12 +36,12 @@ from ehl.atlas.fields import (
     layout,
     sheared_area,
 )
-from ehl.atlas.table import oil_features, trend_terms
-from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_coefficients
-from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
-from ehl.scaling import scale_contact
-from ehl.solver import solve_attempts
-from ehl.traction.film_quadrature import (
+from oilfilm.ehl.atlas.table import oil_features, trend_terms
+from oilfilm.ehl.closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_coefficients
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solver import solve_attempts
+from oilfilm.ehl.traction.film_quadrature import (
     LINES,
     hertz_zone,
     line_quadrature,
@@ -49,8 +49,8 @@ from ehl.traction.film_quadrature import (
     sliding_forces,
     strongest_nodes,
 )
-from ehl.traction.linear_response import normal_response
-from ehl.traction.shear import bounded_viscosity, with_outlet
+from oilfilm.ehl.traction.linear_response import normal_response
+from oilfilm.ehl.traction.shear import bounded_viscosity, with_outlet
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

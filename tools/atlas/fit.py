@@ -11,7 +11,7 @@ import json
 import numpy as np
 from solves import LABELS, SOLVES
 
-from ehl.atlas.table import (
+from oilfilm.ehl.atlas.table import (
     FILE,
     Patch,
     Table,
@@ -24,7 +24,7 @@ from ehl.atlas.table import (
     trend_terms,
     with_linear_terms,
 )
-from ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 
 COLUMNS = "kind number A L D alpha z central minimum approach t8 t25 t400 scale8 scale25 scale400".split()
 FITTED = ("heavy", "start", "along", "light", "step", "step along", "light along", "rigid")

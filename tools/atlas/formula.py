@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.stats import qmc
 
-from ehl.atlas.film_formula import FILE, RANGE, TERMS, monomials
-from ehl.atlas.table import BASE_ALPHA, BASE_Z, functions
+from oilfilm.ehl.atlas.film_formula import FILE, RANGE, TERMS, monomials
+from oilfilm.ehl.atlas.table import BASE_ALPHA, BASE_Z, functions
 
 POINTS = 12  # power of two of the places the atlas is asked at
 DEGREE = 7  # of the terms in x, y and w together

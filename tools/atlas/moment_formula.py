@@ -1,7 +1,7 @@
 """The rolling moment by formulas beside the atlas: `python tools/atlas/moment_formula.py SEED NUMBER`.
 
 Draws contacts, M 1 to 3000, L 5 to 29, R_x/R_y 0.02 to 1, layers of 50, 100 and 400 um. Prints the constants of
-`bearing.contacts.formula_moment` fitted to the atlas at half of them, and the errors of the program's at the others.
+`oilfilm.bearing.contacts.formula_moment` fitted to the atlas at half of them, and the errors of the program's at the others.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import least_squares
 
-from bearing.films.formula import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
-from ehl import Lubricant, atlas_films
-from ehl.atlas.films import NotInAtlasError
-from ehl.scaling import scale_contact
-from ehl.traction.rolling_moment import kapitza_moment
+from oilfilm.bearing.films.formula import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
+from oilfilm.ehl import Lubricant, atlas_films
+from oilfilm.ehl.atlas.films import NotInAtlasError
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.traction.rolling_moment import kapitza_moment
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

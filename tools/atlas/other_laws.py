@@ -19,12 +19,12 @@ import numpy as np
 from fit import label, relative
 from solves import rounded, solved
 
-from bearing.library.lubricants import library_lubricant
-from ehl import ContactConditions, DensityLaw, Lubricant, ViscosityLaw
-from ehl.atlas.oils import density_correction, with_inlet_oil
-from ehl.atlas.table import BASE_ALPHA, BASE_Z, functions
-from ehl.closed_form.hertz import hertz_coefficients
-from ehl.scaling import scale_contact
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, ViscosityLaw
+from oilfilm.ehl.atlas.oils import density_correction, with_inlet_oil
+from oilfilm.ehl.atlas.table import BASE_ALPHA, BASE_Z, functions
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

@@ -14,12 +14,12 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.style import context
 
-import ehl
-from ehl.atlas.film_formula import RANGE
-from ehl.closed_form import film
-from ehl.closed_form.hertz import hertz_coefficients
-from ehl.scaling import scale_contact
-from postprocess.plot_style import INNER_COLOUR, RC, REFERENCE
+from oilfilm import ehl
+from oilfilm.ehl.atlas.film_formula import RANGE
+from oilfilm.ehl.closed_form import film
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.postprocess.plot_style import INNER_COLOUR, RC, REFERENCE
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

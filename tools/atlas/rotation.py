@@ -12,9 +12,9 @@ from math import exp, log, log1p
 
 import numpy as np
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.closed_form.hertz import hertz_coefficients
-from ehl.scaling import scale_contact
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl.scaling import scale_contact
 
 OIL = Lubricant(viscosity=0.03, pressure_viscosity=20e-9, density=870.0)
 MODULUS, RADIUS = 2.3e11, 0.005  # E' [Pa], R_x [m]

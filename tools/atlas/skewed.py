@@ -14,8 +14,16 @@ import numpy as np
 from fit import SOLVES, bar, in_order, limit, robust_weights, table
 from solves import SKEWED
 
-from ehl.atlas.films import ACROSS_CLASSES, FILE, MIXED, Skew, along_entrainment, mixed_functions, mixed_oil_terms
-from ehl.atlas.table import functions, radial
+from oilfilm.ehl.atlas.films import (
+    ACROSS_CLASSES,
+    FILE,
+    MIXED,
+    Skew,
+    along_entrainment,
+    mixed_functions,
+    mixed_oil_terms,
+)
+from oilfilm.ehl.atlas.table import functions, radial
 
 COLUMNS = "kind number A L D angle alpha z central minimum approach".split()
 SCALES = (8.0, 6.0, 8.0, 1.0)  # of ln A, sqrt L, ln T/S, m: by the errors of contacts left out of the fit

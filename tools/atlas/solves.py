@@ -19,9 +19,9 @@ from pathlib import Path
 import numpy as np
 from contacts import places
 
-from ehl import SolverOptions
-from ehl.solver import solve_attempts
-from ehl.traction.rolling_moment import rolling_moment
+from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.solver import solve_attempts
+from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 SOLVES = Path(__file__).parents[2] / "build" / "atlas_solves.jsonl"
 LABELS, SKEWED = (Path(__file__).with_name(name) for name in ("labels.csv.gz", "skewed.csv.gz"))

@@ -9,11 +9,11 @@ from typing import NamedTuple
 import numpy as np
 from dynamics_runs import changed
 
-from bearing.dynamics.inputs import LoadType
-from bearing.dynamics.simulation import from_state, simulation
-from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
-from cases import Case, load_case
-from cases.runs.dynamics import build_model
+from oilfilm.bearing.dynamics.inputs import LoadType
+from oilfilm.bearing.dynamics.simulation import from_state, simulation
+from oilfilm.bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
+from oilfilm.cases import Case, load_case
+from oilfilm.cases.runs.dynamics import build_model
 
 PAGE = Path("docs/theory/cage_stability.md")
 TEMPLATE = Path("docs/theory/cage_stability.md.in")

@@ -6,9 +6,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-from cases.format.document import BearingFile, ContactFile
-from cases.format.rules import allowed_values, resolved
-from ehl.units import unit_of
+from oilfilm.cases.format.document import BearingFile, ContactFile
+from oilfilm.cases.format.rules import allowed_values, resolved
+from oilfilm.ehl.units import unit_of
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "reference" / "cases.md"

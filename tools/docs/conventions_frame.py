@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 
-from bearing.quasistatic.solution import QuasistaticSolution
-from ehl.arrays import Array
-from postprocess.plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.ehl.arrays import Array
+from oilfilm.postprocess.plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE
 
 BALL_COLOUR = "#eceff3"
 FORCE_COLOUR = "#3a7d44"

@@ -8,9 +8,9 @@ import matplotlib as mpl
 from conventions_frame import draw_frame
 from matplotlib.figure import Figure
 
-from bearing import BallKinematics, QuasistaticModel, solve_quasistatic
-from cases import load_case
-from postprocess.plot_style import RC, save
+from oilfilm.bearing import BallKinematics, QuasistaticModel, solve_quasistatic
+from oilfilm.cases import load_case
+from oilfilm.postprocess.plot_style import RC, save
 
 PICTURE = Path(__file__).parents[2] / "docs" / "images" / "conventions.png"
 

@@ -8,11 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from bearing.dynamics.record import Record, join
-from bearing.dynamics.simulation import Simulation, simulation
-from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, orbit_speeds, simulation_statistics
-from cases import Case
-from cases.runs.dynamics import build_model
+from oilfilm.bearing.dynamics.record import Record, join
+from oilfilm.bearing.dynamics.simulation import Simulation, simulation
+from oilfilm.bearing.dynamics.statistics import (
+    RunningStatistics,
+    SimulationStatistics,
+    orbit_speeds,
+    simulation_statistics,
+)
+from oilfilm.cases import Case
+from oilfilm.cases.runs.dynamics import build_model
 
 RPM = pi / 30.0  # [rad/s]
 
@@ -35,10 +40,10 @@ class Run:
     @property
     def surface_slides(self) -> Any:
         """As `slides`, and at a gap that of the nearest points of the surfaces [m/s]."""
-        from bearing.dynamics._motion_kernels import place_bodies, schedule_at
-        from bearing.dynamics._race_kernels import race_motion
-        from bearing.dynamics._state_kernels import ball_motion
-        from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
+        from oilfilm.bearing.dynamics._motion_kernels import place_bodies, schedule_at
+        from oilfilm.bearing.dynamics._race_kernels import race_motion
+        from oilfilm.bearing.dynamics._state_kernels import ball_motion
+        from oilfilm.bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
 
         data = self.simulation.data
         c = data.constants

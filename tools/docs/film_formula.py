@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from atlas.picture import LEAST_LUBRICANT, errors, formula_errors, held_out
-from ehl.atlas.film_formula import FILE
+from oilfilm.ehl.atlas.film_formula import FILE
 
 PAGE = Path(__file__).parents[2] / "docs" / "theory" / "film_formula.md"
 TEMPLATE = PAGE.with_suffix(".md.in")

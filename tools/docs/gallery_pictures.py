@@ -28,7 +28,7 @@ WIDTH, COLOURS = 1000, 256  # [pixels], [-]
 def draw(name: str, command: str) -> None:
     """Run a case and keep the first picture that it has."""
     with tempfile.TemporaryDirectory() as folder:
-        words = [sys.executable, "-m", "cases.cli", command, name, "-o", f"{folder}/out", "--quiet"]
+        words = [sys.executable, "-m", "oilfilm.cases.cli", command, name, "-o", f"{folder}/out", "--quiet"]
         subprocess.run(words + (["--plot"] if command == "batch" else []), cwd=ROOT, check=True)
         picture_file = next(path for file in FIRST[command] if (path := Path(folder) / "out" / file).exists())
         with Image.open(picture_file) as picture:

@@ -14,11 +14,11 @@ from math import pi
 from pathlib import Path
 from typing import Any
 
-from cases import run_case
-from cases.format.case import case_of_document
-from cases.format.document import read_text
-from cases.format.shipped import find_case
-from postprocess import summary
+from oilfilm.cases import run_case
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.cases.format.document import read_text
+from oilfilm.cases.format.shipped import find_case
+from oilfilm.postprocess import summary
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "heat_of_bearings.md"

@@ -15,15 +15,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from bearing import solve_quasistatic
-from bearing.friction.tables import table_contacts
-from bearing.geometry import Race
-from cases import load_case
-from ehl import SolverOptions
-from ehl.generalized.solver import solve_generalized
-from ehl.traction_table.film import table_film
-from ehl.traction_table.table import TableContact
-from postprocess.plot_style import PAGE_WIDTH, RC, save
+from oilfilm.bearing import solve_quasistatic
+from oilfilm.bearing.friction.tables import table_contacts
+from oilfilm.bearing.geometry import Race
+from oilfilm.cases import load_case
+from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.traction_table.film import table_film
+from oilfilm.ehl.traction_table.table import TableContact
+from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 IMAGE = DOCS / "images" / "6208_with_heat.png"

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from bearing import (
+from oilfilm.bearing import (
     library_lubricant,
     list_bearings,
     list_lubricants,
@@ -16,12 +16,12 @@ from bearing import (
     load_catalogue_entry,
     typical_geometry,
 )
-from bearing.library.bearings import published_bearings
-from bearing.library.catalogue import CLEARANCE_CLASSES
-from bearing.library.catalogue import table as rows_of
-from bearing.library.designation import read_designation
-from bearing.library.lubricants import PROPERTIES, lubricant_data
-from bearing.material import FIELDS, material_data
+from oilfilm.bearing.library.bearings import published_bearings
+from oilfilm.bearing.library.catalogue import CLEARANCE_CLASSES
+from oilfilm.bearing.library.catalogue import table as rows_of
+from oilfilm.bearing.library.designation import read_designation
+from oilfilm.bearing.library.lubricants import PROPERTIES, lubricant_data
+from oilfilm.bearing.material import FIELDS, material_data
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "user" / "libraries.md"

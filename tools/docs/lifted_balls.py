@@ -13,11 +13,11 @@ import numpy as np
 from dynamics_runs import RPM, Run, changed, over_azimuth, run
 from validation_000 import RADIAL, cage, zones
 
-from bearing.dynamics._cage_kernels import pocket_frame, pocket_motion
-from bearing.dynamics._motion_kernels import place_bodies
-from bearing.dynamics._state_kernels import ball_position
-from bearing.dynamics.arrays import CAGE_ROTATION, RING
-from cases import Case, load_case
+from oilfilm.bearing.dynamics._cage_kernels import pocket_frame, pocket_motion
+from oilfilm.bearing.dynamics._motion_kernels import place_bodies
+from oilfilm.bearing.dynamics._state_kernels import ball_position
+from oilfilm.bearing.dynamics.arrays import CAGE_ROTATION, RING
+from oilfilm.cases import Case, load_case
 
 LOADS = (100.0, 300.0)  # axial and radial, under which balls leave the outer race [N]
 SAMPLED = {"end_time_s": 0.06, "output_interval_us": 20.0}

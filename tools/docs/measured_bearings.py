@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearing.geometry import Race
-from bearing.vibration.assembly import mean_angle, track_radius
-from cases.format.case import case_of_document, load_case
-from cases.runs.traction_films import case_equilibrium
-from cases.runs.vibration import run_vibration
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.vibration.assembly import mean_angle, track_radius
+from oilfilm.cases.format.case import case_of_document, load_case
+from oilfilm.cases.runs.traction_films import case_equilibrium
+from oilfilm.cases.runs.vibration import run_vibration
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "measured_bearings.md"

@@ -6,9 +6,9 @@ import shutil
 import tempfile
 from pathlib import Path
 
-from cases import load_case, run_case
-from postprocess import write_results
-from postprocess.scene.scene import screenshot
+from oilfilm.cases import load_case, run_case
+from oilfilm.postprocess import write_results
+from oilfilm.postprocess.scene.scene import screenshot
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 CASE = "6208_full_ceramic"

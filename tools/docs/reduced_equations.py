@@ -10,11 +10,11 @@ from typing import NamedTuple
 
 from dynamics_runs import RPM, changed
 
-from bearing.dynamics.inputs import LoadType
-from bearing.dynamics.simulation import Simulation, simulation
-from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
-from cases import Case, load_case
-from cases.runs.dynamics import build_model
+from oilfilm.bearing.dynamics.inputs import LoadType
+from oilfilm.bearing.dynamics.simulation import Simulation, simulation
+from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
+from oilfilm.cases import Case, load_case
+from oilfilm.cases.runs.dynamics import build_model
 
 PAGE = Path("docs/theory/reduced_equations.md")
 TEMPLATE = Path("docs/theory/reduced_equations.md.in")

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from PIL import Image
 
-from cases import load_case
-from cases.runs.stiffness import run_slip
-from postprocess.slip.write import write_slip
+from oilfilm.cases import load_case
+from oilfilm.cases.runs.stiffness import run_slip
+from oilfilm.postprocess.slip.write import write_slip
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 COLOURS = 128  # of the picture files [-]

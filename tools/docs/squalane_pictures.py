@@ -13,17 +13,17 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from bearing import library_lubricant
-from cases import load_case
-from ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, ViscosityLaw, solve_contact
-from ehl.conditions import ContactKinematics
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.solid.heat import SolidThermal
-from ehl.traction.heated_film import heated_film, heated_forces
-from ehl.traction.shear import integrate_traction
-from postprocess.plot_style import PAGE_WIDTH, RC, save
+from oilfilm.bearing import library_lubricant
+from oilfilm.cases import load_case
+from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, ViscosityLaw, solve_contact
+from oilfilm.ehl.conditions import ContactKinematics
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.solid.heat import SolidThermal
+from oilfilm.ehl.traction.heated_film import heated_film, heated_forces
+from oilfilm.ehl.traction.shear import integrate_traction
+from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 IMAGE = DOCS / "images" / "squalane_traction_curves.png"

@@ -8,11 +8,11 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from cases import run_case
-from cases.batch.sweep import read_sweep
-from cases.format.case import case_of_document
-from ehl.units import NEWTON_MILLIMETRE, RPM
-from postprocess.plot_style import PAGE_WIDTH, RC, save
+from oilfilm.cases import run_case
+from oilfilm.cases.batch.sweep import read_sweep
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.ehl.units import NEWTON_MILLIMETRE, RPM
+from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
 NAME = "6208_stribeck"
 IMAGES = Path(__file__).parents[2] / "docs" / "images"

@@ -14,9 +14,9 @@ from torque_sweeps import TorqueStudy, torque_sweep
 from validation_004 import SIZES, resized, table
 from validation_004 import SPEEDS as PRINTED_SPEEDS
 
-from cases import load_case
-from ehl.units import NEWTON_MILLIMETRE, RPM
-from postprocess.plot_style import PAGE_WIDTH, RC, save
+from oilfilm.cases import load_case
+from oilfilm.ehl.units import NEWTON_MILLIMETRE, RPM
+from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 SPEEDS = RPM * np.geomspace(300.0, 15000.0, 25)

@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearing.contacts.contacts import contact_conditions
-from bearing.geometry import Bearing
-from bearing.operation import Operation, QuasistaticModel
-from bearing.quasistatic.solver import solve_quasistatic
-from bearing.torque.breakdown import NAMES, torque_breakdown
-from bearing.torque.models import FrictionInput
-from ehl.arrays import Array
-from ehl.oil.lubricant import Lubricant
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.geometry import Bearing
+from oilfilm.bearing.operation import Operation, QuasistaticModel
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.bearing.torque.breakdown import NAMES, torque_breakdown
+from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.lubricant import Lubricant
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -11,18 +11,24 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from bearing import BallKinematics, QuasistaticModel, contact_conditions, solve_quasistatic, solve_traction_equilibrium
-from bearing.contacts.motion import bearing_kinematics, motion_map
-from bearing.friction.law import BallTraction, FrictionSource
-from bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction
-from bearing.quasistatic.solution import QuasistaticSolution
-from cases import load_case
-from cases.format.case import Case
-from cases.format.contact import NEWTONIAN, CaseFilms
-from cases.runs.traction_films import PooledFilms
-from ehl import SolverOptions
-from ehl.traction.coefficients import FourConstants
-from postprocess.plot_style import PAGE_WIDTH, RC, save
+from oilfilm.bearing import (
+    BallKinematics,
+    QuasistaticModel,
+    contact_conditions,
+    solve_quasistatic,
+    solve_traction_equilibrium,
+)
+from oilfilm.bearing.contacts.motion import bearing_kinematics, motion_map
+from oilfilm.bearing.friction.law import BallTraction, FrictionSource
+from oilfilm.bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.cases import load_case
+from oilfilm.cases.format.case import Case
+from oilfilm.cases.format.contact import NEWTONIAN, CaseFilms
+from oilfilm.cases.runs.traction_films import PooledFilms
+from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.traction.coefficients import FourConstants
+from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "theory" / "traction_equilibrium.md"

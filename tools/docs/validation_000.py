@@ -15,10 +15,10 @@ from dynamics_runs import RPM, Run, changed, run
 from printed import printed
 from validation_000_pictures import draw_axial, draw_azimuth, draw_skid
 
-from bearing.operation import BallKinematics, QuasistaticModel
-from bearing.quasistatic.solver import solve_quasistatic
-from bearing.studies.slip import SlipStudy, minimum_axial_load_skf, minimum_preload
-from cases import load_case
+from oilfilm.bearing.operation import BallKinematics, QuasistaticModel
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.bearing.studies.slip import SlipStudy, minimum_axial_load_skf, minimum_preload
+from oilfilm.cases import load_case
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_000.md"

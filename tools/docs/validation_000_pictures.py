@@ -10,7 +10,7 @@ import numpy as np
 from dynamics_runs import Run, over_azimuth
 from matplotlib.figure import Figure
 
-from postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
+from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 

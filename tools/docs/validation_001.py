@@ -15,7 +15,7 @@ from dynamics_runs import RPM, Run, changed, run
 from printed import printed
 from validation_001_pictures import draw_forces, draw_loads, draw_orbits, draw_run_ups, draw_sliding
 
-from cases import Case, load_case
+from oilfilm.cases import Case, load_case
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_001.md"
@@ -353,8 +353,8 @@ def of_shapes(runs: dict[str, Run], ups: dict[str, Run]) -> list[str]:
 
 def stiffnesses() -> dict[str, float]:
     """K of both races as printed, corrected, and of Hertz [N/m^1.5]."""
-    from bearing.dynamics.simulation import simulation
-    from cases.runs.dynamics import build_model
+    from oilfilm.bearing.dynamics.simulation import simulation
+    from oilfilm.cases.runs.dynamics import build_model
 
     result = {}
     for key, name in (("printed", "planar as printed"), ("planar", "planar"), ("hertz", "hertz")):

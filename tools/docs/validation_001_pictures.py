@@ -11,7 +11,7 @@ import numpy as np
 from dynamics_runs import Run
 from matplotlib.figure import Figure
 
-from postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
+from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 COLOURS = (INNER_COLOUR, OUTER_COLOUR, "#3a7d44", "#7a3e9d")

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from printed import printed
 
-from bearing import Bearing, Race, contact_conditions, reduced_modulus, reduced_radii, solve_quasistatic
-from cases import load_case
-from ehl.closed_form.hertz import hertz_contact
+from oilfilm.bearing import Bearing, Race, contact_conditions, reduced_modulus, reduced_radii, solve_quasistatic
+from oilfilm.cases import load_case
+from oilfilm.ehl.closed_form.hertz import hertz_contact
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002.md"

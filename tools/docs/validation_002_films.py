@@ -14,12 +14,12 @@ from pathlib import Path
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
-from bearing import Race
-from cases import load_case, run_case
-from ehl import ContactSolution
-from postprocess.contact.plots import draw_map
-from postprocess.contact.view import contact_view
-from postprocess.plot_style import PAGE_WIDTH, RC, REFERENCE, common_film_range, logarithmic_ticks, save
+from oilfilm.bearing import Race
+from oilfilm.cases import load_case, run_case
+from oilfilm.ehl import ContactSolution
+from oilfilm.postprocess.contact.plots import draw_map
+from oilfilm.postprocess.contact.view import contact_view
+from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, REFERENCE, common_film_range, logarithmic_ticks, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002_films.md"

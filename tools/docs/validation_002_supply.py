@@ -29,12 +29,20 @@ from validation_002_torque import (
     supplied,
 )
 
-from bearing.films.decay import film_decay
-from bearing.films.operating import OilAtInlets, supplied_films
-from bearing.supply.supply import AMPLE, InletFilm, Supply, cavity_volume, groove_area, oil_fraction, retained_time
-from cases.format.case import case_of_document
-from cases.runs.bearing import run_case
-from postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
+from oilfilm.bearing.films.decay import film_decay
+from oilfilm.bearing.films.operating import OilAtInlets, supplied_films
+from oilfilm.bearing.supply.supply import (
+    AMPLE,
+    InletFilm,
+    Supply,
+    cavity_volume,
+    groove_area,
+    oil_fraction,
+    retained_time,
+)
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.cases.runs.bearing import run_case
+from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002_supply.md"

@@ -12,10 +12,10 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from cases.format.case import case_of_document, load_case
-from cases.runs.vibration import NotSolvedError, run_vibration
-from postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, save
-from postprocess.vibration.summary import vibration_summary
+from oilfilm.cases.format.case import case_of_document, load_case
+from oilfilm.cases.runs.vibration import NotSolvedError, run_vibration
+from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, save
+from oilfilm.postprocess.vibration.summary import vibration_summary
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002_vibration.md"

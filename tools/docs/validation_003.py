@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 from printed import printed
 
-from bearing import QuasistaticSolution, solve_quasistatic
-from bearing.studies.slip import SlipStudy, critical_loads, minimum_preload, slip_factors, slip_surface
-from cases import load_case
+from oilfilm.bearing import QuasistaticSolution, solve_quasistatic
+from oilfilm.bearing.studies.slip import SlipStudy, critical_loads, minimum_preload, slip_factors, slip_surface
+from oilfilm.cases import load_case
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_003.md"
@@ -238,7 +238,7 @@ def draw() -> None:
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
-    from postprocess.plot_style import PAGE_WIDTH, RC, save
+    from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
     loads, moments_ = np.linspace(200.0, 600.0, 17), np.linspace(0.0, 0.4, 17)
     with mpl.rc_context(RC):

@@ -12,13 +12,13 @@ from pathlib import Path
 
 from printed import printed
 
-from bearing import BallKinematics, contact_conditions, solve_quasistatic, solve_traction_equilibrium
-from bearing.friction.coulomb import balanced_friction
-from bearing.friction.law import BallTraction
-from bearing.friction.laws import CoulombTraction
-from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.paper_models import sliding_contacts
-from cases import Case, load_case
+from oilfilm.bearing import BallKinematics, contact_conditions, solve_quasistatic, solve_traction_equilibrium
+from oilfilm.bearing.friction.coulomb import balanced_friction
+from oilfilm.bearing.friction.law import BallTraction
+from oilfilm.bearing.friction.laws import CoulombTraction
+from oilfilm.bearing.torque.breakdown import torque_breakdown
+from oilfilm.bearing.torque.paper_models import sliding_contacts
+from oilfilm.cases import Case, load_case
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_004.md"

@@ -76,7 +76,12 @@ def main() -> None:
     parser.add_argument("--runs", type=int, default=400, help="valid files to run")
     parser.add_argument("--apart", action="store_true", help="validate in a process of its own")
     arguments = parser.parse_args()
-    for name in ("cases.cli.main", "cases.batch.sweep", "cases.runs.bearing", "cases.runs.contact"):
+    for name in (
+        "oilfilm.cases.cli.main",
+        "oilfilm.cases.batch.sweep",
+        "oilfilm.cases.runs.bearing",
+        "oilfilm.cases.runs.contact",
+    ):
         import_module(name)  # before processes are made
     signal.signal(signal.SIGALRM, too_late)
     home = Path(tempfile.mkdtemp(prefix="case-files-"))

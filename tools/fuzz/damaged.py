@@ -72,7 +72,7 @@ def run(words: list[str], writer: int) -> int:
 
 def answer(words: list[str]) -> tuple[int, str]:
     """Exit code and messages of a command in this process."""
-    from cases.cli.terminal import app, exit_code
+    from oilfilm.cases.cli.terminal import app, exit_code
 
     errors = io.StringIO()
     with redirect_stderr(errors), redirect_stdout(io.StringIO()):
@@ -166,7 +166,7 @@ def main() -> None:
     parser.add_argument("--home", type=Path, help="folder of an earlier call with its results")
     arguments = parser.parse_args()
     rng = random.Random(arguments.seed)
-    for name in ("cases.cli.main", "matplotlib.figure", "postprocess.scene.export", "xarray"):
+    for name in ("oilfilm.cases.cli.main", "matplotlib.figure", "oilfilm.postprocess.scene.export", "xarray"):
         import_module(name)  # before processes are made
     home = arguments.home or Path(tempfile.mkdtemp(prefix="damaged-"))
     if not (home / "batch").exists():

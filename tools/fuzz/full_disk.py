@@ -48,7 +48,7 @@ SHORT = {
 
 def shortened(case: str, changes: dict[str, str]) -> str:
     """A shipped case with some values replaced."""
-    import cases.format.shipped as shipped
+    import oilfilm.cases.format.shipped as shipped
 
     text = shipped.find_case(case).read_text(encoding="utf-8")
     for key, value in changes.items():

@@ -98,7 +98,7 @@ def oilfilm(words: str) -> list[str]:
     command, *rest = words.split()
     if command == PAGE:
         return [sys.executable, str(ROOT / PAGE), *rest]
-    return [sys.executable, "-m", "cases.cli", command, *rest]
+    return [sys.executable, "-m", "oilfilm.cases.cli", command, *rest]
 
 
 def environment(temporary: Path) -> dict[str, str]:

@@ -64,7 +64,7 @@ def oilfilm(words: str, folder: Path, room: int | None = None) -> subprocess.Pop
         resource.setrlimit(resource.RLIMIT_FSIZE, (room, resource.RLIM_INFINITY))
 
     return subprocess.Popen(
-        [sys.executable, "-m", "cases.cli", *words.split()],
+        [sys.executable, "-m", "oilfilm.cases.cli", *words.split()],
         cwd=folder,
         env=os.environ | {"PYTHONPATH": f"{ROOT}:{os.environ.get('PYTHONPATH', '')}"},
         stdout=subprocess.DEVNULL,

@@ -14,12 +14,12 @@ from pathlib import Path
 
 from solves import MODULUS, SOLVES, rounded
 
-from ehl import DensityLaw, InletLayer, Lubricant, SolverOptions, ViscosityLaw
-from ehl.multigrid.newton import LinearSolverError
-from ehl.multigrid.supply.oil_supply import inlet_ratio, starved_film_guess
-from ehl.scaling import scale_contact
-from ehl.solver import solve_attempts
-from ehl.traction.linear_response import linear_contact
+from oilfilm.ehl import DensityLaw, InletLayer, Lubricant, SolverOptions, ViscosityLaw
+from oilfilm.ehl.multigrid.newton import LinearSolverError
+from oilfilm.ehl.multigrid.supply.oil_supply import inlet_ratio, starved_film_guess
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solver import solve_attempts
+from oilfilm.ehl.traction.linear_response import linear_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

@@ -18,11 +18,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ehl import InletLayer, SolverOptions, solve_contact
-from ehl.closed_form.film import film_nijenbanning_central
-from ehl.multigrid.starved import cores
-from ehl.oil.lubricant import density
-from ehl.scaling import scale_contact
+from oilfilm.ehl import InletLayer, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.film import film_nijenbanning_central
+from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.ehl.oil.lubricant import density
+from oilfilm.ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

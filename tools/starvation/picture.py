@@ -11,9 +11,9 @@ from damping import DAMPING
 from matplotlib.figure import Figure
 from solves import SOLVES
 
-from ehl.closed_form.hertz import hertz_deflection
-from ehl.closed_form.starvation import rolling_moment_factor_biboulet_houpert, starvation_factors
-from ehl.scaling import scale_contact
+from oilfilm.ehl.closed_form.hertz import hertz_deflection
+from oilfilm.ehl.closed_form.starvation import rolling_moment_factor_biboulet_houpert, starvation_factors
+from oilfilm.ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

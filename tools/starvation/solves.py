@@ -16,12 +16,12 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import qmc
 
-from ehl import DensityLaw, InletLayer, Lubricant, SolverOptions, ViscosityLaw
-from ehl.multigrid.full_multigrid import choose_domain
-from ehl.multigrid.supply.oil_supply import inlet_ratio, oil_supply, pressure_moment, starved_film_guess
-from ehl.scaling import scale_contact
-from ehl.solver import solve_attempts
-from ehl.traction.rolling_moment import scaled_as_solved
+from oilfilm.ehl import DensityLaw, InletLayer, Lubricant, SolverOptions, ViscosityLaw
+from oilfilm.ehl.multigrid.full_multigrid import choose_domain
+from oilfilm.ehl.multigrid.supply.oil_supply import inlet_ratio, oil_supply, pressure_moment, starved_film_guess
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solver import solve_attempts
+from oilfilm.ehl.traction.rolling_moment import scaled_as_solved
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 

@@ -6,9 +6,9 @@ from math import log, nan
 
 import numpy as np
 
-from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.closed_form.film import moes_film_nijenbanning
-from ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl import ContactSolution, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.film import moes_film_nijenbanning
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 
 from .contacts import OIL, WATER_LIKE, MoesConditions, moes
 from .page import Check, Picture, Section, Table, columns, each, percent, text

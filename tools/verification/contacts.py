@@ -3,8 +3,8 @@
 from dataclasses import dataclass, replace
 from math import pi
 
-from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, ViscosityLaw
-from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
+from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, ViscosityLaw
+from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 
 Box = tuple[float, float, float]
 Conditions = ContactConditions | MoesConditions

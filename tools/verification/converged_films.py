@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from ehl import SolverOptions
-from ehl.multigrid.cycle import cycle
-from ehl.multigrid.full_multigrid import (
+from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.multigrid.cycle import cycle
+from oilfilm.ehl.multigrid.full_multigrid import (
     ATTEMPTS,
     AttemptResult,
     Progress,
@@ -12,8 +12,8 @@ from ehl.multigrid.full_multigrid import (
     contact_multigrid,
     full_multigrid,
 )
-from ehl.multigrid.history import film_values
-from ehl.scaling import scale_contact
+from oilfilm.ehl.multigrid.history import film_values
+from oilfilm.ehl.scaling import scale_contact
 
 from .contacts import Box, Conditions
 

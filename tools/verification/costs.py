@@ -8,10 +8,10 @@ from functools import partial
 
 import numpy as np
 
-from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.grid import Grid
-from ehl.solid.deformation import deflect, deflection_kernel
-from postprocess.bearing.results import BearingResults
+from oilfilm.ehl import ContactSolution, SolverOptions, solve_contact
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.solid.deformation import deflect, deflection_kernel
+from oilfilm.postprocess.bearing.results import BearingResults
 
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 from .page import Check, Picture, Section, Table, columns, text

@@ -5,8 +5,8 @@ from math import degrees, exp, log, pi
 
 import numpy as np
 
-from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions
-from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
+from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions
+from oilfilm.ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
 from .contacts import from_groups
 

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from datetime import date
 from math import isfinite
 
-from ehl import ContactSolution, FilmValue, SolverOptions, solve_contact
-from ehl.finite_element.solver import solve_contact_finite_element
-from ehl.units import value_with_error
+from oilfilm.ehl import ContactSolution, FilmValue, SolverOptions, solve_contact
+from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
+from oilfilm.ehl.units import value_with_error
 
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, CIRCULAR_BOX, OIL, Named, from_groups, moes, race_6208
 from .draws import Draw, draws

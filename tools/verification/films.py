@@ -2,9 +2,9 @@
 
 from math import degrees
 
-from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.scaling import scale_contact
-from ehl.units import value_with_error
+from oilfilm.ehl import ContactSolution, SolverOptions, solve_contact
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.units import value_with_error
 
 from .contacts import NAMED, Named
 from .page import Check, Section, Table, each, text

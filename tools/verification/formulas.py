@@ -6,8 +6,8 @@ from itertools import product
 
 import numpy as np
 
-from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
-from ehl.closed_form.film import (
+from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.film import (
     film_chittenden_central,
     film_hamrock_dowson_central,
     film_hamrock_dowson_minimum,

@@ -6,10 +6,10 @@ from math import pi, sqrt
 
 import numpy as np
 
-from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
-from ehl.conditions import moes_groups
-from ehl.multigrid.history import CENTRAL
-from ehl.units import MICROMETRE
+from oilfilm.ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
+from oilfilm.ehl.conditions import moes_groups
+from oilfilm.ehl.multigrid.history import CENTRAL
+from oilfilm.ehl.units import MICROMETRE
 
 from .contacts import CIRCULAR_20_10, CIRCULAR_BOX, MINERAL_OIL, OIL, Box, Conditions, from_groups, moes, race_6208
 from .converged_films import solve_in_box

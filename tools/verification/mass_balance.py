@@ -5,14 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl import ContactConditions, SolverOptions
-from ehl.generalized.flow import GeneralizedFlow
-from ehl.multigrid import cycle
-from ehl.multigrid.full_multigrid import ATTEMPTS, guarded_cycle
-from ehl.multigrid.history import central_film
-from ehl.multigrid.levels import Level, Multigrid
-from ehl.oil.rheology import Rheology
-from ehl.solver import solve_attempts
+from oilfilm.ehl import ContactConditions, SolverOptions
+from oilfilm.ehl.generalized.flow import GeneralizedFlow
+from oilfilm.ehl.multigrid import cycle
+from oilfilm.ehl.multigrid.full_multigrid import ATTEMPTS, guarded_cycle
+from oilfilm.ehl.multigrid.history import central_film
+from oilfilm.ehl.multigrid.levels import Level, Multigrid
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solver import solve_attempts
 
 Array = NDArray[np.float64]
 

@@ -5,12 +5,12 @@ from math import log2, pi
 
 import numpy as np
 
-from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
-from ehl.grid import Grid
-from ehl.multigrid import _reynolds_kernels
-from ehl.multigrid.far_field import far_field
-from ehl.scaling import scale_contact
-from ehl.solid.deformation import deflect, deflection_kernel
+from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.multigrid import _reynolds_kernels
+from oilfilm.ehl.multigrid.far_field import far_field
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solid.deformation import deflect, deflection_kernel
 
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, INNER_500N, SPINNING, WATER_LIKE, Named, from_groups, moes
 from .converged_films import ConvergedFilms, fully_converged_films

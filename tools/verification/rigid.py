@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse.linalg import spsolve
 
-from ehl import SolverOptions, solve_contact
-from ehl.scaling import scale_contact
+from oilfilm.ehl import SolverOptions, solve_contact
+from oilfilm.ehl.scaling import scale_contact
 
 from .asymptotes import asymptotes, film_unit
 from .contacts import WATER_LIKE, Conditions, moes

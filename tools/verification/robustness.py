@@ -9,9 +9,9 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.multigrid.starved import cores, film_threads
-from ehl.scaling import scale_contact
+from oilfilm.ehl import ContactSolution, SolverOptions, solve_contact
+from oilfilm.ehl.multigrid.starved import cores, film_threads
+from oilfilm.ehl.scaling import scale_contact
 
 from .draws import Draw, draws
 from .page import ForeignFileError, Progress

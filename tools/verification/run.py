@@ -23,12 +23,21 @@ from rich.table import Table
 if not __package__:  # run as a script: `verification` is a package of the folder `tools`
     sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-from cases import run_case
-from cases.cli.output import held_directory, load_bearing, tell_cost
-from cases.cli.terminal import INTERRUPTED, NOT_CONVERGED, Json, Quiet, guarded, print_json, print_table, progress_bar
-from cases.format.rules import CaseError
-from cases.runs.interrupt import end_now, end_unless_obeyed, finish_first, interrupt, say
-from postprocess.bearing.results import BearingResults
+from oilfilm.cases import run_case
+from oilfilm.cases.cli.output import held_directory, load_bearing, tell_cost
+from oilfilm.cases.cli.terminal import (
+    INTERRUPTED,
+    NOT_CONVERGED,
+    Json,
+    Quiet,
+    guarded,
+    print_json,
+    print_table,
+    progress_bar,
+)
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs.interrupt import end_now, end_unless_obeyed, finish_first, interrupt, say
+from oilfilm.postprocess.bearing.results import BearingResults
 from verification import robustness as random_contacts
 from verification import sections as page_sections
 from verification.costs import BEARING

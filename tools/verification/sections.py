@@ -5,9 +5,9 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from postprocess.bearing.results import BearingResults
-from postprocess.files import write_text
-from postprocess.plot_style import write_figure
+from oilfilm.postprocess.bearing.results import BearingResults
+from oilfilm.postprocess.files import write_text
+from oilfilm.postprocess.plot_style import write_figure
 
 from .asymptotes import moes_diagram
 from .costs import costs

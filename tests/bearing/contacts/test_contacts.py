@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import (
+from oilfilm.bearing import (
     BallKinematics,
     Operation,
     QuasistaticModel,
@@ -18,7 +18,7 @@ from bearing import (
     kinematic_frequencies,
     solve_quasistatic,
 )
-from ehl import Lubricant
+from oilfilm.ehl import Lubricant
 
 from ...reference.rolling import rolling_and_spin
 

@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearing import Operation, Race, contact_conditions, solve_quasistatic
-from bearing.contacts import finite_bodies as module
-from bearing.contacts.finite_bodies import finite_bodies, ring_profile, with_finite_bodies
-from ehl import Lubricant
-from ehl.closed_form.hertz import hertz_contact
-from ehl.solid.bodies.ring import StressDifference
-from ehl.solid.bodies.surface_difference import SurfaceDifference
+from oilfilm.bearing import Operation, Race, contact_conditions, solve_quasistatic
+from oilfilm.bearing.contacts import finite_bodies as module
+from oilfilm.bearing.contacts.finite_bodies import finite_bodies, ring_profile, with_finite_bodies
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.solid.bodies.ring import StressDifference
+from oilfilm.ehl.solid.bodies.surface_difference import SurfaceDifference
 
 OIL = Lubricant(viscosity=0.03, pressure_viscosity=18e-9)
 SIZES = {"bore": 40e-3, "outside_diameter": 80e-3, "width": 18e-3}

@@ -6,12 +6,12 @@ from math import log, pi, sqrt
 import numpy as np
 import pytest
 
-from bearing.contacts.contacts import hertz_contacts
-from bearing.films.formula import flooded_moment, formula_central
-from bearing.library.lubricants import library_lubricant
-from ehl import SolverOptions, ViscosityLaw, solve_contact
-from ehl.conditions import ContactConditions
-from ehl.traction.rolling_moment import kapitza_moment, rolling_moment
+from oilfilm.bearing.contacts.contacts import hertz_contacts
+from oilfilm.bearing.films.formula import flooded_moment, formula_central
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.ehl import SolverOptions, ViscosityLaw, solve_contact
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.traction.rolling_moment import kapitza_moment, rolling_moment
 
 
 def contact(load, speed=3.0, ratio=0.06, layer=1e-4):

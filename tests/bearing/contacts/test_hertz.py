@@ -7,8 +7,8 @@ from dataclasses import astuple
 import numpy as np
 from numpy.testing import assert_allclose
 
-from bearing.contacts.contacts import ellipse_ratios, hertz_contacts
-from ehl.closed_form.hertz import ellipse_ratio, hertz_contact
+from oilfilm.bearing.contacts.contacts import ellipse_ratios, hertz_contacts
+from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_contact
 
 
 def test_ratios_of_the_semi_axes_are_those_found_one_by_one():

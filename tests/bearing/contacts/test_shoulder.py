@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearing import Operation, Race, contact_conditions, contact_stress, solve_quasistatic
-from bearing.contacts.contact import groove_radius
-from bearing.contacts.stress import cut_approach, shoulder_angle, truncation
-from bearing.geometry import shoulder_diameter
-from ehl import Lubricant
-from ehl.closed_form.hertz import hertz_contact
+from oilfilm.bearing import Operation, Race, contact_conditions, contact_stress, solve_quasistatic
+from oilfilm.bearing.contacts.contact import groove_radius
+from oilfilm.bearing.contacts.stress import cut_approach, shoulder_angle, truncation
+from oilfilm.bearing.geometry import shoulder_diameter
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.closed_form.hertz import hertz_contact
 
 from ..quasistatic.test_random_bearings import random_bearing
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearing import Operation, contact_conditions, contact_stress, solve_quasistatic
-from bearing.contacts.stress import largest_sliding
-from ehl import Lubricant
-from ehl.closed_form.hertz import hertz_contact
-from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_shear
+from oilfilm.bearing import Operation, contact_conditions, contact_stress, solve_quasistatic
+from oilfilm.bearing.contacts.stress import largest_sliding
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_shear
 
 OIL = Lubricant(viscosity=0.03, pressure_viscosity=18e-9)
 

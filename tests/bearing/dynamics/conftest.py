@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from bearing import Bearing, Material, Operation, contact_angle_to_clearance
+from oilfilm.bearing import Bearing, Material, Operation, contact_angle_to_clearance
 
 RPM = pi / 30.0  # [rad/s]
 STEEL = Material(name="test steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
@@ -54,9 +54,9 @@ def bearing_6304():
 
 def model(bearing, friction=None, cage=True, normal=None, schedule=None, **options):
     """A model with a light cage; options of `DynamicsOptions` and, by name, of the cage and ring."""
-    from bearing.dynamics.bodies import cage_body, ring_body
-    from bearing.dynamics.friction import RaceFriction
-    from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions, NormalContact
+    from oilfilm.bearing.dynamics.bodies import cage_body, ring_body
+    from oilfilm.bearing.dynamics.friction import RaceFriction
+    from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions, NormalContact
 
     cage_options, ring_options = options.pop("cage_options", {}), options.pop("ring_options", {})
     rest = {key: options.pop(key) for key in ("film_viscosity", "friction_ramp") if key in options}
@@ -79,7 +79,7 @@ def operation(rpm, axial=0.0, radial=0.0, **fields):
 
 def run(simulation):
     """All records of a simulation as one."""
-    from bearing.dynamics.record import join
+    from oilfilm.bearing.dynamics.record import join
 
     record = None
     for piece in simulation.pieces():

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.dynamics.bodies import require_web
-from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import LoadType, Start
-from bearing.dynamics.simulation import from_state, simulation
-from bearing.dynamics.statistics import RunningStatistics, _cage_orbit, simulation_statistics
-from bearing.friction.laws import CoefficientTraction
-from ehl.traction.coefficients import FourConstants
+from oilfilm.bearing.dynamics.bodies import require_web
+from oilfilm.bearing.dynamics.friction import race_friction
+from oilfilm.bearing.dynamics.inputs import LoadType, Start
+from oilfilm.bearing.dynamics.simulation import from_state, simulation
+from oilfilm.bearing.dynamics.statistics import RunningStatistics, _cage_orbit, simulation_statistics
+from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.ehl.traction.coefficients import FourConstants
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearing.dynamics.arrays import CAGE_LOAD
-from bearing.dynamics.inputs import Guidance, LoadType
-from bearing.dynamics.reduction import derivative
-from bearing.dynamics.simulation import simulation
+from oilfilm.bearing.dynamics.arrays import CAGE_LOAD
+from oilfilm.bearing.dynamics.inputs import Guidance, LoadType
+from oilfilm.bearing.dynamics.reduction import derivative
+from oilfilm.bearing.dynamics.simulation import simulation
 
 
 def displaced(setup, guidance, by):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.dynamics import _integration_kernels as method
+from oilfilm.bearing.dynamics import _integration_kernels as method
 
 STAGES = 7
 A = np.zeros((STAGES, STAGES))

@@ -8,23 +8,23 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Race
-from bearing.dynamics import _race_kernels as film_kernels
-from bearing.dynamics.friction import RaceFriction, check_film
-from bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
-from bearing.dynamics.integrators import advance_implicit
-from bearing.dynamics.reduction import derivative
-from bearing.dynamics.simulation import simulation
-from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
-from bearing.geometry import contact_modulus, reduced_radii
-from ehl import Lubricant, SolverOptions, solve_contact
-from ehl.closed_form.hertz import contact_stiffness
-from ehl.conditions import ContactConditions
-from ehl.oil.rheology import Rheology
-from ehl.traction import normal_response
-from ehl.traction._kernels import LOAD_POWER
-from ehl.traction_table.splines import spline_coefficients
-from ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable
+from oilfilm.bearing import Race
+from oilfilm.bearing.dynamics import _race_kernels as film_kernels
+from oilfilm.bearing.dynamics.friction import RaceFriction, check_film
+from oilfilm.bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
+from oilfilm.bearing.dynamics.integrators import advance_implicit
+from oilfilm.bearing.dynamics.reduction import derivative
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
+from oilfilm.bearing.geometry import contact_modulus, reduced_radii
+from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.hertz import contact_stiffness
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.traction import normal_response
+from oilfilm.ehl.traction._kernels import LOAD_POWER
+from oilfilm.ehl.traction_table.splines import spline_coefficients
+from oilfilm.ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable
 
 from ...reference.dynamics import accelerations, elastic_approach, film
 

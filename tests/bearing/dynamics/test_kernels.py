@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Race
-from bearing.dynamics import _motion_kernels
-from bearing.dynamics._integration_kernels import duration, jacobian
-from bearing.dynamics._state_kernels import ring_angle
-from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Guidance, LoadType, Schedule
-from bearing.dynamics.reduction import derivative, solved_motion
-from bearing.dynamics.simulation import simulation
-from bearing.friction.laws import CoefficientTraction, LawTraction
-from ehl.traction._kernels import hertz_friction
-from ehl.traction.coefficients import FourConstants, RampedCoulomb
-from ehl.traction.shear import ellipse_rings
+from oilfilm.bearing import Race
+from oilfilm.bearing.dynamics import _motion_kernels
+from oilfilm.bearing.dynamics._integration_kernels import duration, jacobian
+from oilfilm.bearing.dynamics._state_kernels import ring_angle
+from oilfilm.bearing.dynamics.friction import race_friction
+from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, Schedule
+from oilfilm.bearing.dynamics.reduction import derivative, solved_motion
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.friction.laws import CoefficientTraction, LawTraction
+from oilfilm.ehl.traction._kernels import hertz_friction
+from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.shear import ellipse_rings
 
 from ...reference.dynamics import accelerations
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Operation, Race
-from bearing.dynamics import _cage_kernels, _race_kernels
-from bearing.dynamics._cage_kernels import film_by_matrix, film_matrix, film_matrix_is_valid, pocket_film
-from bearing.dynamics.arrays import Constants
-from bearing.dynamics.assembly import (
+from oilfilm.bearing import Operation, Race
+from oilfilm.bearing.dynamics import _cage_kernels, _race_kernels
+from oilfilm.bearing.dynamics._cage_kernels import film_by_matrix, film_matrix, film_matrix_is_valid, pocket_film
+from oilfilm.bearing.dynamics.arrays import Constants
+from oilfilm.bearing.dynamics.assembly import (
     constants,
     damping_factor,
     drag_of_force,
@@ -20,7 +20,7 @@ from bearing.dynamics.assembly import (
     planar_stiffness,
     vibration_frequency,
 )
-from bearing.dynamics.inputs import NormalContact, NormalLaw, Schedule
+from oilfilm.bearing.dynamics.inputs import NormalContact, NormalLaw, Schedule
 
 from ...reference.dynamics import normal_force
 from ...reference.impact import restitution_returned

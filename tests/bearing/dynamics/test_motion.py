@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.dynamics._integration_kernels import TOO_SMALL
-from bearing.dynamics.assembly import damping_factor
-from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
-from bearing.dynamics.integrators import advance_implicit
-from bearing.dynamics.record import empty_record
-from bearing.dynamics.simulation import from_state, simulation
-from bearing.friction.laws import CoefficientTraction
-from ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.bearing.dynamics._integration_kernels import TOO_SMALL
+from oilfilm.bearing.dynamics.assembly import damping_factor
+from oilfilm.bearing.dynamics.friction import race_friction
+from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
+from oilfilm.bearing.dynamics.integrators import advance_implicit
+from oilfilm.bearing.dynamics.record import empty_record
+from oilfilm.bearing.dynamics.simulation import from_state, simulation
+from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
 
 from ...reference.impact import restitution_returned
 
@@ -201,8 +201,8 @@ def test_a_stiff_problem_goes_to_lsoda(setup):
 
 def test_explicit_steps_return_when_a_stiff_start_is_over(setup, monkeypatch):
     """From rest the four-constant law turns within no sliding speed at all; at speed it does not: as with LSODA on."""
-    monkeypatch.setattr("bearing.dynamics.simulation.PIECE", 128)
-    monkeypatch.setattr("bearing.dynamics.simulation.STRETCH", 128)
+    monkeypatch.setattr("oilfilm.bearing.dynamics.simulation.PIECE", 128)
+    monkeypatch.setattr("oilfilm.bearing.dynamics.simulation.STRETCH", 128)
     bearing, axial = setup.bearing_7008(3), 60.0
     friction = race_friction(
         CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2, at_centre=True
@@ -259,7 +259,7 @@ def test_lsoda_goes_on_where_a_trial_of_explicit_steps_fails(setup, monkeypatch,
     bearing, ends = setup.bearing_7008(3), []
     friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2)
     model = setup.model(bearing, friction, cage=False, end_time=1e-4, sample_interval=2e-5)
-    monkeypatch.setattr("bearing.dynamics.simulation.advance_explicit", fail)
+    monkeypatch.setattr("oilfilm.bearing.dynamics.simulation.advance_explicit", fail)
     for trial in (True, False):
         sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
         sim.state.stiff = True
@@ -278,7 +278,7 @@ def test_the_film_of_a_land_is_named_where_steps_do_not_lead_on(setup, monkeypat
     def fail(state, motion, times, control, scale):
         return TOO_SMALL, empty_record(times[:0], 3)
 
-    monkeypatch.setattr("bearing.dynamics.simulation.advance_explicit", fail)
+    monkeypatch.setattr("oilfilm.bearing.dynamics.simulation.advance_explicit", fail)
     land = {"land_diameter": 50e-3, "land_width": 4e-3, "land_clearance": 0.1e-3} if named else {}
     model = setup.model(setup.bearing_7008(3), film_viscosity=0.3, cage_options={"guidance": guidance} | land)
     sim = simulation(setup.bearing_7008(3), setup.operation(5000.0, 60.0), model)

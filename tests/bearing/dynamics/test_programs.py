@@ -10,17 +10,17 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.interpolate import PchipInterpolator
 
-from bearing import Operation
-from bearing.dynamics import _motion_kernels
-from bearing.dynamics.arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
-from bearing.dynamics.bodies import load_type, symmetric_until
-from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Guidance, LoadType, Schedule, Start, prescribed_values
-from bearing.dynamics.reduction import derivative
-from bearing.dynamics.simulation import simulation
-from bearing.friction.laws import CoefficientTraction
-from bearing.quasistatic.solver import solve_quasistatic
-from ehl.traction.coefficients import FourConstants
+from oilfilm.bearing import Operation
+from oilfilm.bearing.dynamics import _motion_kernels
+from oilfilm.bearing.dynamics.arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
+from oilfilm.bearing.dynamics.bodies import load_type, symmetric_until
+from oilfilm.bearing.dynamics.friction import race_friction
+from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, Schedule, Start, prescribed_values
+from oilfilm.bearing.dynamics.reduction import derivative
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.ehl.traction.coefficients import FourConstants
 
 RPM = np.pi / 30.0
 FREE = (None, None, None)

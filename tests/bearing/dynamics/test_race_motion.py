@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Race, solve_quasistatic
-from bearing.contacts.contacts import contact_conditions
-from bearing.contacts.motion import ball_speeds, motion_map
-from bearing.dynamics._race_kernels import race_motion, straight_motion
-from bearing.dynamics.arrays import Body
-from bearing.dynamics.assembly import constants
-from ehl import Lubricant
+from oilfilm.bearing import Race, solve_quasistatic
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.contacts.motion import ball_speeds, motion_map
+from oilfilm.bearing.dynamics._race_kernels import race_motion, straight_motion
+from oilfilm.bearing.dynamics.arrays import Body
+from oilfilm.bearing.dynamics.assembly import constants
+from oilfilm.ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 DRAWS = 5

@@ -9,18 +9,18 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Operation, solve_quasistatic
-from bearing.dynamics.arrays import Constants, changed_data
-from bearing.dynamics.bodies import load_type
-from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import LoadType, RotatingLoad, Schedule
-from bearing.dynamics.reduction import derivative
-from bearing.dynamics.simulation import simulation
-from bearing.friction.laws import CoefficientTraction
-from bearing.quasistatic.symmetric import solve_symmetric, unknowns
-from ehl.traction._kernels import hertz_friction, straight_friction
-from ehl.traction.coefficients import FourConstants, RampedCoulomb
-from ehl.traction.shear import STRAIGHT_NODES, ellipse_lines, unit_gauss
+from oilfilm.bearing import Operation, solve_quasistatic
+from oilfilm.bearing.dynamics.arrays import Constants, changed_data
+from oilfilm.bearing.dynamics.bodies import load_type
+from oilfilm.bearing.dynamics.friction import race_friction
+from oilfilm.bearing.dynamics.inputs import LoadType, RotatingLoad, Schedule
+from oilfilm.bearing.dynamics.reduction import derivative
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.bearing.quasistatic.symmetric import solve_symmetric, unknowns
+from oilfilm.ehl.traction._kernels import hertz_friction, straight_friction
+from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.shear import STRAIGHT_NODES, ellipse_lines, unit_gauss
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)
 END = 4e-3  # [s]

@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.stats import t
 
-from bearing.dynamics.arrays import CONTACT, Layout
-from bearing.dynamics.statistics import (
+from oilfilm.bearing.dynamics.arrays import CONTACT, Layout
+from oilfilm.bearing.dynamics.statistics import (
     BATCHES,
     INPUTS,
     MECHANISMS,

@@ -9,15 +9,15 @@ import pytest
 from numpy.testing import assert_allclose
 from printed import printed
 
-from bearing import BallKinematics, Operation, QuasistaticModel, solve_quasistatic
-from bearing.dynamics.bodies import equation_counts, load_type
-from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import LoadType, NormalContact, Schedule
-from bearing.dynamics.simulation import simulation
-from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
-from bearing.friction.laws import CoefficientTraction
-from bearing.rating.frequencies import kinematic_cage_speed
-from ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.bearing import BallKinematics, Operation, QuasistaticModel, solve_quasistatic
+from oilfilm.bearing.dynamics.bodies import equation_counts, load_type
+from oilfilm.bearing.dynamics.friction import race_friction
+from oilfilm.bearing.dynamics.inputs import LoadType, NormalContact, Schedule
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
+from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.bearing.rating.frequencies import kinematic_cage_speed
+from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # kappa_max 0.05 at s 0.03, 0.03 at large s
 

@@ -7,12 +7,12 @@ from math import hypot
 import numpy as np
 import pytest
 
-from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.films.asperities import Asperities
-from bearing.films.film import ContactFilm, FilmOrigin, FilmThickness, first_same
-from bearing.films.operating import OilAtInlets, film_heat, operating_films, solved_films, with_formulas
-from bearing.supply.supply import InletFilm, supplied_shares
-from ehl import Lubricant, SolverOptions, solve_contact
+from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
+from oilfilm.bearing.films.asperities import Asperities
+from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, FilmThickness, first_same
+from oilfilm.bearing.films.operating import OilAtInlets, film_heat, operating_films, solved_films, with_formulas
+from oilfilm.bearing.supply.supply import InletFilm, supplied_shares
+from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 ROUGH = Asperities(inner_roughness=0.1e-6, outer_roughness=0.2e-6, boundary=0.12)

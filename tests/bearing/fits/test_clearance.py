@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearing import Operation, Race, load_material
-from bearing.fits.clearance import (
+from oilfilm.bearing import Operation, Race, load_material
+from oilfilm.bearing.fits.clearance import (
     Fit,
     TemperatureRise,
     cage_clearance,

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from bearing import Fit, Operation, Race, TemperatureRise, load_material
-from bearing.fits.clearance import clearance_budget, groove_diameters
-from bearing.fits.ring_strength import bar_volume, failure_probability, ring_strengths, strength_map
+from oilfilm.bearing import Fit, Operation, Race, TemperatureRise, load_material
+from oilfilm.bearing.fits.clearance import clearance_budget, groove_diameters
+from oilfilm.bearing.fits.ring_strength import bar_volume, failure_probability, ring_strengths, strength_map
 
 RPM = pi / 30.0
 NITRIDE, STEEL = load_material("silicon nitride"), load_material("bearing steel")

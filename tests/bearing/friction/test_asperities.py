@@ -8,10 +8,16 @@ from math import erfc, exp, inf, log, pi, sqrt
 import pytest
 from scipy.integrate import quad
 
-from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.films.asperities import Asperities, LoadSharing, Spectrum, five_halves_integral, zhou_hoeprich_share
-from ehl import Lubricant
-from ehl.conditions import moes_groups
+from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
+from oilfilm.bearing.films.asperities import (
+    Asperities,
+    LoadSharing,
+    Spectrum,
+    five_halves_integral,
+    zhou_hoeprich_share,
+)
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.conditions import moes_groups
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
 

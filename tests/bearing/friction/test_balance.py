@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
-from bearing import (
+from oilfilm.bearing import (
     BallKinematics,
     Bearing,
     Material,
@@ -19,11 +19,11 @@ from bearing import (
     contact_conditions,
     solve_quasistatic,
 )
-from bearing.contacts.motion import ball_speeds
-from bearing.friction import balance
-from bearing.friction.coulomb import Ellipses, balanced_friction, coulomb_dissipation, line_dissipation
-from bearing.torque.paper_models import rolling_lines
-from ehl import Lubricant
+from oilfilm.bearing.contacts.motion import ball_speeds
+from oilfilm.bearing.friction import balance
+from oilfilm.bearing.friction.coulomb import Ellipses, balanced_friction, coulomb_dissipation, line_dissipation
+from oilfilm.bearing.torque.paper_models import rolling_lines
+from oilfilm.ehl import Lubricant
 
 from ...reference.coulomb import coulomb_dissipation_twin as reference
 

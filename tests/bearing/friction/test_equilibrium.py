@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import (
+from oilfilm.bearing import (
     BallKinematics,
     Operation,
     QuasistaticModel,
@@ -19,15 +19,15 @@ from bearing import (
     solve_quasistatic,
     solve_traction_equilibrium,
 )
-from bearing.contacts.contact import contact_shape
-from bearing.contacts.motion import bearing_kinematics, motion_map
-from bearing.friction.balance import balance_driven_balls, curvature_slip
-from bearing.friction.law import BallTraction
-from bearing.friction.laws import CoefficientTraction, CoulombTraction, LawTraction
-from bearing.friction.resistance import Cage, Resistance, resistance_of
-from ehl import Lubricant
-from ehl.traction.coefficients import FourConstants, RampedCoulomb
-from ehl.traction.shear import EllipseLaw
+from oilfilm.bearing.contacts.contact import contact_shape
+from oilfilm.bearing.contacts.motion import bearing_kinematics, motion_map
+from oilfilm.bearing.friction.balance import balance_driven_balls, curvature_slip
+from oilfilm.bearing.friction.law import BallTraction
+from oilfilm.bearing.friction.laws import CoefficientTraction, CoulombTraction, LawTraction
+from oilfilm.bearing.friction.resistance import Cage, Resistance, resistance_of
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.shear import EllipseLaw
 
 from ..quasistatic.test_random_bearings import random_bearing, random_operation
 

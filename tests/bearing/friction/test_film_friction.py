@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.friction._kernels import PROPORTIONAL, film_frictions, thin_sums
-from bearing.friction.films import MIN_SLIDING
-from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology, limiting_stress
+from oilfilm.bearing.friction._kernels import PROPORTIONAL, film_frictions, thin_sums
+from oilfilm.bearing.friction.films import MIN_SLIDING
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology, limiting_stress
 
 from ...reference.film_friction import film_friction_twin
 

@@ -8,14 +8,14 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from bearing.contacts.contacts import hertz_contacts
-from bearing.films.formula import formula_values
-from bearing.library.lubricants import library_lubricant
-from cases import load_case, run_case
-from cases.format.case import case_of_document
-from ehl import ViscosityLaw
-from ehl.conditions import ContactConditions
-from postprocess import summary
+from oilfilm.bearing.contacts.contacts import hertz_contacts
+from oilfilm.bearing.films.formula import formula_values
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.cases import load_case, run_case
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.ehl import ViscosityLaw
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.postprocess import summary
 
 
 def contact(load, speed=8.0, temperature=333.15):

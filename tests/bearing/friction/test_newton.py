@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from bearing.friction._kernels import damped_steps
-from bearing.friction.law import ContactFriction, Dissipation
-from bearing.friction.newton import MotionProblem, _evaluate, _of_balls, pocket_power
+from oilfilm.bearing.friction._kernels import damped_steps
+from oilfilm.bearing.friction.law import ContactFriction, Dissipation
+from oilfilm.bearing.friction.newton import MotionProblem, _evaluate, _of_balls, pocket_power
 
 from ...reference.newton import damped_step_twin, left_on_balls_twin, pocket_friction_twin
 

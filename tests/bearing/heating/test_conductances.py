@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_bvp
 
-from bearing import load_material
-from bearing.heating.network import (
+from oilfilm.bearing import load_material
+from oilfilm.bearing.heating.network import (
     AIR_CONDUCTIVITY,
     AIR_PRANDTL,
     AIR_VISCOSITY,
@@ -27,7 +27,7 @@ from bearing.heating.network import (
     radiation_coefficient,
     ring_halves_conductance,
 )
-from bearing.rating.load_rating import reference_speed
+from oilfilm.bearing.rating.load_rating import reference_speed
 
 STEEL = load_material("bearing steel")
 

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from bearing import BallKinematics, Operation, QuasistaticModel, library_lubricant, load_material
-from bearing.heating.friction_heat import heat_of_torque
-from bearing.heating.heat_state import SelfHeatingProblem, heat_state
-from bearing.heating.network import NODES, Conductance
-from bearing.heating.over_speed import SpeedLimit, at_speed, balances_over_speed
-from bearing.heating.over_time import Slopes, heat_capacities, stability, warm_up
-from bearing.heating.self_heating import solve_self_heating
+from oilfilm.bearing import BallKinematics, Operation, QuasistaticModel, library_lubricant, load_material
+from oilfilm.bearing.heating.friction_heat import heat_of_torque
+from oilfilm.bearing.heating.heat_state import SelfHeatingProblem, heat_state
+from oilfilm.bearing.heating.network import NODES, Conductance
+from oilfilm.bearing.heating.over_speed import SpeedLimit, at_speed, balances_over_speed
+from oilfilm.bearing.heating.over_time import Slopes, heat_capacities, stability, warm_up
+from oilfilm.bearing.heating.self_heating import solve_self_heating
 
 STEEL = load_material("bearing steel")
 MODEL = QuasistaticModel(ball_kinematics=BallKinematics.HALF_AND_HALF)
@@ -33,7 +33,7 @@ def bearing(bearings):
 @pytest.fixture
 def problem(bearing):
     """Friction of HEAT at SPEED, in proportion to the speed and to exp(rise (T - T_a)); contacts conduct 0.4 W/K."""
-    from bearing.heating.paths import Surroundings
+    from oilfilm.bearing.heating.paths import Surroundings
 
     around = Surroundings(
         ambient=AMBIENT,

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearing import (
+from oilfilm.bearing import (
     BallKinematics,
     Operation,
     QuasistaticModel,
@@ -16,16 +16,16 @@ from bearing import (
     load_material,
     solve_quasistatic,
 )
-from bearing.friction.resistance import contact_rolling_power
-from bearing.heating.friction_heat import heat_of_torque
-from bearing.heating.heat_state import SelfHeatingProblem, formula_conductances
-from bearing.heating.network import NODES
-from bearing.heating.paths import Surroundings
-from bearing.heating.self_heating import solve_self_heating
-from bearing.supply.supply import InletFilm, Supply
-from bearing.torque.models import FrictionInput
-from bearing.torque.starved import starved_torque
-from ehl import ViscosityLaw
+from oilfilm.bearing.friction.resistance import contact_rolling_power
+from oilfilm.bearing.heating.friction_heat import heat_of_torque
+from oilfilm.bearing.heating.heat_state import SelfHeatingProblem, formula_conductances
+from oilfilm.bearing.heating.network import NODES
+from oilfilm.bearing.heating.paths import Surroundings
+from oilfilm.bearing.heating.self_heating import solve_self_heating
+from oilfilm.bearing.supply.supply import InletFilm, Supply
+from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.starved import starved_torque
+from oilfilm.ehl import ViscosityLaw
 
 STEEL = load_material("bearing steel")
 ML_MIN = 1e-6 / 60.0

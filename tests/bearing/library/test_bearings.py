@@ -7,7 +7,7 @@ from math import cos, log, pi
 import catalogue_geometry
 import pytest
 
-from bearing import (
+from oilfilm.bearing import (
     CatalogueData,
     estimate_bearing,
     estimate_geometry,
@@ -16,12 +16,18 @@ from bearing import (
     load_catalogue_entry,
     typical_geometry,
 )
-from bearing.library.bearings import catalogue_name, published_bearings, warn_of_estimates
-from bearing.library.catalogue import ball_sizes, boundary_dimensions, clearance_class, full_complement, nearest_series
-from bearing.library.designation import read_designation, why_unknown
-from bearing.library.plugins import matching_name, plain_name
-from bearing.rating.geometry_estimate import _bearing, _pair
-from bearing.rating.load_rating import dynamic_rating, static_rating
+from oilfilm.bearing.library.bearings import catalogue_name, published_bearings, warn_of_estimates
+from oilfilm.bearing.library.catalogue import (
+    ball_sizes,
+    boundary_dimensions,
+    clearance_class,
+    full_complement,
+    nearest_series,
+)
+from oilfilm.bearing.library.designation import read_designation, why_unknown
+from oilfilm.bearing.library.plugins import matching_name, plain_name
+from oilfilm.bearing.rating.geometry_estimate import _bearing, _pair
+from oilfilm.bearing.rating.load_rating import dynamic_rating, static_rating
 
 ESTIMATED = tuple(name for name in list_bearings() if name not in published_bearings())
 ROWS = catalogue_geometry.rows()

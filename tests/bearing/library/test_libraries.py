@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import (
+from oilfilm.bearing import (
     library_lubricant,
     list_bearings,
     list_lubricants,
@@ -17,8 +17,8 @@ from bearing import (
     load_material,
     reduced_modulus,
 )
-from bearing.library.lubricants import lubricant_data
-from ehl import DensityLaw
+from oilfilm.bearing.library.lubricants import lubricant_data
+from oilfilm.ehl import DensityLaw
 
 
 def test_materials_load_with_source():

@@ -9,11 +9,11 @@ import pytest
 from numba import njit
 from numpy.testing import assert_allclose
 
-from bearing import library_lubricant, list_lubricants
-from bearing.library.lubricants import LAWS, PROPERTIES, lubricant_data
-from ehl import DensityLaw, ViscosityLaw
-from ehl.oil import _kernels
-from ehl.oil.lubricant import density, heat_properties, log_viscosity_ratio, oil_numbers, viscosity
+from oilfilm.bearing import library_lubricant, list_lubricants
+from oilfilm.bearing.library.lubricants import LAWS, PROPERTIES, lubricant_data
+from oilfilm.ehl import DensityLaw, ViscosityLaw
+from oilfilm.ehl.oil import _kernels
+from oilfilm.ehl.oil.lubricant import density, heat_properties, log_viscosity_ratio, oil_numbers, viscosity
 
 from ...reference.ehl import oil_laws as reference
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from bearing.library.bearings import (
+from oilfilm.bearing.library.bearings import (
     TOLERANCE_CLASSES,
     bore_deviations,
     housing_deviations,
@@ -13,7 +13,7 @@ from bearing.library.bearings import (
     outside_deviations,
     shaft_deviations,
 )
-from bearing.library.plugins import library_data
+from oilfilm.bearing.library.plugins import library_data
 
 SIZES = (8.0, 18.0, 25.0, 40.0, 80.0, 110.0, 150.0, 200.0, 300.0)
 

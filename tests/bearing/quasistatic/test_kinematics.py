@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import BallKinematics
-from bearing.operation import HYPOTHESES
-from bearing.quasistatic.kinematics import (
+from oilfilm.bearing import BallKinematics
+from oilfilm.bearing.operation import HYPOTHESES
+from oilfilm.bearing.quasistatic.kinematics import (
     Direction,
     Motion,
     attitude,

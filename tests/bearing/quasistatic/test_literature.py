@@ -12,7 +12,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 
-from bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
+from oilfilm.bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
 
 OUTER_CONTROL = QuasistaticModel(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
 

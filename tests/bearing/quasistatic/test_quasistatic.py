@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
-from bearing.operation import HYPOTHESES
-from bearing.quasistatic._kernels import differentiated
-from bearing.quasistatic.balls import _kernel_arguments, _prescribed, ball_problem, ball_state, solve_balls
-from bearing.quasistatic.kinematics import PrescribedBalls
-from bearing.quasistatic.ring import ring_of
+from oilfilm.bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
+from oilfilm.bearing.operation import HYPOTHESES
+from oilfilm.bearing.quasistatic._kernels import differentiated
+from oilfilm.bearing.quasistatic.balls import _kernel_arguments, _prescribed, ball_problem, ball_state, solve_balls
+from oilfilm.bearing.quasistatic.kinematics import PrescribedBalls
+from oilfilm.bearing.quasistatic.ring import ring_of
 
 from ...reference.balls import balances_twin, ball_balance, solve_balls_twin
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from bearing import (
+from oilfilm.bearing import (
     Arrangement,
     Bearing,
     Curvature,
@@ -25,9 +25,9 @@ from bearing import (
     reduced_radii,
     solve_quasistatic,
 )
-from bearing.geometry import contact_modulus
-from bearing.operation import HYPOTHESES
-from ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.bearing.geometry import contact_modulus
+from oilfilm.bearing.operation import HYPOTHESES
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 
 SMALLEST, LARGEST = 3e-3, 30e-3  # ball diameters [m]
 

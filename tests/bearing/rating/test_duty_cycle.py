@@ -7,10 +7,10 @@ from math import pi
 
 import pytest
 
-from bearing import Operation
-from bearing.operation import RatingInput
-from bearing.rating.duty_cycle import LoadCase, duty_cycle, miner_life
-from bearing.rating.life import LifeRating, life_factor, viscosity_ratio
+from oilfilm.bearing import Operation
+from oilfilm.bearing.operation import RatingInput
+from oilfilm.bearing.rating.duty_cycle import LoadCase, duty_cycle, miner_life
+from oilfilm.bearing.rating.life import LifeRating, life_factor, viscosity_ratio
 
 RPM = pi / 30.0
 CAPACITY, LIMIT, CLEAN = 30e3, 900.0, 0.5  # [N], [N], [-]

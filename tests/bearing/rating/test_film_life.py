@@ -8,11 +8,11 @@ from math import pi
 import numpy as np
 import pytest
 
-from bearing import Operation, load_material, solve_quasistatic
-from bearing.operation import RatingInput
-from bearing.rating.film_life import ContactKappa, contact_life, film_life, ring_damage, stress_limit
-from bearing.rating.life import bearing_life, life_factor
-from ehl import Lubricant
+from oilfilm.bearing import Operation, load_material, solve_quasistatic
+from oilfilm.bearing.operation import RatingInput
+from oilfilm.bearing.rating.film_life import ContactKappa, contact_life, film_life, ring_damage, stress_limit
+from oilfilm.bearing.rating.life import bearing_life, life_factor
+from oilfilm.ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
 CLEAN = RatingInput(contamination_factor=0.5)

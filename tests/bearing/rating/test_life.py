@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 from scipy.special import ellipe
 
-from bearing import Operation, Race, load_material, reduced_radii, solve_quasistatic
-from bearing.geometry import contact_modulus
-from bearing.operation import RatingInput
-from bearing.rating.life import (
+from oilfilm.bearing import Operation, Race, load_material, reduced_radii, solve_quasistatic
+from oilfilm.bearing.geometry import contact_modulus
+from oilfilm.bearing.operation import RatingInput
+from oilfilm.bearing.rating.life import (
     bearing_life,
     equivalent_ball_load,
     life_factor,
@@ -25,7 +25,7 @@ from bearing.rating.life import (
     time_of,
     viscosity_ratio,
 )
-from bearing.rating.load_rating import (
+from oilfilm.bearing.rating.load_rating import (
     ball_ratings,
     dynamic_rating,
     factor_f_c,
@@ -34,8 +34,8 @@ from bearing.rating.load_rating import (
     static_equivalent_load,
     static_rating,
 )
-from ehl import Lubricant
-from ehl.closed_form.hertz import ellipse_ratio, hertz_contact
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)  # 30 mm^2/s
 RPM = pi / 30.0

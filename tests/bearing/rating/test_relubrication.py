@@ -6,7 +6,7 @@ from math import pi
 
 import pytest
 
-from bearing.rating.life import relubrication_interval
+from oilfilm.bearing.rating.life import relubrication_interval
 
 RPM = pi / 30.0
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import (
+from oilfilm.bearing import (
     Bearing,
     Curvature,
     Operation,
@@ -22,12 +22,12 @@ from bearing import (
     preload_offset,
     solve_quasistatic,
 )
-from bearing.geometry import shoulder_diameter
-from bearing.quasistatic.ring import ball_forces, ring_displacements, seat_reactions
-from bearing.rings.compliance import response_of, ring_compliance
-from bearing.rings.elastic_ring import ElasticRings, elastic_ring
-from ehl.solid.bodies import RingCells, Seat
-from ehl.solid.bodies.compliance import _directions, _patch
+from oilfilm.bearing.geometry import shoulder_diameter
+from oilfilm.bearing.quasistatic.ring import ball_forces, ring_displacements, seat_reactions
+from oilfilm.bearing.rings.compliance import response_of, ring_compliance
+from oilfilm.bearing.rings.elastic_ring import ElasticRings, elastic_ring
+from oilfilm.ehl.solid.bodies import RingCells, Seat
+from oilfilm.ehl.solid.bodies.compliance import _directions, _patch
 
 STEEL = load_material("bearing steel")
 MATERIALS = dict.fromkeys(("ball_material", "inner_ring_material", "outer_ring_material"), STEEL)

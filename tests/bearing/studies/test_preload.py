@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearing import Curvature, Operation, QuasistaticModel, preload_offset, solve_quasistatic
+from oilfilm.bearing import Curvature, Operation, QuasistaticModel, preload_offset, solve_quasistatic
 
 from ..quasistatic.test_random_bearings import load_at, random_bearing
 

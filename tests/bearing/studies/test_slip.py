@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import BallKinematics, Operation, QuasistaticModel, solve_quasistatic
-from bearing.studies.slip import (
+from oilfilm.bearing import BallKinematics, Operation, QuasistaticModel, solve_quasistatic
+from oilfilm.bearing.studies.slip import (
     SlipStudy,
     critical_curves,
     critical_loads,

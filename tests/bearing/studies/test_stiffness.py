@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Arrangement, Operation, duplex, solve_quasistatic, stiffness_over_speed
-from postprocess.stiffness.results import ross_table
+from oilfilm.bearing import Arrangement, Operation, duplex, solve_quasistatic, stiffness_over_speed
+from oilfilm.postprocess.stiffness.results import ross_table
 
 LOAD = Operation(inner_speed=0.0, force=(400.0, 150.0, -60.0))
 

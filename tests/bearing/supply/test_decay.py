@@ -8,12 +8,20 @@ from math import pi
 import numpy as np
 import pytest
 
-from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.films.asperities import Asperities
-from bearing.films.decay import film_decay
-from bearing.films.operating import OilAtInlets, supplied_films
-from bearing.supply.supply import AMPLE, InletFilm, OilBalance, Supply, groove_area, retained_time, side_flow_integral
-from ehl import Lubricant
+from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
+from oilfilm.bearing.films.asperities import Asperities
+from oilfilm.bearing.films.decay import film_decay
+from oilfilm.bearing.films.operating import OilAtInlets, supplied_films
+from oilfilm.bearing.supply.supply import (
+    AMPLE,
+    InletFilm,
+    OilBalance,
+    Supply,
+    groove_area,
+    retained_time,
+    side_flow_integral,
+)
+from oilfilm.ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 ML_MIN = 1e-6 / 60.0  # [m^3/s]

@@ -9,16 +9,23 @@ from math import erfc, exp, pi
 import numpy as np
 import pytest
 
-from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.films.asperities import Asperities, asperity_share
-from bearing.films.formula import formula_values
-from bearing.films.operating import OilAtInlets, film_heat, least_lambda, mean_fraction, of_driven_balls, supplied_films
-from bearing.heating.heat_state import HIGHEST_TEMPERATURE
-from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
-from bearing.supply.track import Track, steady_share
-from ehl import Lubricant, ViscosityLaw
-from ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_factors, starved_film_factor
-from ehl.conditions import moes_groups
+from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
+from oilfilm.bearing.films.asperities import Asperities, asperity_share
+from oilfilm.bearing.films.formula import formula_values
+from oilfilm.bearing.films.operating import (
+    OilAtInlets,
+    film_heat,
+    least_lambda,
+    mean_fraction,
+    of_driven_balls,
+    supplied_films,
+)
+from oilfilm.bearing.heating.heat_state import HIGHEST_TEMPERATURE
+from oilfilm.bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
+from oilfilm.bearing.supply.track import Track, steady_share
+from oilfilm.ehl import Lubricant, ViscosityLaw
+from oilfilm.ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_factors, starved_film_factor
+from oilfilm.ehl.conditions import moes_groups
 
 from ...reference.heat_balance import Cooling, heat_balance
 

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 import scipy
 
-from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.supply.supply import barus_integral, side_flow, side_flow_integral
-from bearing.supply.track import (
+from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
+from oilfilm.bearing.supply.supply import barus_integral, side_flow, side_flow_integral
+from oilfilm.bearing.supply.track import (
     Track,
     TrackPasses,
     added_layer,
@@ -22,9 +22,9 @@ from bearing.supply.track import (
     steady_layer,
     steady_share,
 )
-from ehl import InletLayer, Lubricant, SolverOptions, ViscosityLaw, solve_contact
-from ehl.closed_form.starvation import starved_film_factor
-from ehl.conditions import MoesConditions
+from oilfilm.ehl import InletLayer, Lubricant, SolverOptions, ViscosityLaw, solve_contact
+from oilfilm.ehl.closed_form.starvation import starved_film_factor
+from oilfilm.ehl.conditions import MoesConditions
 
 EXPONENTS = (3.0, 5.0, 15.0)
 

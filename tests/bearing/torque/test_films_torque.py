@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearing import BallKinematics, Operation, contact_conditions, solve_quasistatic
-from bearing.friction.resistance import Cage
-from bearing.operation import QuasistaticModel
-from bearing.torque.integrated import films_torque
-from bearing.torque.models import FrictionInput
-from bearing.torque.skf import InletFactors, Lubrication, inlet_factors
-from ehl import Lubricant
-from ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.bearing import BallKinematics, Operation, contact_conditions, solve_quasistatic
+from oilfilm.bearing.friction.resistance import Cage
+from oilfilm.bearing.operation import QuasistaticModel
+from oilfilm.bearing.torque.integrated import films_torque
+from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.skf import InletFactors, Lubrication, inlet_factors
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 
 from ..quasistatic.test_random_bearings import load_at, random_bearing
 

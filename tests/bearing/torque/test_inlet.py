@@ -7,8 +7,8 @@ from math import exp, sqrt
 
 import pytest
 
-from bearing.torque.skf import NO_LOSS, Lubrication, inlet_factors, mean_diameter
-from ehl.units import RPM
+from oilfilm.bearing.torque.skf import NO_LOSS, Lubrication, inlet_factors, mean_diameter
+from oilfilm.ehl.units import RPM
 
 SPEED = 6000.0 * RPM
 VISCOSITY = 20e-6  # [m^2/s]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from bearing.torque.paper_models import line_curvature, line_force, line_spin_moment, rolling_lines
+from oilfilm.bearing.torque.paper_models import line_curvature, line_force, line_spin_moment, rolling_lines
 
 
 @pytest.mark.parametrize(

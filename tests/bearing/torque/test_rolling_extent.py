@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.contacts.motion import ball_speeds, contact_traction, motion_map
-from bearing.films.film import NO_HEAT
-from bearing.films.operating import operating_films, solved_films
-from bearing.friction.films import film_law, sheared_films
-from bearing.torque.integrated import integrated_torque, rolling_extent, rolling_moments
-from ehl import Lubricant, SolverOptions, solve_contact
-from ehl.multigrid.supply.oil_supply import pressure_moment
-from ehl.oil.lubricant import FLOODED_LAYER
-from ehl.oil.rheology import Rheology
-from ehl.traction.rolling_moment import scaled_as_solved
-from ehl.traction.shear import Cavitation, integrate_traction
+from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
+from oilfilm.bearing.contacts.motion import ball_speeds, contact_traction, motion_map
+from oilfilm.bearing.films.film import NO_HEAT
+from oilfilm.bearing.films.operating import operating_films, solved_films
+from oilfilm.bearing.friction.films import film_law, sheared_films
+from oilfilm.bearing.torque.integrated import integrated_torque, rolling_extent, rolling_moments
+from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.multigrid.supply.oil_supply import pressure_moment
+from oilfilm.ehl.oil.lubricant import FLOODED_LAYER
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.traction.rolling_moment import scaled_as_solved
+from oilfilm.ehl.traction.shear import Cavitation, integrate_traction
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
 
@@ -83,7 +83,7 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
 @pytest.fixture
 def no_inlet_heat(monkeypatch):
     """Films of the friction as they were solved."""
-    monkeypatch.setattr("bearing.films.operating.film_heat", lambda contact: NO_HEAT)
+    monkeypatch.setattr("oilfilm.bearing.films.operating.film_heat", lambda contact: NO_HEAT)
 
 
 def test_twice_the_layer_adds_what_is_said(rolling):
@@ -139,7 +139,7 @@ def test_no_torque_at_rest(rolling, bearings):
 @pytest.mark.usefixtures("no_inlet_heat")
 def test_balance_and_torque_sum_the_same_nodes(rolling, monkeypatch):
     """On films finer than what is summed: else the power of balls in balance does not close."""
-    for module in ("bearing.contacts.motion", "bearing.friction.film_nodes"):
+    for module in ("oilfilm.bearing.contacts.motion", "oilfilm.bearing.friction.film_nodes"):
         monkeypatch.setattr(f"{module}.TRACTION_POINTS", 33)
     state, _, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]

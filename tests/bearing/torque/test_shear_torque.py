@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.films.asperities import Asperities
-from bearing.films.operating import operating_films, solved_films, with_formulas
-from bearing.friction import balance as balancing
-from bearing.friction import cage
-from bearing.friction.films import film_balance, film_law
-from bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
-from bearing.torque.integrated import POWER_TOLERANCE, SolvedShear, solved_shear
-from ehl import Lubricant, SolverOptions, solve_contact
-from ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
+from oilfilm.bearing.films.asperities import Asperities
+from oilfilm.bearing.films.operating import operating_films, solved_films, with_formulas
+from oilfilm.bearing.friction import balance as balancing
+from oilfilm.bearing.friction import cage
+from oilfilm.bearing.friction.films import film_balance, film_law
+from oilfilm.bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
+from oilfilm.bearing.torque.integrated import POWER_TOLERANCE, SolvedShear, solved_shear
+from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
 EYRING = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5.2e6, limiting_coefficient=0.047)
@@ -71,7 +71,7 @@ def test_inlet_heating_counts_once_in_each_contact(light, monkeypatch):
     solved = solved_films(contacts, [film and film.field for film in films])
     cold = operating_films(contacts, solved, **factors)
     assert [film.rolling_fraction for film in cold if film is not None] == pytest.approx([0.54] * 12)
-    monkeypatch.setattr("bearing.films.film.solved_with_heat", lambda film: True)
+    monkeypatch.setattr("oilfilm.bearing.films.film.solved_with_heat", lambda film: True)
     hot = operating_films(contacts, with_formulas(contacts, [solved[0], *[None] * (len(solved) - 1)]), **factors)
     assert hot[0] is not None
     assert hot[0].rolling_fraction == pytest.approx(0.9)

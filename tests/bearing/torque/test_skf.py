@@ -12,9 +12,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearing import Operation, solve_quasistatic
-from bearing.torque.models import ring_loads
-from bearing.torque.skf import (
+from oilfilm.bearing import Operation, solve_quasistatic
+from oilfilm.bearing.torque.models import ring_loads
+from oilfilm.bearing.torque.skf import (
     Lubrication,
     Series,
     SkfBearing,
@@ -28,9 +28,9 @@ from bearing.torque.skf import (
     sliding_friction,
     viscous_factor,
 )
-from ehl.units import MILLIMETRE as MM
-from ehl.units import NEWTON_MILLIMETRE as N_MM
-from ehl.units import RPM, to_si
+from oilfilm.ehl.units import MILLIMETRE as MM
+from oilfilm.ehl.units import NEWTON_MILLIMETRE as N_MM
+from oilfilm.ehl.units import RPM, to_si
 
 MM2_S = to_si("viscosity_mm2_s", 1.0)
 

@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from bearing import (
+from oilfilm.bearing import (
     BallKinematics,
     Bearing,
     Material,
@@ -17,10 +17,10 @@ from bearing import (
     contact_conditions,
     solve_quasistatic,
 )
-from bearing.films.formula import heavy_moment
-from bearing.friction.resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power
-from bearing.torque.models import spent_powers
-from bearing.torque.paper_models import (
+from oilfilm.bearing.films.formula import heavy_moment
+from oilfilm.bearing.friction.resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power
+from oilfilm.bearing.torque.models import spent_powers
+from oilfilm.bearing.torque.paper_models import (
     SlidingContact,
     houpert_torque,
     kakuta_torque,
@@ -29,8 +29,8 @@ from bearing.torque.paper_models import (
     sliding_contacts,
     spin_moment,
 )
-from bearing.torque.skf import Series, SkfBearing, SkfOperation, skf_constants, skf_torque
-from ehl import ContactConditions, Lubricant
+from oilfilm.bearing.torque.skf import Series, SkfBearing, SkfOperation, skf_constants, skf_torque
+from oilfilm.ehl import ContactConditions, Lubricant
 
 from ...reference.coulomb import coulomb_power, coulomb_torque
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from torque_sweeps import TorqueStudy, torque_sweep
 
-from bearing import Operation, QuasistaticModel, contact_conditions, library_lubricant, solve_quasistatic
-from bearing.torque.breakdown import NAMES, torque_breakdown
-from bearing.torque.models import FrictionInput
+from oilfilm.bearing import Operation, QuasistaticModel, contact_conditions, library_lubricant, solve_quasistatic
+from oilfilm.bearing.torque.breakdown import NAMES, torque_breakdown
+from oilfilm.bearing.torque.models import FrictionInput
 
 RPM = pi / 30.0
 

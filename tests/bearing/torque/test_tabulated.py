@@ -8,21 +8,21 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from bearing import Operation, Race, contact_conditions, reduced_radii, solve_quasistatic
-from bearing.contacts.motion import bearing_kinematics
-from bearing.friction.coulomb import balanced_friction
-from bearing.friction.laws import LawTraction
-from bearing.friction.tables import contact_law, law_gradient
-from bearing.geometry import contact_modulus
-from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.integrated import law_torque
-from bearing.torque.models import FrictionInput
-from ehl import Lubricant
-from ehl.closed_form.hertz import hertz_contact
-from ehl.oil.rheology import Rheology
-from ehl.traction.coefficients import FourConstants, RampedCoulomb
-from ehl.traction.shear import ContactShape, EllipseLaw
-from ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable, load_coordinate
+from oilfilm.bearing import Operation, Race, contact_conditions, reduced_radii, solve_quasistatic
+from oilfilm.bearing.contacts.motion import bearing_kinematics
+from oilfilm.bearing.friction.coulomb import balanced_friction
+from oilfilm.bearing.friction.laws import LawTraction
+from oilfilm.bearing.friction.tables import contact_law, law_gradient
+from oilfilm.bearing.geometry import contact_modulus
+from oilfilm.bearing.torque.breakdown import torque_breakdown
+from oilfilm.bearing.torque.integrated import law_torque
+from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.shear import ContactShape, EllipseLaw
+from oilfilm.ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable, load_coordinate
 
 OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
 MU = 0.08

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.vibration._kernels import height_at, law_at
-from bearing.vibration.assembly import SolvedFilms, dry_law, film_law, linear_law
-from bearing.vibration.form import POINTS, Defect, DefectKind, Place, SurfaceForm, Wave, heights, hollow, rolled
-from bearing.vibration.inputs import dry_transmission, filtered
+from oilfilm.bearing.vibration._kernels import height_at, law_at
+from oilfilm.bearing.vibration.assembly import SolvedFilms, dry_law, film_law, linear_law
+from oilfilm.bearing.vibration.form import POINTS, Defect, DefectKind, Place, SurfaceForm, Wave, heights, hollow, rolled
+from oilfilm.bearing.vibration.inputs import dry_transmission, filtered
 
 RADIUS, REDUCED = 0.0235, 0.0048  # of a track and of ball and race [m]
 CELL = 2.0 * np.pi * RADIUS / POINTS

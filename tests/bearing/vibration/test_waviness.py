@@ -7,16 +7,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.contacts.contacts import contact_conditions
-from bearing.operation import Operation
-from bearing.quasistatic.solver import solve_quasistatic
-from bearing.vibration.assembly import assembled
-from bearing.vibration.form import Place, SurfaceForm, Wave
-from bearing.vibration.inputs import ContactLaw, Support, VibrationModel, VibrationOptions, WaveFilter
-from bearing.vibration.lines import expected_lines, passing
-from bearing.vibration.simulation import computed, vibration_run
-from cases.format.case import load_case
-from postprocess.vibration.results import amplitude_at
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.operation import Operation
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.bearing.vibration.assembly import assembled
+from oilfilm.bearing.vibration.form import Place, SurfaceForm, Wave
+from oilfilm.bearing.vibration.inputs import ContactLaw, Support, VibrationModel, VibrationOptions, WaveFilter
+from oilfilm.bearing.vibration.lines import expected_lines, passing
+from oilfilm.bearing.vibration.simulation import computed, vibration_run
+from oilfilm.cases.format.case import load_case
+from oilfilm.postprocess.vibration.results import amplitude_at
 
 SLOW = pytest.mark.slow
 AMPLITUDE = 1e-8  # [m]: small against the approach, 2 um

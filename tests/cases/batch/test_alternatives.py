@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from cases import load_case
-from cases.batch.sweep import sweep_from_text
-from cases.cli.terminal import app
-from cases.format.rules import CaseError
+from oilfilm.cases import load_case
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.rules import CaseError
 
 FIT = '\n[fit]\nshaft_tolerance = "k5"\nhousing_tolerance = "H7"\nhousing_outside_diameter_mm = 90.0\n'
 

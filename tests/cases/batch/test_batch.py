@@ -16,23 +16,23 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-import postprocess
-from bearing import contact_conditions, solve_quasistatic
-from cases import CaseError, load_case
-from cases.batch import shared_tables
-from cases.batch.compute import compute_block, compute_point
-from cases.batch.engine import PointSelection, ProgressEstimate, duration, run_batch
-from cases.batch.keys import WITHOUT_CONTACTS, content_key
-from cases.batch.points import Task
-from cases.batch.pools import LocalPool, scheduler_address
-from cases.batch.results import load_results, write_batch
-from cases.batch.shared_tables import ContactCache
-from cases.batch.store import finished_points, open_folder
-from cases.batch.sweep import read_sweep, sweep_from_text
-from cases.cli.terminal import app
-from cases.format.contact import NEWTONIAN
-from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
-from postprocess.batch.store import PointStore, Record, StoredPoints, store_files
+from oilfilm import postprocess
+from oilfilm.bearing import contact_conditions, solve_quasistatic
+from oilfilm.cases import CaseError, load_case
+from oilfilm.cases.batch import shared_tables
+from oilfilm.cases.batch.compute import compute_block, compute_point
+from oilfilm.cases.batch.engine import PointSelection, ProgressEstimate, duration, run_batch
+from oilfilm.cases.batch.keys import WITHOUT_CONTACTS, content_key
+from oilfilm.cases.batch.points import Task
+from oilfilm.cases.batch.pools import LocalPool, scheduler_address
+from oilfilm.cases.batch.results import load_results, write_batch
+from oilfilm.cases.batch.shared_tables import ContactCache
+from oilfilm.cases.batch.store import finished_points, open_folder
+from oilfilm.cases.batch.sweep import read_sweep, sweep_from_text
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.contact import NEWTONIAN
+from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+from oilfilm.postprocess.batch.store import PointStore, Record, StoredPoints, store_files
 
 HEAD = 'case = "6208_full_ceramic"\n'
 QUICK = (
@@ -266,7 +266,7 @@ def test_equal_points_are_computed_once(tmp_path):
 
 
 def test_files_of_a_point_are_there_before_it_counts_as_finished(tmp_path, monkeypatch):
-    from cases.batch import engine
+    from oilfilm.cases.batch import engine
 
     seen = []
 
@@ -275,7 +275,7 @@ def test_files_of_a_point_are_there_before_it_counts_as_finished(tmp_path, monke
             seen.append((tmp_path / "out" / "points" / f"{record.key}.json").exists())
             super().put(record)
 
-    monkeypatch.setattr("cases.batch.store.PointStore", Watched)
+    monkeypatch.setattr("oilfilm.cases.batch.store.PointStore", Watched)
     run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", HerePool, PointSelection(keep_json=True))
     assert seen == [True] * 6
 
@@ -312,10 +312,10 @@ def test_a_failing_point_is_recorded_and_does_not_stop_the_others(tmp_path, monk
             raise ArithmeticError("no such equilibrium")
         return original(case, 1)
 
-    from cases.runs import bearing as module
+    from oilfilm.cases.runs import bearing as module
 
     original = module.run_case
-    monkeypatch.setattr("cases.batch.compute.run_case", run)
+    monkeypatch.setattr("oilfilm.cases.batch.compute.run_case", run)
     batch = run_batch(sweep, tmp_path / "out", HerePool)
     results = load_results(batch)
     assert bad["operation"]["radial_load_N"] == 1750.0
@@ -388,7 +388,7 @@ def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
 
 
 def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatch):
-    from cases.batch import engine
+    from oilfilm.cases.batch import engine
 
     class Small(engine.PointStore):
         def put(self, record):
@@ -400,7 +400,7 @@ def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatc
             written.append(record.key)
 
     written = []
-    monkeypatch.setattr("cases.batch.store.PointStore", Small)
+    monkeypatch.setattr("oilfilm.cases.batch.store.PointStore", Small)
     sweep = sweep_from_text(QUICK, "sweep.toml")
     with pytest.raises(OSError, match="full") as caught:
         run_batch(sweep, tmp_path / "out", HerePool)
@@ -411,13 +411,13 @@ def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatc
 def test_a_full_disk_is_told_with_what_is_kept(tmp_path, monkeypatch):
     import errno
 
-    from cases.batch import results
+    from oilfilm.cases.batch import results
 
     def full(*arguments, **choices):
         raise OSError(errno.ENOSPC, "No space left on device")
 
     (tmp_path / "mine.toml").write_text(QUICK)
-    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: HerePool)
+    monkeypatch.setattr("oilfilm.cases.cli.batch._pool", lambda plan, wanted: HerePool)
     words = ["batch", str(tmp_path / "mine.toml"), "-o", str(tmp_path / "out"), "-q"]
     with monkeypatch.context() as patch:
         patch.setattr(results, "write_batch", full)
@@ -446,7 +446,7 @@ def test_a_folder_in_the_place_of_a_file_is_refused_before_anything_is_computed(
 
 
 def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch):
-    import ehl
+    from oilfilm import ehl
 
     text = HEAD + (
         '[sweep]\n"surface.ball_roughness_um" = [0.05, 0.1]\n"surface.inner_ring_roughness_um" = [0.1]\n'
@@ -459,7 +459,7 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
         return original(conditions, options)
 
     original = ehl.solve_contact
-    monkeypatch.setattr("cases.format.contact.solve_contact", solve)
+    monkeypatch.setattr("oilfilm.cases.format.contact.solve_contact", solve)
     results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(solved) == 2  # both races of one ball, for two points
     first, second = (point.summary["contacts"] for point in results.points)
@@ -474,14 +474,14 @@ def with_cache(folder, films=NEWTONIAN):
 
 def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, monkeypatch):
     """Values that repeat, and points that are all different, where nothing is looked for."""
-    import ehl
+    from oilfilm import ehl
 
     points = '"ehl.points" = [33]\n"ehl.film_maps" = ["all"]\n'
     text = HEAD + f'[sweep]\n"operation.radial_load_N" = [900.0, 1000.0]\n{points}'
     solved = []
     original = ehl.solve_contact
     monkeypatch.setattr(
-        "cases.format.contact.solve_contact", lambda *words: solved.append(words[0]) or original(*words)
+        "oilfilm.cases.format.contact.solve_contact", lambda *words: solved.append(words[0]) or original(*words)
     )
     sweep = sweep_from_text(text, "sweep.toml")
     run_batch(sweep, tmp_path / "out", HerePool)
@@ -670,7 +670,7 @@ def test_processes_give_the_same_as_one_after_the_other(tmp_path):
 def test_the_command(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "quick.toml").write_text(QUICK)
-    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: HerePool)
+    monkeypatch.setattr("oilfilm.cases.cli.batch._pool", lambda plan, wanted: HerePool)
     answer = CliRunner().invoke(app, ["batch", "quick.toml", "--json"])
     assert answer.exit_code == 0, answer.output
     document = json.loads(answer.stdout)
@@ -706,7 +706,7 @@ def test_a_lost_point_is_the_machines_failure(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "quick.toml").write_text(QUICK)
     key = read_sweep("quick.toml").points[3].key
-    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: lambda: HerePool([key], times=2))
+    monkeypatch.setattr("oilfilm.cases.cli.batch._pool", lambda plan, wanted: lambda: HerePool([key], times=2))
     answer = CliRunner().invoke(app, ["batch", "quick.toml", "-q"])
     assert answer.exit_code == 4
     assert "1 of 6 points have no result" in answer.stderr

@@ -7,8 +7,8 @@ import re
 
 import pytest
 
-from cases import CaseError
-from cases.batch.sweep import sweep_from_text
+from oilfilm.cases import CaseError
+from oilfilm.cases.batch.sweep import sweep_from_text
 
 SEED = 31_905_577
 TEXTS = (

@@ -9,25 +9,25 @@ from dataclasses import replace
 import pytest
 from typer.testing import CliRunner
 
-import postprocess
-from bearing import Race
-from bearing.friction.tables import load_tables
-from bearing.operation import BallKinematics
-from cases import CaseError, load_case, run_case
-from cases.batch import shared_tables
-from cases.batch.compute import compute_point, torque_by_tables
-from cases.batch.engine import PointSelection, run_batch
-from cases.batch.points import Task
-from cases.batch.pools import ClusterPool, LocalPool
-from cases.batch.results import load_results, write_batch
-from cases.batch.sweep import sweep_from_text
-from cases.cli.terminal import app
-from ehl.traction_table.build import TableOptions, build_table
-from postprocess import summary
-from postprocess.batch.plots import quantities
-from postprocess.batch.results import main_results, varied_keys
-from postprocess.batch.store import summary_of
-from postprocess.batch.summary import batch_summary
+from oilfilm import postprocess
+from oilfilm.bearing import Race
+from oilfilm.bearing.friction.tables import load_tables
+from oilfilm.bearing.operation import BallKinematics
+from oilfilm.cases import CaseError, load_case, run_case
+from oilfilm.cases.batch import shared_tables
+from oilfilm.cases.batch.compute import compute_point, torque_by_tables
+from oilfilm.cases.batch.engine import PointSelection, run_batch
+from oilfilm.cases.batch.points import Task
+from oilfilm.cases.batch.pools import ClusterPool, LocalPool
+from oilfilm.cases.batch.results import load_results, write_batch
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.cases.cli.terminal import app
+from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.batch.plots import quantities
+from oilfilm.postprocess.batch.results import main_results, varied_keys
+from oilfilm.postprocess.batch.store import summary_of
+from oilfilm.postprocess.batch.summary import batch_summary
 
 from .test_batch import HerePool
 from .test_torque import case_text, sweep_of, without_times
@@ -165,7 +165,7 @@ def test_tables_reach_the_workers_of_a_cluster(shared, tmp_path):
 def test_tables_of_every_point(shared, tmp_path, monkeypatch):
     """Points that differ only in what tables do not know are computed once."""
     tables = load_tables(shared[1])
-    monkeypatch.setattr("cases.runs.traction_table.build_race_tables", lambda *arguments: tables)
+    monkeypatch.setattr("oilfilm.cases.runs.traction_table.build_race_tables", lambda *arguments: tables)
     text = TORQUE.replace('compute = "torque"', 'compute = "table"').replace("[8000.0, 10000.0]", "[10000.0]")
     text = text.replace("[2000.0, 3000.0]", '[3000.0]\n"friction.lubrication" = ["oil bath", "oil jet"]')
     pool = HerePool()
@@ -232,8 +232,8 @@ def test_damaged_tables_fail_their_points_and_are_told(tmp_path):
 
 
 def test_damaged_tables_of_the_folder_are_told_and_made_anew(tmp_path, monkeypatch, capsys):
-    from cases.batch import shared_tables
-    from cases.batch.store import TABLES
+    from oilfilm.cases.batch import shared_tables
+    from oilfilm.cases.batch.store import TABLES
 
     made = []
 

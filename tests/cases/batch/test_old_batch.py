@@ -9,12 +9,12 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from cases.batch.engine import PointSelection, run_batch
-from cases.batch.results import load_results
-from cases.batch.sweep import read_sweep
-from cases.cli.terminal import app
-from postprocess import open_results
-from postprocess.batch.store import read_batch
+from oilfilm.cases.batch.engine import PointSelection, run_batch
+from oilfilm.cases.batch.results import load_results
+from oilfilm.cases.batch.sweep import read_sweep
+from oilfilm.cases.cli.terminal import app
+from oilfilm.postprocess import open_results
+from oilfilm.postprocess.batch.store import read_batch
 
 from .test_batch import HerePool
 

@@ -11,14 +11,14 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from typer.testing import CliRunner
 
-from cases.batch.engine import run_batch
-from cases.batch.results import load_results
-from cases.batch.sweep import read_sweep, sweep_from_text
-from cases.cli.terminal import app
-from cases.format.shipped import shipped_sweeps
-from postprocess.batch.columns import InMemory, columns_of
-from postprocess.batch.plots import draw_batch, draw_together, quantities, write_diagram
-from postprocess.batch.results import (
+from oilfilm.cases.batch.engine import run_batch
+from oilfilm.cases.batch.results import load_results
+from oilfilm.cases.batch.sweep import read_sweep, sweep_from_text
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.shipped import shipped_sweeps
+from oilfilm.postprocess.batch.columns import InMemory, columns_of
+from oilfilm.postprocess.batch.plots import draw_batch, draw_together, quantities, write_diagram
+from oilfilm.postprocess.batch.results import (
     BatchPoint,
     BatchResults,
     Varied,
@@ -27,10 +27,10 @@ from postprocess.batch.results import (
     thinnest_film,
     varied_keys,
 )
-from postprocess.batch.store import PointStore, read_batch, record_of
-from postprocess.batch.summary import batch_summary, batch_table
-from postprocess.files import write_json
-from postprocess.report.batch import listed_points
+from oilfilm.postprocess.batch.store import PointStore, read_batch, record_of
+from oilfilm.postprocess.batch.summary import batch_summary, batch_table
+from oilfilm.postprocess.files import write_json
+from oilfilm.postprocess.report.batch import listed_points
 
 from .test_batch import HerePool
 

@@ -17,12 +17,12 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-import postprocess
-from cases.batch.engine import run_batch
-from cases.batch.pools import ClusterPool, LocalPool
-from cases.batch.results import load_results, write_batch
-from cases.batch.sweep import sweep_from_text
-from cases.cli.terminal import app
+from oilfilm import postprocess
+from oilfilm.cases.batch.engine import run_batch
+from oilfilm.cases.batch.pools import ClusterPool, LocalPool
+from oilfilm.cases.batch.results import load_results, write_batch
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.cases.cli.terminal import app
 
 from .test_batch import HerePool
 
@@ -43,7 +43,7 @@ case = "6208_full_ceramic"
 """
 QUICK = FEW.replace('"ehl.points" = [65]', '"ehl.film_maps" = ["none"]')
 ONE_BALL = '[fixed]\n"ehl.film_maps" = [0.0]\n'
-OILFILM = [sys.executable, "-m", "cases.cli"]
+OILFILM = [sys.executable, "-m", "oilfilm.cases.cli"]
 
 
 def same_data(first, second):
@@ -193,7 +193,7 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatc
     assert "continue with --resume" in stderr
     assert "Traceback" not in stderr
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: HerePool)
+    monkeypatch.setattr("oilfilm.cases.cli.batch._pool", lambda plan, wanted: HerePool)
     answer = CliRunner().invoke(app, [*words[len(OILFILM) :], "--resume", "--json"])
     assert answer.exit_code == 0
     document = json.loads(answer.stdout)
@@ -203,7 +203,7 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatc
 
 def test_workers_import_what_their_parent_does(tmp_path):
     """Not what bears the same name in the folder in which the command is given, where Python 3.11 looks first."""
-    code = "if __name__ == '__main__':\n    import ehl; from cases.batch.pools import LocalPool; pool = LocalPool(1)\n"
+    code = "if __name__ == '__main__':\n    from oilfilm import ehl; from oilfilm.cases.batch.pools import LocalPool; pool = LocalPool(1)\n"
     code += "    found = pool._executor.submit(eval, '__import__(\"ehl\").__file__').result()\n"
     code += "    pool.close(at_once=True); assert found == ehl.__file__, found"
     (tmp_path / "script.py").write_text(code)
@@ -215,7 +215,7 @@ def test_workers_import_what_their_parent_does(tmp_path):
 
 def test_no_scheduler_is_told(monkeypatch):
     pytest.importorskip("distributed")
-    monkeypatch.setattr("cases.batch.pools.PATIENCE", 1.0)
+    monkeypatch.setattr("oilfilm.cases.batch.pools.PATIENCE", 1.0)
     answer = CliRunner().invoke(app, ["batch", "6208_load_and_speed", "--scheduler", "1", "--json"])
     assert answer.exit_code == 2
     assert "no Dask scheduler answers" in answer.stderr

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from cases.batch.engine import run_batch
-from cases.batch.results import load_results, write_batch
-from cases.batch.samples import unit_sample
-from cases.batch.sweep import sweep_from_text
-from postprocess.batch.summary import batch_summary, batch_table
-from postprocess.report.batch import uncertainty
+from oilfilm.cases.batch.engine import run_batch
+from oilfilm.cases.batch.results import load_results, write_batch
+from oilfilm.cases.batch.samples import unit_sample
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.postprocess.batch.summary import batch_summary, batch_table
+from oilfilm.postprocess.report.batch import uncertainty
 
 from .test_batch import HEAD, HerePool, messages
 
@@ -108,7 +108,7 @@ def test_designs_are_in_the_summary(tmp_path):
 
 
 def test_indices_of_a_design_with_gaps_are_null_with_the_reason(tmp_path, monkeypatch):
-    from cases.batch.compute import failure
+    from oilfilm.cases.batch.compute import failure
 
     original = HerePool.submit
 

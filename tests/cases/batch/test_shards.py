@@ -12,20 +12,20 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from cases import CaseError
-from cases.batch import results as batch_results
-from cases.batch.compute import compute_point, failure, limited
-from cases.batch.engine import PointSelection, computed_before, run_batch
-from cases.batch.keys import digest, program_digest, program_sources
-from cases.batch.points import Limits
-from cases.batch.pools import Pool, executor_factory
-from cases.batch.results import collect_results, load_results, write_batch
-from cases.batch.sweep import Shard, shard_of, sweep_from_text
-from cases.cli.terminal import app
-from cases.runs.output_directory import one_writer
-from postprocess.batch.columns import InMemory, columns_of
-from postprocess.batch.store import FAILED, read_batch, stored_summaries
-from postprocess.batch.write import write_batch_parquet
+from oilfilm.cases import CaseError
+from oilfilm.cases.batch import results as batch_results
+from oilfilm.cases.batch.compute import compute_point, failure, limited
+from oilfilm.cases.batch.engine import PointSelection, computed_before, run_batch
+from oilfilm.cases.batch.keys import digest, program_digest, program_sources
+from oilfilm.cases.batch.points import Limits
+from oilfilm.cases.batch.pools import Pool, executor_factory
+from oilfilm.cases.batch.results import collect_results, load_results, write_batch
+from oilfilm.cases.batch.sweep import Shard, shard_of, sweep_from_text
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.runs.output_directory import one_writer
+from oilfilm.postprocess.batch.columns import InMemory, columns_of
+from oilfilm.postprocess.batch.store import FAILED, read_batch, stored_summaries
+from oilfilm.postprocess.batch.write import write_batch_parquet
 
 from .test_batch import HEAD, QUICK, HerePool, stored
 
@@ -107,7 +107,7 @@ def test_a_whole_batch_waits_for_no_shard(tmp_path):
 def test_the_command_in_shards(whole, tmp_path, monkeypatch):
     folder, _ = whole
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: HerePool)
+    monkeypatch.setattr("oilfilm.cases.cli.batch._pool", lambda plan, wanted: HerePool)
     (tmp_path / "quick.toml").write_text(QUICK)
     assert CliRunner().invoke(app, ["batch", "quick.toml", "--collect"]).exit_code == 2
     first = CliRunner().invoke(app, ["batch", "quick.toml", "--shard", "1/2", "--json"])
@@ -135,12 +135,12 @@ def test_only_failed_points_are_computed_again(tmp_path, monkeypatch):
         return original(task, tables) if not bad else batch_results_failure(task)
 
     def batch_results_failure(task):
-        from cases.batch.compute import failure
+        from oilfilm.cases.batch.compute import failure
 
         return failure(task.key, "failed", "not today")
 
     with monkeypatch.context() as patch:
-        patch.setattr("cases.batch.compute.compute_point", failing)
+        patch.setattr("oilfilm.cases.batch.compute.compute_point", failing)
         with pytest.raises(KeyboardInterrupt):
             run_batch(sweep, tmp_path / "out", lambda: HerePool(stop_after=5))
     pool = HerePool()
@@ -171,9 +171,9 @@ def test_whole_numbers_and_floats_are_the_same_point():
 
 def test_a_point_that_cannot_be_a_case_fails_with_its_message(tmp_path, monkeypatch):
     """In a sweep too large to check all of it: the others are computed."""
-    monkeypatch.setattr("cases.batch.sweep.CHECKED", 1)
+    monkeypatch.setattr("oilfilm.cases.batch.sweep.CHECKED", 1)
     text = HEAD + '[fixed]\n"ehl.film_maps" = "none"\n[sweep]\n"bearing.balls" = [8, 40, 9]\n'
-    monkeypatch.setattr("cases.batch.sweep._checked_indices", lambda plan, compute: [0])
+    monkeypatch.setattr("oilfilm.cases.batch.sweep._checked_indices", lambda plan, compute: [0])
     results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert [point.status for point in results.points] == ["done", "failed", "done"]
     assert "at most 15 balls" in results.points[1].message
@@ -224,7 +224,7 @@ def test_a_point_beyond_its_time_fails(tmp_path):
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the limit is of the kernel")
 def test_a_point_beyond_its_memory_fails():
-    words = "from cases.batch.compute import limited; from cases.batch.points import Limits\n"
+    words = "from oilfilm.cases.batch.compute import limited; from oilfilm.cases.batch.points import Limits\n"
     words += "import numpy\nwith limited(Limits(memory=0.2)):\n    numpy.ones(10**8)\n"
     answer = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, check=False)
     assert "MemoryError" in answer.stderr
@@ -266,7 +266,9 @@ def test_a_folder_without_a_point_is_no_earlier_batch(whole, tmp_path, monkeypat
 
 
 def test_results_are_written_where_every_point_failed(tmp_path, monkeypatch):
-    monkeypatch.setattr("cases.batch.compute.compute_point", lambda task, tables=None: failure(task.key, FAILED, "no"))
+    monkeypatch.setattr(
+        "oilfilm.cases.batch.compute.compute_point", lambda task, tables=None: failure(task.key, FAILED, "no")
+    )
     sweep = sweep_from_text(QUICK, "sweep.toml")
     with collect_results(run_batch(sweep, tmp_path / "out", HerePool)) as (results, columns):
         write_batch(results, tmp_path / "out", columns)
@@ -285,7 +287,7 @@ def test_points_travel_in_blocks_of_some_seconds(monkeypatch):
             return future
 
     clock = [0.0]
-    monkeypatch.setattr("cases.batch.pools.monotonic", lambda: clock[0])
+    monkeypatch.setattr("oilfilm.cases.batch.pools.monotonic", lambda: clock[0])
     pool = Pool(Instant)
     assert pool.block() == 1
     pool.submit((None,))
@@ -298,12 +300,12 @@ def test_the_code_is_part_of_the_name(monkeypatch):
     assert not [path for path in program_sources() if "cli" in Path(path).parts]
     assert len(program_digest()) == 16
     before = sweep_from_text(QUICK, "sweep.toml").points[0].key
-    monkeypatch.setattr("cases.batch.plan.program_digest", lambda: "another")
+    monkeypatch.setattr("oilfilm.cases.batch.plan.program_digest", lambda: "another")
     assert sweep_from_text(QUICK, "sweep.toml").points[0].key != before
 
 
 def test_a_file_that_a_case_reads_is_part_of_the_name(tmp_path, monkeypatch):
-    from cases.batch.plan import input_files
+    from oilfilm.cases.batch.plan import input_files
 
     document = {"friction": {"traction_table": str(tmp_path / "table.zip")}}
     assert list(input_files(document)) == [str(tmp_path / "table.zip")]

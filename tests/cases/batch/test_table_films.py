@@ -8,14 +8,14 @@ from math import log
 
 import pytest
 
-from bearing import solve_quasistatic
-from bearing.friction.tables import table_contacts, table_range
-from bearing.geometry import Race
-from cases import load_case
-from cases.batch import shared_tables
-from cases.batch import shared_tables as table_films
-from cases.batch.shared_tables import remove_films, stored_film_sampler
-from cases.cli.compute import _film_sampler
+from oilfilm.bearing import solve_quasistatic
+from oilfilm.bearing.friction.tables import table_contacts, table_range
+from oilfilm.bearing.geometry import Race
+from oilfilm.cases import load_case
+from oilfilm.cases.batch import shared_tables
+from oilfilm.cases.batch import shared_tables as table_films
+from oilfilm.cases.batch.shared_tables import remove_films, stored_film_sampler
+from oilfilm.cases.cli.compute import _film_sampler
 
 
 class Hostile:

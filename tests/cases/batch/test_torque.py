@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from bearing import Race
-from bearing.operation import BallKinematics
-from cases import load_case, run_case
-from cases.batch.engine import run_batch
-from cases.batch.results import load_results
-from cases.batch.shared_tables import _without_films, shared_tables
-from cases.batch.sweep import sweep_from_text
-from cases.format.case import case_of_document
-from cases.format.shipped import find_case
-from postprocess import summary
+from oilfilm.bearing import Race
+from oilfilm.bearing.operation import BallKinematics
+from oilfilm.cases import load_case, run_case
+from oilfilm.cases.batch.engine import run_batch
+from oilfilm.cases.batch.results import load_results
+from oilfilm.cases.batch.shared_tables import _without_films, shared_tables
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.cases.format.shipped import find_case
+from oilfilm.postprocess import summary
 
 from .test_batch import HerePool
 
@@ -77,7 +77,7 @@ def test_a_law_of_the_case_itself_is_taken_as_by_run(tmp_path, kinematics):
 
 def test_tables_of_points_with_heat_have_heat(tmp_path, monkeypatch):
     """Made with the thermal properties of ball and race, and named apart from those without."""
-    monkeypatch.setattr("cases.batch.shared_tables.build_table", lambda contact, *arguments: contact)
+    monkeypatch.setattr("oilfilm.cases.batch.shared_tables.build_table", lambda contact, *arguments: contact)
     oil = "viscosity_mPa_s = 26.1 # assumed: 30 mm2/s of the paper times 870 kg/m3, at no stated temperature\n"
     warm = "thermal_conductivity_W_m_K = 0.14\nspecific_heat_J_kg_K = 2000.0\nviscosity_temperature_1_K = 0.04\n"
     text = case_text().replace(oil, oil + warm)

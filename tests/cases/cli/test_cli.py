@@ -17,17 +17,17 @@ import pytest
 from rich.console import Group
 from typer.testing import CliRunner
 
-from bearing.library.bearings import load_catalogue_entry
-from bearing.library.lubricants import library_lubricant
-from bearing.torque.skf import viscous_factor
-from cases import load_case
-from cases.cli import compute, output, terminal
-from cases.cli.terminal import app
-from cases.format.shipped import find_case, shipped_cases
-from cases.runs import interrupt
+from oilfilm.bearing.library.bearings import load_catalogue_entry
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.torque.skf import viscous_factor
+from oilfilm.cases import load_case
+from oilfilm.cases.cli import compute, output, terminal
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.shipped import find_case, shipped_cases
+from oilfilm.cases.runs import interrupt
 
 AT_REST = "209_radial_8900N"  # no films: quick
-OILFILM = [sys.executable, "-m", "cases.cli"]
+OILFILM = [sys.executable, "-m", "oilfilm.cases.cli"]
 
 
 def oilfilm(*words):
@@ -49,7 +49,7 @@ def test_version():
 def test_validation_imports_no_kernels_and_no_pictures():
     """It is quick: what it takes of the solvers are their types of data."""
     code = (
-        "import sys; from cases.format.document import validate_text; from cases.format.shipped import shipped_cases\n"
+        "import sys; from oilfilm.cases.format.document import validate_text; from oilfilm.cases.format.shipped import shipped_cases\n"
         "for p in shipped_cases().values(): validate_text(p.read_text(), p.name)\n"
         "print([m for m in sys.argv[1:] if m in sys.modules])"
     )
@@ -57,8 +57,8 @@ def test_validation_imports_no_kernels_and_no_pictures():
         "numba",
         "scipy.optimize",
         "scipy.special",
-        "ehl.solver",
-        "ehl.multigrid.cycle",
+        "oilfilm.ehl.solver",
+        "oilfilm.ehl.multigrid.cycle",
         "xarray",
         "matplotlib",
         "pyvista",
@@ -111,7 +111,7 @@ def test_notes_tell_what_bears_on_the_numbers(tmp_path):
 
 def test_the_case_of_a_result_is_a_case(tmp_path):
     """The document as run, defaults filled in, describes the same case."""
-    from cases.format.document import check_document
+    from oilfilm.cases.format.document import check_document
 
     document = json.loads(oilfilm("run", AT_REST, "--json").stdout)["case"]
     file, problems = check_document(document)
@@ -285,13 +285,13 @@ def test_a_failure_of_the_machine_is_one_line_and_a_log(error, expected, monkeyp
 def test_not_converged_is_written_flagged_and_told(monkeypatch, tmp_path):
     import dataclasses
 
-    from bearing import solve_quasistatic as solve
+    from oilfilm.bearing import solve_quasistatic as solve
 
     def fail(*arguments, **options):
         solved = solve(*arguments, **options)
         return dataclasses.replace(solved, converged=False, message="the load exceeds every capacity")
 
-    monkeypatch.setattr("cases.runs.traction_films.solve_quasistatic", fail)
+    monkeypatch.setattr("oilfilm.cases.runs.traction_films.solve_quasistatic", fail)
     answer = oilfilm("run", AT_REST, "-o", "out", "--quiet")
     assert answer.exit_code == 1
     assert "the load exceeds every capacity" in answer.stderr
@@ -302,7 +302,7 @@ def test_interrupted(monkeypatch):
     def interrupt(*_args, **_kwargs):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("cases.runs.bearing.run_case", interrupt)
+    monkeypatch.setattr("oilfilm.cases.runs.bearing.run_case", interrupt)
     answer = oilfilm("run", AT_REST)
     assert answer.exit_code == 3
     assert answer.stderr == "oilfilm: interrupted\n"
@@ -311,7 +311,7 @@ def test_interrupted(monkeypatch):
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
 def test_a_signal_ends_a_command_with_code_3(name, tmp_path):
-    code = "import time; from cases.cli.terminal import exit_code; print('up', flush=True); "
+    code = "import time; from oilfilm.cases.cli.terminal import exit_code; print('up', flush=True); "
     code += "import sys; sys.exit(exit_code(lambda: time.sleep(30)))"
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout.readline() == b"up\n"
@@ -591,7 +591,7 @@ def test_a_number_that_was_changed_is_told(tmp_path):
 
 def test_validation_refuses_what_a_run_refuses(tmp_path):
     """Also what only the conversion to a case finds."""
-    from cases.format.shipped import shipped_cases as cases
+    from oilfilm.cases.format.shipped import shipped_cases as cases
 
     text = cases()["6208_full_ceramic"].read_text(encoding="utf-8")
     (tmp_path / "case.toml").write_text(text.replace("temperature_C = 40.0", "temperature_C = -200.0"))

@@ -10,12 +10,12 @@ import time
 
 import pytest
 
-from cases.cli import output, terminal
-from cases.cli.terminal import exit_code
-from cases.runs.interrupt import interruptible
+from oilfilm.cases.cli import output, terminal
+from oilfilm.cases.cli.terminal import exit_code
+from oilfilm.cases.runs.interrupt import interruptible
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and streams of POSIX")
-OILFILM = [sys.executable, "-m", "cases.cli"]
+OILFILM = [sys.executable, "-m", "oilfilm.cases.cli"]
 LONG = "hashlib.pbkdf2_hmac('sha256', b'a', b'b', 200_000_000)"  # minutes in C, without Python's lock
 WITHIN = 10.0  # of a machine with other work to do; 2 s on an idle one [s]
 
@@ -32,7 +32,7 @@ def signalled(code, number=signal.SIGTERM):
 
 
 def test_a_program_that_ends_while_it_writes_leaves_no_part_of_a_file(tmp_path):
-    code = "from pathlib import Path; from bearing.files import atomic_path; from cases.runs.interrupt import end_now\n"
+    code = "from pathlib import Path; from oilfilm.bearing.files import atomic_path; from oilfilm.cases.runs.interrupt import end_now\n"
     code += "with atomic_path(Path('whole.png')) as part:\n    part.write_bytes(b'half'); end_now(3)"
     ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=False, timeout=60)
     assert ended.returncode == 3
@@ -41,7 +41,7 @@ def test_a_program_that_ends_while_it_writes_leaves_no_part_of_a_file(tmp_path):
 
 def test_a_signal_of_this_very_moment_is_known():
     """The thread that sees it may not have run when the command has ended already."""
-    code = "import os, signal; from cases.runs.interrupt import end_after_signal; came = end_after_signal(3)\n"
+    code = "import os, signal; from oilfilm.cases.runs.interrupt import end_after_signal; came = end_after_signal(3)\n"
     code += "signal.signal(signal.SIGINT, lambda *_: None); print('up', flush=True); assert not came()\n"
     code += "os.kill(os.getpid(), signal.SIGINT); os._exit(0 if came() else 1)"
     for _ in range(5):
@@ -50,15 +50,15 @@ def test_a_signal_of_this_very_moment_is_known():
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_program_in_compiled_code_ends_all_the_same(number):
-    code = "import hashlib; from cases.runs.interrupt import end_after_signal; end_after_signal(3)\n"
-    code += "import signal, cases.runs.interrupt as i; signal.signal(signal.SIGTERM, i.interrupt)\n"
+    code = "import hashlib; from oilfilm.cases.runs.interrupt import end_after_signal; end_after_signal(3)\n"
+    code += "import signal, oilfilm.cases.runs.interrupt as i; signal.signal(signal.SIGTERM, i.interrupt)\n"
     code += f"print('up', flush=True); {LONG}"
     assert signalled(code, number)[:2] == (3, "oilfilm: interrupted\n")
 
 
 FINALIZED = """
 import os, signal, time
-from cases.runs.interrupt import end_after_signal, interrupt
+from oilfilm.cases.runs.interrupt import end_after_signal, interrupt
 end_after_signal(3)
 signal.signal(signal.SIGINT, interrupt)
 class File:
@@ -127,8 +127,8 @@ def test_threads_are_silent_after_an_interrupt_alone():
 def test_work_in_a_thread_is_given_up_at_once():
     code = f"""
 import hashlib, signal
-from cases.cli.terminal import exit_code
-from cases.runs.interrupt import end_now, interruptible
+from oilfilm.cases.cli.terminal import exit_code
+from oilfilm.cases.runs.interrupt import end_now, interruptible
 def work():
     print("up", flush=True)
     return {LONG}
@@ -146,8 +146,8 @@ def test_what_work_in_a_thread_gives_and_raises_comes_back():
 
 
 def test_a_signal_before_the_commands_are_loaded():
-    code = "import os, signal, sys\nimport cases.cli.start as start\nprint('up', flush=True)\n"
-    code += "sys.modules['cases.cli.main'] = None\n"  # would fail to load
+    code = "import os, signal, sys\nimport oilfilm.cases.cli.start as start\nprint('up', flush=True)\n"
+    code += "sys.modules['oilfilm.cases.cli.main'] = None\n"  # would fail to load
     code += "old = signal.signal\n"
     code += "def late(*words):\n    old(*words)\n    if words[0] == signal.SIGTERM: os.kill(os.getpid(), 15)\n"
     code += "signal.signal = late\nstart.main()"
@@ -206,7 +206,7 @@ def test_a_compilation_is_told_once(capsys):
 
     with terminal.progress_bar(quiet=False):
         for _ in range(3):
-            logging.getLogger("ehl.compiled").info("compiling kernels")
+            logging.getLogger("oilfilm.ehl.compiled").info("compiling kernels")
     assert capsys.readouterr().err == "oilfilm: compiling kernels\n"
 
 
@@ -214,13 +214,13 @@ def test_compiling_a_kernel_is_logged_and_calling_it_again_is_not(caplog):
     from numba import njit
 
     kernel = njit(lambda x: 0.5 * x)
-    with caplog.at_level("INFO", logger="ehl.compiled"):
+    with caplog.at_level("INFO", logger="oilfilm.ehl.compiled"):
         assert (kernel(3.0), kernel(5.0)) == (1.5, 2.5)
     assert [record.getMessage()[:17] for record in caplog.records] == ["compiling kernels"]
 
 
 def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
-    from cases import load_case
+    from oilfilm.cases import load_case
 
     case = load_case("6208_full_ceramic")
     output.report_cost(output.run_cost(case, 2), quiet=True)

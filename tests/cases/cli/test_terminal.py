@@ -7,8 +7,8 @@ import tempfile
 import pytest
 import typer
 
-from cases.cli.terminal import exit_code
-from cases.format.rules import CaseError, allowed_values, shown
+from oilfilm.cases.cli.terminal import exit_code
+from oilfilm.cases.format.rules import CaseError, allowed_values, shown
 
 
 def raising(error):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from cases.format.case import case_from_text
+from oilfilm.cases.format.case import case_from_text
 
 CASE = """
 schema_version = 1

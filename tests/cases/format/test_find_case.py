@@ -7,9 +7,9 @@ import shutil
 import pytest
 from typer.testing import CliRunner
 
-from cases.cli.terminal import app
-from cases.format.rules import CaseError
-from cases.format.shipped import find_case, shipped_cases
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.format.shipped import find_case, shipped_cases
 
 
 @pytest.fixture

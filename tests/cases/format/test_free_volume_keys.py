@@ -6,11 +6,16 @@ import json
 
 import pytest
 
-from cases.format.case import case_from_text
-from cases.format.document import validate_text
-from cases.format.rules import CaseError
-from ehl.oil.free_volume import ExpansivityForm, YasutomiGlass, log_viscosity_yasutomi, pressure_viscosity_yasutomi
-from ehl.oil.lubricant import density, viscosity
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.document import validate_text
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.ehl.oil.free_volume import (
+    ExpansivityForm,
+    YasutomiGlass,
+    log_viscosity_yasutomi,
+    pressure_viscosity_yasutomi,
+)
+from oilfilm.ehl.oil.lubricant import density, viscosity
 
 CONTACT = """\
 schema_version = 1

@@ -6,9 +6,9 @@ import random
 
 import pytest
 
-from cases import CaseError
-from cases.format.case import case_from_text
-from cases.format.shipped import shipped_cases
+from oilfilm.cases import CaseError
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.shipped import shipped_cases
 
 TEXTS = [path.read_text(encoding="utf-8") for path in shipped_cases().values()]
 SEED = 20_570_193

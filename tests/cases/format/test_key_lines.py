@@ -6,8 +6,8 @@ import tomllib
 
 import pytest
 
-from cases.format.rules import find_line, key_lines
-from cases.format.shipped import shipped_cases
+from oilfilm.cases.format.rules import find_line, key_lines
+from oilfilm.cases.format.shipped import shipped_cases
 
 TEXT = '''# comment = 1 [not.a.table]
 title = "a [bracket] = # no comment"  # comment

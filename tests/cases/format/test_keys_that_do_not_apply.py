@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from cases import CaseError
-from cases.batch.sweep import sweep_from_text
-from cases.cli.terminal import app
-from cases.format.case import case_from_text
-from cases.format.document import validate_text
+from oilfilm.cases import CaseError
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.document import validate_text
 
 from ..made_up_tables import made_up_tables
 
@@ -132,7 +132,7 @@ def test_a_law_without_constants_in_an_oil_of_ones_own_has_the_line_of_the_oil()
 
 def test_a_foreign_table_is_told_with_its_line(tmp_path):
     """Also in a sweep, at the key that varies."""
-    from bearing.friction.tables import save_race_tables
+    from oilfilm.bearing.friction.tables import save_race_tables
 
     path = tmp_path / "made.zip"
     save_race_tables(made_up_tables(case_from_text(BEARING, "case.toml")), path)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from cases import CaseError
-from cases.format.case import case_from_text
+from oilfilm.cases import CaseError
+from oilfilm.cases.format.case import case_from_text
 
 CASE = """\
 schema_version = 1

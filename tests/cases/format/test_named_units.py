@@ -6,12 +6,12 @@ import csv
 
 import pytest
 
-from cases.batch.engine import run_batch
-from cases.batch.results import load_results, write_batch
-from cases.batch.sweep import sweep_from_text
-from cases.format.document import BearingFile, ContactFile
-from ehl.units import UNITS, unit_of, without_unit
-from postprocess.compare.summary import _group
+from oilfilm.cases.batch.engine import run_batch
+from oilfilm.cases.batch.results import load_results, write_batch
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.cases.format.document import BearingFile, ContactFile
+from oilfilm.ehl.units import UNITS, unit_of, without_unit
+from oilfilm.postprocess.compare.summary import _group
 
 from ..batch.test_batch import HerePool
 

@@ -2,11 +2,11 @@
 
 import pytest
 
-from cases import CaseError
-from cases.format.case import case_from_text
-from cases.format.document import validate_text
-from cases.format.dynamics import simulated_friction
-from cases.format.shipped import find_case
+from oilfilm.cases import CaseError
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.document import validate_text
+from oilfilm.cases.format.dynamics import simulated_friction
+from oilfilm.cases.format.shipped import find_case
 
 NEW = find_case("7008_radial").read_text(encoding="utf-8")
 BY_LAW = "traction_maximum = 0.05\ntraction_maximum_slide = 0.03\ntraction_limit = 0.03\n"

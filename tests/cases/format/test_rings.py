@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from cases import CaseError
-from cases.format.case import case_from_text
-from ehl.solid.bodies import Seat
+from oilfilm.cases import CaseError
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.ehl.solid.bodies import Seat
 
 CASE = """\
 schema_version = 1

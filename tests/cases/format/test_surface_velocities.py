@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from cases import CaseError
-from cases.format.case import case_from_text
-from ehl.conditions import surface_motion
+from oilfilm.cases import CaseError
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.ehl.conditions import surface_motion
 
 CASE = """\
 schema_version = 1

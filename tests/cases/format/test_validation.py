@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from cases import CaseError
-from cases.format.document import validate_text
+from oilfilm.cases import CaseError
+from oilfilm.cases.format.document import validate_text
 
 BEARING = """\
 schema_version = 1

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from cases import CaseError
-from cases.cli.optimise import optimisation_table
-from cases.cli.terminal import app
-from cases.optimise.results import write_optimisation
-from cases.optimise.search import (
+from oilfilm.cases import CaseError
+from oilfilm.cases.cli.optimise import optimisation_table
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.optimise.results import write_optimisation
+from oilfilm.cases.optimise.search import (
     Observations,
     confirmation_messages,
     first_designs,
@@ -21,7 +21,7 @@ from cases.optimise.search import (
     scalar_goal,
     search_designs,
 )
-from cases.optimise.study import Design, OptimisationResult, read_study
+from oilfilm.cases.optimise.study import Design, OptimisationResult, read_study
 
 from ..batch.test_batch import HerePool
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from cases import CaseError
-from cases.format.case import case_from_text
-from cases.runs.contact import run_contact
-from postprocess.contact.summary import contact_summary, response_row
+from oilfilm.cases import CaseError
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.runs.contact import run_contact
+from oilfilm.postprocess.contact.summary import contact_summary, response_row
 
 TEXT = """schema_version = 1
 [contact]

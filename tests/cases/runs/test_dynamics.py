@@ -18,22 +18,22 @@ import pytest
 from rich.console import Console
 from typer.testing import CliRunner
 
-from bearing.dynamics.arrays import OIL_VISCOSITY
-from bearing.dynamics.statistics import states
-from bearing.library.lubricants import library_lubricant
-from bearing.quasistatic.solver import solve_quasistatic
-from cases import load_case, run_case
-from cases.cli.over_time import _write
-from cases.cli.terminal import app
-from cases.format.rules import CaseError
-from cases.format.shipped import find_case
-from cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics
-from postprocess import summary
-from postprocess.dynamics.plots import averaged, simulated_speeds
-from postprocess.dynamics.results import dynamics_summary, open_history
-from postprocess.dynamics.write import dynamics_table
-from postprocess.report.html import figure, number
-from postprocess.report.page import report_page
+from oilfilm.bearing.dynamics.arrays import OIL_VISCOSITY
+from oilfilm.bearing.dynamics.statistics import states
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.cases import load_case, run_case
+from oilfilm.cases.cli.over_time import _write
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.format.shipped import find_case
+from oilfilm.cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.dynamics.plots import averaged, simulated_speeds
+from oilfilm.postprocess.dynamics.results import dynamics_summary, open_history
+from oilfilm.postprocess.dynamics.write import dynamics_table
+from oilfilm.postprocess.report.html import figure, number
+from oilfilm.postprocess.report.page import report_page
 
 SHORT = "end_time_s = 0.004\noutput_interval_us = 50.0\n"
 PICTURES = ("speeds", "spin", "forces", "sliding", "states", "orbits", "spectrum", "energy")
@@ -223,7 +223,7 @@ def test_an_interrupted_run_goes_on(tmp_path):
 
     with pytest.raises(Interrupted) as caught:
         run_dynamics(case, "case", tmp_path / "part.nc", progress=stop)
-    from bearing.dynamics.simulation import save_restart
+    from oilfilm.bearing.dynamics.simulation import save_restart
 
     part = caught.value.simulation
     assert 0.0 < part.state.time < 0.004
@@ -253,7 +253,7 @@ def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
     command = [
         sys.executable,
         "-c",
-        "from cases.cli.main import app; app()",
+        "from oilfilm.cases.cli.main import app; app()",
         "dynamics",
         str(path),
         "-o",

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from cases import CaseError
-from cases.format.case import case_from_text
+from oilfilm.cases import CaseError
+from oilfilm.cases.format.case import case_from_text
 
 CASE = """
 schema_version = 1
@@ -63,7 +63,7 @@ def test_a_grease_is_its_base_oil_and_says_so():
 
 
 def test_a_document_of_named_seats_and_greases_is_a_case_again():
-    from cases.format.case import case_of_document
+    from oilfilm.cases.format.case import case_of_document
 
     first = case(CASE.replace('name = "VG68"', 'grease = "lithium mineral 100"') + SEATS)
     again = case_of_document(first.document)

@@ -5,17 +5,17 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from bearing.friction.tables import save_race_tables, save_temperature_tables
-from bearing.geometry import Race
-from bearing.material import load_material
-from cases.batch.shared_tables import tables_once
-from cases.batch.sweep import sweep_from_text
-from cases.cli.terminal import app
-from cases.format.case import case_from_text
-from cases.format.rules import CaseError
-from cases.format.shipped import find_case
-from cases.runs.dynamics import build_model
-from ehl.traction_table.temperature import TemperatureTable
+from oilfilm.bearing.friction.tables import save_race_tables, save_temperature_tables
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.material import load_material
+from oilfilm.cases.batch.shared_tables import tables_once
+from oilfilm.cases.batch.sweep import sweep_from_text
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.format.shipped import find_case
+from oilfilm.cases.runs.dynamics import build_model
+from oilfilm.ehl.traction_table.temperature import TemperatureTable
 
 from ..made_up_tables import made_up_tables
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from cases import run_case
-from cases.format.case import case_from_text
-from cases.format.rules import CaseError
-from postprocess import summary
+from oilfilm.cases import run_case
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.postprocess import summary
 
 CASE = """
 schema_version = 1

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from cases.runs import kernel_cache
-from cases.runs.kernel_cache import VARIABLE, compiled_stamp, ensure_kernel_cache
+from oilfilm.cases.runs import kernel_cache
+from oilfilm.cases.runs.kernel_cache import VARIABLE, compiled_stamp, ensure_kernel_cache
 
 
 @pytest.fixture

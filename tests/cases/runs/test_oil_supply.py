@@ -9,16 +9,16 @@ from math import pi
 import pytest
 from rich.console import Console
 
-from cases import load_case
-from cases.batch.sweep import read_sweep
-from cases.format.case import case_from_text, case_of_document
-from cases.format.rules import CaseError
-from cases.runs.bearing import run_case
-from cases.runs.contact import run_contact
-from cases.runs.heating import self_heated
-from ehl.closed_form.starvation import starvation_factors
-from postprocess import summary
-from postprocess.bearing.write import bearing_table
+from oilfilm.cases import load_case
+from oilfilm.cases.batch.sweep import read_sweep
+from oilfilm.cases.format.case import case_from_text, case_of_document
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs.bearing import run_case
+from oilfilm.cases.runs.contact import run_contact
+from oilfilm.cases.runs.heating import self_heated
+from oilfilm.ehl.closed_form.starvation import starvation_factors
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.bearing.write import bearing_table
 
 SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
 TEXT = (
@@ -171,7 +171,7 @@ def test_at_rest_nothing_is_starved():
 def test_the_terminal_tells_the_supply():
     from rich.console import Console
 
-    from postprocess.bearing.write import bearing_table
+    from oilfilm.postprocess.bearing.write import bearing_table
 
     console = Console(width=80)
     with console.capture() as capture:
@@ -321,8 +321,8 @@ def test_a_sweep_draws_supply_and_temperature_a_line_for_each_load_and_speed():
     """Films over the flooded ones have a line for each of the eight combinations of load and speed, named beside."""
     from matplotlib.figure import Figure
 
-    from postprocess.batch.plots import draw_batch, quantities
-    from postprocess.batch.results import BatchPoint, BatchResults, result_names, varied_keys
+    from oilfilm.postprocess.batch.plots import draw_batch, quantities
+    from oilfilm.postprocess.batch.results import BatchPoint, BatchResults, result_names, varied_keys
 
     assert {"supply.film_share", "supply.lambda_least", "self_heating.temperature_C"} <= set(result_names("run"))
     sweep = read_sweep("6208_over_oil_supply")

@@ -6,9 +6,9 @@ import sys
 
 import pytest
 
-from cases import CaseError
-from cases.runs import output_directory
-from cases.runs.output_directory import (
+from oilfilm.cases import CaseError
+from oilfilm.cases.runs import output_directory
+from oilfilm.cases.runs.output_directory import (
     DIGESTS,
     MANIFEST,
     check_file,

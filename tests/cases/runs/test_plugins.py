@@ -11,12 +11,12 @@ import sys
 import numpy as np
 import pytest
 
-from bearing.library import plugins
-from bearing.library.lubricants import _of_plugin as checked_oil
-from bearing.library.lubricants import library_lubricant, list_lubricants
-from cases.batch.keys import program_digest
-from cases.format.case import case_from_text
-from cases.format.rules import CaseError
+from oilfilm.bearing.library import plugins
+from oilfilm.bearing.library.lubricants import _of_plugin as checked_oil
+from oilfilm.bearing.library.lubricants import library_lubricant, list_lubricants
+from oilfilm.cases.batch.keys import program_digest
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.rules import CaseError
 
 MODULE = """
 from math import exp
@@ -157,7 +157,7 @@ def test_results_of_another_plug_in_have_other_names(installed):
 def oilfilm(folder, *words):
     paths = os.pathsep.join((str(folder), os.environ["PYTHONPATH"]))
     return subprocess.run(
-        [sys.executable, "-m", "cases.cli", *words], cwd=folder, env=os.environ | {"PYTHONPATH": paths},
+        [sys.executable, "-m", "oilfilm.cases.cli", *words], cwd=folder, env=os.environ | {"PYTHONPATH": paths},
         capture_output=True, text=True, check=False,
     )  # fmt: skip
 

@@ -23,7 +23,7 @@ SHUT = "/proc/nowhere"  # no folder can be made there, by root either
 )
 def test_no_home_directory_and_no_cache(words, tmp_path):
     """Exit code 0 and not a word of matplotlib or numba."""
-    from cases.format.shipped import find_case
+    from oilfilm.cases.format.shipped import find_case
 
     text = find_case("hirano_7000C").read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if not line.startswith(("points", "critical_points"))]
@@ -32,7 +32,7 @@ def test_no_home_directory_and_no_cache(words, tmp_path):
     (tmp_path / "sweep.toml").write_text('case = "209_radial_8900N"\n[sweep]\n"operation.radial_load_N" = [1e3, 2e3]\n')
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "MPL", "NUMBA_"))} | {"HOME": SHUT}
     run = subprocess.run(
-        [sys.executable, "-m", "cases.cli", *words],
+        [sys.executable, "-m", "oilfilm.cases.cli", *words],
         cwd=tmp_path,
         env=environment,
         capture_output=True,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from cases.format.case import case_from_text
-from cases.format.rules import CaseError
-from cases.runs.bearing import run_case
-from cases.runs.contact import run_contact
-from postprocess import summary
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs.bearing import run_case
+from oilfilm.cases.runs.contact import run_contact
+from oilfilm.postprocess import summary
 
 TEXT = """
 schema_version = 1

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from cases import load_case, run_case
-from cases.format.case import case_from_text
-from cases.format.rules import CaseError
-from postprocess import summary
-from postprocess.bearing.plots import write_bearing_plots
-from postprocess.bearing.write import bearing_table
-from postprocess.scene.vtk import bodies
+from oilfilm.cases import load_case, run_case
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.bearing.plots import write_bearing_plots
+from oilfilm.postprocess.bearing.write import bearing_table
+from oilfilm.postprocess.scene.vtk import bodies
 
 CASE = """\
 schema_version = 1
@@ -103,8 +103,8 @@ def test_preload_is_set_with_the_clearance_as_delivered():
 def test_films_of_both_rows_by_azimuth():
     """The azimuth of a ball names those of every row."""
     case = load_case("7008_back_to_back")
-    from bearing import contact_conditions, solve_quasistatic
-    from cases.runs.films import wanted_contacts
+    from oilfilm.bearing import contact_conditions, solve_quasistatic
+    from oilfilm.cases.runs.films import wanted_contacts
 
     state = solve_quasistatic(case.bearing, case.operation, case.model, rows=case.rows)
     contacts = contact_conditions(state, case.lubricant)

@@ -9,20 +9,20 @@ from types import SimpleNamespace
 
 import pytest
 
-import ehl
-from bearing import solve_quasistatic
-from bearing.library.lubricants import library_lubricant
-from cases import load_case, run_case, run_contact
-from cases.runs.bearing import Interrupted
-from cases.runs.films import equal_contacts
-from ehl.conditions import moes_groups
-from postprocess import summary
+from oilfilm import ehl
+from oilfilm.bearing import solve_quasistatic
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.cases import load_case, run_case, run_contact
+from oilfilm.cases.runs.bearing import Interrupted
+from oilfilm.cases.runs.films import equal_contacts
+from oilfilm.ehl.conditions import moes_groups
+from oilfilm.postprocess import summary
 
 CASE = "6208_full_ceramic"
 
 
 class Solver:
-    """Stands in for `ehl.solve_contact`; remembers what it was asked."""
+    """Stands in for `oilfilm.ehl.solve_contact`; remembers what it was asked."""
 
     def __init__(self, stop_after=None):
         self.asked = []
@@ -41,18 +41,18 @@ class Solver:
 def unsheared(monkeypatch):
     """The stand-in's films have no fields to shear or to conduct heat."""
     monkeypatch.setattr(
-        "cases.runs.bearing.contact_tractions",
+        "oilfilm.cases.runs.bearing.contact_tractions",
         lambda _case, _state, contacts, _films, _balanced: (None,) * len(contacts),
     )
-    monkeypatch.setattr("cases.runs.bearing._torque", lambda *_: None)
-    monkeypatch.setattr("cases.runs.bearing._operating", lambda *_: None)
-    monkeypatch.setattr("cases.runs.bearing.solved_films", lambda contacts, _solutions: (None,) * len(contacts))
-    monkeypatch.setattr("cases.runs.contact._contact_traction", lambda *_: None)
+    monkeypatch.setattr("oilfilm.cases.runs.bearing._torque", lambda *_: None)
+    monkeypatch.setattr("oilfilm.cases.runs.bearing._operating", lambda *_: None)
+    monkeypatch.setattr("oilfilm.cases.runs.bearing.solved_films", lambda contacts, _solutions: (None,) * len(contacts))
+    monkeypatch.setattr("oilfilm.cases.runs.contact._contact_traction", lambda *_: None)
 
 
 def replace_solver(monkeypatch, stand_in):
     """Solve films by a stand-in, in runs of bearings and of single contacts."""
-    for module in ("cases.format.contact", "cases.runs.films"):
+    for module in ("oilfilm.cases.format.contact", "oilfilm.cases.runs.films"):
         monkeypatch.setattr(f"{module}.solve_contact", stand_in)
 
 
@@ -98,7 +98,7 @@ def test_no_films_without_equilibrium(solver, monkeypatch):
     def fail(*arguments, **named):
         return dataclasses.replace(solve(*arguments, **named), converged=False, message="no equilibrium")
 
-    monkeypatch.setattr("cases.runs.traction_films.solve_quasistatic", fail)
+    monkeypatch.setattr("oilfilm.cases.runs.traction_films.solve_quasistatic", fail)
     results = run_case(load_case(CASE))
     assert solver.asked == []
     assert not results.converged
@@ -150,7 +150,7 @@ def test_a_single_contact(solver):
 
 
 def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
-    from cases.format.shipped import shipped_cases
+    from oilfilm.cases.format.shipped import shipped_cases
 
     text = shipped_cases()["ball_on_disc"].read_text()
     text = text.replace(
@@ -164,7 +164,7 @@ def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
 
 def test_the_lambda_ratio_of_a_case_with_roughness():
     """h_min over the rms roughness of race and ball, sqrt(0.03^2 + 0.04^2) = 0.05 um."""
-    from postprocess.bearing.contacts import lambda_ratio
+    from oilfilm.postprocess.bearing.contacts import lambda_ratio
 
     surface = {"inner_ring_roughness_um": 0.03, "outer_ring_roughness_um": 0.0, "ball_roughness_um": 0.04}
     inner = SimpleNamespace(race=SimpleNamespace(value="inner"))

@@ -8,12 +8,12 @@ from math import pi
 import numpy as np
 import pytest
 
-from cases.cli.new_case import FirstOperation, case_of_designation
-from cases.format.case import case_from_text
-from cases.format.rules import CaseError
-from cases.runs.bearing import run_case
-from cases.runs.heating import self_heated
-from postprocess import summary
+from oilfilm.cases.cli.new_case import FirstOperation, case_of_designation
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs.bearing import run_case
+from oilfilm.cases.runs.heating import self_heated
+from oilfilm.postprocess import summary
 
 TEXT = """
 schema_version = 1

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 import oilfilm
-from bearing.geometry import SINGLE
-from bearing.quasistatic.solver import solve_quasistatic
-from cases.format.case import case_of_document
-from cases.runs import traction_films
-from cases.runs.traction_films import Equilibria, case_equilibrium
+from oilfilm.bearing.geometry import SINGLE
+from oilfilm.bearing.quasistatic.solver import solve_quasistatic
+from oilfilm.cases.format.case import case_of_document
+from oilfilm.cases.runs import traction_films
+from oilfilm.cases.runs.traction_films import Equilibria, case_equilibrium
 
 
 def as_run(name):

@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from cases.cli.terminal import app
+from oilfilm.cases.cli.terminal import app
 
 
 @pytest.fixture

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from cases import load_case, run_case
-from cases.cli.terminal import app
-from cases.format.document import read_text
-from cases.format.shipped import find_case
-from postprocess import summary
+from oilfilm.cases import load_case, run_case
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.document import read_text
+from oilfilm.cases.format.shipped import find_case
+from oilfilm.postprocess import summary
 
 FEW = "points = 3\ncritical_points = 2\n"
 PLOTS = ("slip_factors.png", "critical_loads.png", "minimum_preload.png", "slip_per_ball.png")

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from bearing import solve_quasistatic
-from cases import load_case
-from cases.cli.terminal import app
+from oilfilm.bearing import solve_quasistatic
+from oilfilm.cases import load_case
+from oilfilm.cases.cli.terminal import app
 
 CASE = "7008_back_to_back"
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from cases import load_case, run_case
-from cases.format.case import case_from_text
-from postprocess import summary
-from postprocess.bearing.plots import write_bearing_plots
+from oilfilm.cases import load_case, run_case
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.bearing.plots import write_bearing_plots
 
 STEEL = """\
 schema_version = 1
@@ -92,7 +92,7 @@ def test_a_tight_hot_ring_is_told():
 
 
 def load_text(stem):
-    from cases.format.shipped import shipped_cases
+    from oilfilm.cases.format.shipped import shipped_cases
 
     return shipped_cases()[stem].read_text(encoding="utf-8")
 

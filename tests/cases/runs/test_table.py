@@ -12,18 +12,18 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from bearing.friction.tables import load_tables
-from bearing.geometry import Race
-from bearing.library.lubricants import library_lubricant
-from cases.batch.shared_tables import bodies_and_oil
-from cases.cli.terminal import app
-from cases.format.case import case_of_document, load_case
-from cases.format.friction import tables_of_file
-from cases.runs.traction_table import run_table
-from ehl.oil.rheology import Rheology
-from ehl.traction_table.build import TableOptions
-from ehl.traction_table.table import FullSolve
-from postprocess.traction.results import TractionResults, full_solve_entry, traction_summary
+from oilfilm.bearing.friction.tables import load_tables
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.cases.batch.shared_tables import bodies_and_oil
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.case import case_of_document, load_case
+from oilfilm.cases.format.friction import tables_of_file
+from oilfilm.cases.runs.traction_table import run_table
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.traction_table.build import TableOptions
+from oilfilm.ehl.traction_table.table import FullSolve
+from oilfilm.postprocess.traction.results import TractionResults, full_solve_entry, traction_summary
 
 from ...reference.ehl.traction import largest_force
 from ..made_up_tables import made_up_tables
@@ -43,7 +43,7 @@ def quick(monkeypatch):
     def few(**chosen):
         return TableOptions(**{**chosen, **EASY})
 
-    monkeypatch.setattr("cases.runs.traction_table.TableOptions", few)
+    monkeypatch.setattr("oilfilm.cases.runs.traction_table.TableOptions", few)
 
 
 # its loads and speeds are those of which the film atlas has fields; its heaviest contacts and no light ones
@@ -65,7 +65,7 @@ table_films = "atlas"
 
 def test_films_of_the_atlas_are_told(quick, monkeypatch, tmp_path):
     solved = []
-    monkeypatch.setattr("cases.cli.compute._film_sampler", lambda path: nullcontext(solved.append))
+    monkeypatch.setattr("oilfilm.cases.cli.compute._film_sampler", lambda path: nullcontext(solved.append))
     path = tmp_path / "loaded.toml"
     path.write_text(LOADED)
     found = call(str(path), "--json")
@@ -95,7 +95,7 @@ def test_the_table_that_a_case_names_is_made_without_it(quick, monkeypatch, tmp_
     equilibrium = load_case(case)  # takes it
     assert set(equilibrium.traction.source.laws) == set(Race)
     made = path.read_bytes()
-    monkeypatch.setattr("ehl.traction_table.storage.FORMAT_VERSION", 10)
+    monkeypatch.setattr("oilfilm.ehl.traction_table.storage.FORMAT_VERSION", 10)
     refused("format version 9, this program reads 10")
     found = call(str(case), "-o", str(path), "-q")
     assert found.exit_code == 0, found.stderr

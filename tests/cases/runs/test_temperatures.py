@@ -7,8 +7,8 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-import postprocess
-from cases.cli.terminal import app
+from oilfilm import postprocess
+from oilfilm.cases.cli.terminal import app
 
 CASE = """
 schema_version = 1

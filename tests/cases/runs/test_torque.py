@@ -6,13 +6,13 @@ from math import exp, pi
 
 import pytest
 
-from bearing.torque.breakdown import NAMES
-from cases.format.case import case_from_text
-from cases.format.rules import CaseError
-from cases.runs.bearing import run_case
-from postprocess import summary
-from postprocess.bearing.torque import torque_rows
-from postprocess.report.bearing import torque_section
+from oilfilm.bearing.torque.breakdown import NAMES
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs.bearing import run_case
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.bearing.torque import torque_rows
+from oilfilm.postprocess.report.bearing import torque_section
 
 TEXT = """
 schema_version = 1

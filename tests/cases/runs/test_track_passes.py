@@ -7,14 +7,14 @@ from itertools import pairwise
 
 import pytest
 
-import postprocess
-from cases.format.case import case_from_text, load_case
-from cases.format.rules import CaseError
-from cases.runs.contact import run_contact
-from ehl import solve_contact
-from postprocess import summary
-from postprocess.contact.plots import write_contact_plots
-from postprocess.contact.write import write_contact_netcdf
+from oilfilm import postprocess
+from oilfilm.cases.format.case import case_from_text, load_case
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs.contact import run_contact
+from oilfilm.ehl import solve_contact
+from oilfilm.postprocess import summary
+from oilfilm.postprocess.contact.plots import write_contact_plots
+from oilfilm.postprocess.contact.write import write_contact_netcdf
 
 MOES = """
 schema_version = 1
@@ -67,7 +67,7 @@ def test_a_pass_that_does_not_converge_is_told(monkeypatch):
         solution = solve_contact(conditions, options)
         return solution if len(calls) < 2 else replace(solution, converged=False)
 
-    monkeypatch.setattr("cases.format.contact.solve_contact", failing)
+    monkeypatch.setattr("oilfilm.cases.format.contact.solve_contact", failing)
     document = summary(run_contact(case_from_text(MOES + "track_passes = 3\n", "case.toml")))
     assert not document["converged"]
     assert [row["converged"] for row in document["passes"]] == [True, False]

@@ -6,14 +6,14 @@ from math import radians
 
 import pytest
 
-from bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction
-from bearing.friction.tables import save_race_tables
-from bearing.operation import BallKinematics
-from cases.format.case import case_from_text
-from cases.format.rules import CaseError
-from cases.runs.bearing import run_case
-from cases.runs.stiffness import run_slip
-from postprocess import summary
+from oilfilm.bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction
+from oilfilm.bearing.friction.tables import save_race_tables
+from oilfilm.bearing.operation import BallKinematics
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs.bearing import run_case
+from oilfilm.cases.runs.stiffness import run_slip
+from oilfilm.postprocess import summary
 
 from ..made_up_tables import made_up_tables
 

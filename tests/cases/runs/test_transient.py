@@ -16,12 +16,12 @@ import xarray as xr
 from PIL import Image
 from typer.testing import CliRunner
 
-from cases import load_case
-from cases.cli.terminal import app
-from cases.format.rules import CaseError
-from cases.format.shipped import shipped_cases
-from cases.runs.transient import run_transient
-from postprocess import open_results
+from oilfilm.cases import load_case
+from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.format.shipped import shipped_cases
+from oilfilm.cases.runs.transient import run_transient
+from oilfilm.postprocess import open_results
 
 STEMS = [stem for stem, path in shipped_cases().items() if path.parent.name == "transient"]
 WAVES = shipped_cases()["waviness_ball_on_disc"].read_text(encoding="utf-8")
@@ -180,8 +180,8 @@ def test_an_interrupted_run_keeps_its_steps_and_goes_on(tmp_path, results):
     case = tmp_path / "waves.toml"
     case.write_text(COARSE, encoding="utf-8")
     code = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-    code += "from cases.runs.studies import kept_steps; kept_steps.EVERY = 0.0\n"
-    code += "from cases.cli.start import main; main()"
+    code += "from oilfilm.cases.runs.studies import kept_steps; kept_steps.EVERY = 0.0\n"
+    code += "from oilfilm.cases.cli.start import main; main()"
     command = [sys.executable, "-c", code, "transient", str(case), "-o", str(tmp_path / "out"), "--no-movie"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, cwd=tmp_path) as process:
         deadline = time.monotonic() + 120.0

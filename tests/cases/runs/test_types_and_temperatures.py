@@ -7,11 +7,11 @@ from math import pi
 
 import pytest
 
-from bearing.geometry import BearingType
-from cases import run_case
-from cases.format.case import case_from_text
-from cases.runs.heating import with_temperature
-from postprocess import summary
+from oilfilm.bearing.geometry import BearingType
+from oilfilm.cases import run_case
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.runs.heating import with_temperature
+from oilfilm.postprocess import summary
 
 CASE = """
 schema_version = 1
@@ -193,7 +193,7 @@ def test_the_torque_of_seals_is_in_the_total_and_told():
 
 
 def test_self_heating_is_needed_for_its_temperature():
-    from cases import CaseError
+    from oilfilm.cases import CaseError
 
     own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"')
     with pytest.raises(CaseError, match="heat_transfer_W_K"):

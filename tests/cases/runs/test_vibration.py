@@ -10,8 +10,8 @@ import pytest
 from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
-from cases.cli.terminal import app
-from postprocess import open_results
+from oilfilm.cases.cli.terminal import app
+from oilfilm.postprocess import open_results
 
 CASE = """
 schema_version = 1

@@ -12,8 +12,8 @@ from math import log
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import ContactConditions, Lubricant, ViscosityLaw
-from ehl.closed_form.film import (
+from oilfilm.ehl import ContactConditions, Lubricant, ViscosityLaw
+from oilfilm.ehl.closed_form.film import (
     film_chittenden_central,
     film_hamrock_dowson_central,
     film_hamrock_dowson_minimum,
@@ -22,8 +22,8 @@ from ehl.closed_form.film import (
     moes_film_nijenbanning,
     thermal_loading,
 )
-from ehl.conditions import moes_groups
-from ehl.oil.lubricant import ThermalProperties
+from oilfilm.ehl.conditions import moes_groups
+from oilfilm.ehl.oil.lubricant import ThermalProperties
 
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
 CONTACT = ContactConditions(

@@ -11,7 +11,13 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import elliprd
 
-from ehl.closed_form.hertz import contact_stiffness, ellipse_ratio, hertz_coefficients, hertz_contact, hertz_deflection
+from oilfilm.ehl.closed_form.hertz import (
+    contact_stiffness,
+    ellipse_ratio,
+    hertz_coefficients,
+    hertz_contact,
+    hertz_deflection,
+)
 
 # F(rho): a*, b*, delta*
 HARRIS = {

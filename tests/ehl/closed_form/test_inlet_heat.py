@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import pytest
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.closed_form.film import ThermalReduction, film_reduction_gupta, heat_loss, inlet_heat, thermal_loading
-from ehl.closed_form.hertz import hertz_contact
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.lubricant import ThermalProperties
-from ehl.oil.rheology import Rheology
-from ehl.solid.heat import SolidThermal
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.closed_form.film import ThermalReduction, film_reduction_gupta, heat_loss, inlet_heat, thermal_loading
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.lubricant import ThermalProperties
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solid.heat import SolidThermal
 
 OIL = Lubricant(
     viscosity=0.02,

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ehl.closed_form.starvation import (
+from oilfilm.ehl.closed_form.starvation import (
     DRY,
     FILE,
     FLOODED,

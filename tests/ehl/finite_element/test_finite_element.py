@@ -9,10 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import dblquad, quad
 from scipy.sparse import diags
+from verification.contacts import race_6208
 
-from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
-from ehl.finite_element.newton import Progress, newton, step_fraction
-from ehl.finite_element.reynolds import (
+from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
+from oilfilm.ehl.finite_element.newton import Progress, newton, step_fraction
+from oilfilm.ehl.finite_element.reynolds import (
     coefficients,
     dual_lengths,
     flow_on,
@@ -23,7 +24,7 @@ from ehl.finite_element.reynolds import (
     reynolds_residual,
     tabulated_laws,
 )
-from ehl.finite_element.solver import (
+from oilfilm.ehl.finite_element.solver import (
     cell_along,
     graded_lines,
     hertz_start,
@@ -32,9 +33,8 @@ from ehl.finite_element.solver import (
     refined,
     solve_contact_finite_element,
 )
-from ehl.scaling import scale_contact
-from ehl.solid.compliance import Lattice, compliance, near_field
-from verification.contacts import race_6208
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solid.compliance import Lattice, compliance, near_field
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 BOX = (-4.5, 1.5, 3.0)
@@ -107,7 +107,7 @@ def test_far_kernel_continues_the_exact_one(monkeypatch):
     mesh = Lattice(0.01 * numbers, 0.05 * numbers, numbers, numbers, symmetric=False)
     P = np.random.default_rng(127).random(3600)
     far = compliance(mesh, 1.0, None) @ P
-    monkeypatch.setattr("ehl.solid.compliance.FAR", 64)
+    monkeypatch.setattr("oilfilm.ehl.solid.compliance.FAR", 64)
     assert_allclose(far, compliance(mesh, 1.0, None) @ P, rtol=1e-6)
 
 
@@ -357,7 +357,7 @@ def test_the_spike_of_a_coarser_mesh_does_not_grow(load, points):
 
 def test_a_failure_is_said(monkeypatch):
     """Four cells along x cannot carry M 3000: flagged, not silently wrong."""
-    monkeypatch.setattr("ehl.finite_element.newton.STEPS", 15)
+    monkeypatch.setattr("oilfilm.ehl.finite_element.newton.STEPS", 15)
     start = solve_contact(moes(3000.0, 10.0), SolverOptions(points=65, domain=BOX, max_cycles=2))
     solution = solve_contact_finite_element(moes(3000.0, 10.0), SolverOptions(points=33, domain=BOX), start)
     assert not (solution.converged and solution.resolved)

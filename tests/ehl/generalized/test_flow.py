@@ -12,11 +12,11 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
-from ehl.generalized import _kernels
-from ehl.generalized._kernels import ROWS
-from ehl.generalized.film_heat import film_section
-from ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, oil_numbers, viscosity
-from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
+from oilfilm.ehl.generalized import _kernels
+from oilfilm.ehl.generalized._kernels import ROWS
+from oilfilm.ehl.generalized.film_heat import film_section
+from oilfilm.ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, oil_numbers, viscosity
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 
 from ...reference.ehl.film_columns import FilmColumns, _stresses, flow_integrals, fluidities, mid_stress
 

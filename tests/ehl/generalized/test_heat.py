@@ -14,15 +14,15 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw, solve_contact
-from ehl.closed_form.film import film_reduction_gupta, thermal_loading
-from ehl.generalized import _heat_kernels, flow, solver
-from ehl.generalized import _heat_kernels as _kernels
-from ehl.generalized.film_heat import SMALLEST_PENDING_CHANGE, FilmHeat, film_section, wall_slopes
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.lubricant import DensityLaw, ThermalProperties, oil_numbers
-from ehl.oil.rheology import Rheology, kernel_rheology
-from ehl.solid.heat import SolidThermal, history_weights, response_factor
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw, solve_contact
+from oilfilm.ehl.closed_form.film import film_reduction_gupta, thermal_loading
+from oilfilm.ehl.generalized import _heat_kernels, flow, solver
+from oilfilm.ehl.generalized import _heat_kernels as _kernels
+from oilfilm.ehl.generalized.film_heat import SMALLEST_PENDING_CHANGE, FilmHeat, film_section, wall_slopes
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.lubricant import DensityLaw, ThermalProperties, oil_numbers
+from oilfilm.ehl.oil.rheology import Rheology, kernel_rheology
+from oilfilm.ehl.solid.heat import SolidThermal, history_weights, response_factor
 
 from ...reference.ehl.heat_columns import HeatColumn, column_temperature
 

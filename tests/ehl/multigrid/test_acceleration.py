@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from ehl.multigrid.full_multigrid import Acceleration
+from oilfilm.ehl.multigrid.full_multigrid import Acceleration
 
 
 def linear_map(size):

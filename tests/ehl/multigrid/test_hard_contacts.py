@@ -6,15 +6,15 @@ from dataclasses import replace
 from math import inf
 
 import pytest
-
-from ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
-from ehl.closed_form.film import moes_film_nijenbanning
-from ehl.closed_form.hertz import hertz_coefficients
-from ehl.multigrid.full_multigrid import ATTEMPTS, DIVERGED, guarded_cycle
-from ehl.scaling import scale_contact
-from ehl.solver import solve_attempts
 from verification.contacts import from_groups, moes
 from verification.draws import draws
+
+from oilfilm.ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
+from oilfilm.ehl.closed_form.film import moes_film_nijenbanning
+from oilfilm.ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl.multigrid.full_multigrid import ATTEMPTS, DIVERGED, guarded_cycle
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solver import solve_attempts
 
 SEED = 20261124  # of an earlier sweep of 1000
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=20e-9)

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import Lubricant, MoesConditions, ViscosityLaw
-from ehl.grid import Grid
-from ehl.multigrid import _reynolds_kernels
-from ehl.multigrid import _reynolds_kernels as _relaxation_kernels
-from ehl.multigrid.cycle import log_viscosity, relax, start_level, update_film
-from ehl.multigrid.levels import Damping, FlowFactors, make_multigrid
-from ehl.oil import _kernels as properties
-from ehl.oil.lubricant import oil_numbers
-from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
-from ehl.solid.deformation import deflection_kernel
+from oilfilm.ehl import Lubricant, MoesConditions, ViscosityLaw
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.multigrid import _reynolds_kernels
+from oilfilm.ehl.multigrid import _reynolds_kernels as _relaxation_kernels
+from oilfilm.ehl.multigrid.cycle import log_viscosity, relax, start_level, update_film
+from oilfilm.ehl.multigrid.levels import Damping, FlowFactors, make_multigrid
+from oilfilm.ehl.oil import _kernels as properties
+from oilfilm.ehl.oil.lubricant import oil_numbers
+from oilfilm.ehl.scaling import CLOSED_FORM_LAWS, scale_contact
+from oilfilm.ehl.solid.deformation import deflection_kernel
 
 from ...reference.ehl import relaxation, reynolds
 

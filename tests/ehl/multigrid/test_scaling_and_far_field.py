@@ -9,11 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_bvp
 
-from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw
-from ehl.closed_form.hertz import hertz_contact
-from ehl.conditions import moes_groups
-from ehl.grid import Grid
-from ehl.multigrid.far_field import (
+from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.conditions import moes_groups
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.multigrid.far_field import (
     deflection_outside,
     edge_field,
     edge_pressure,
@@ -21,8 +21,8 @@ from ehl.multigrid.far_field import (
     far_field,
     squeeze_load,
 )
-from ehl.oil.lubricant import density, viscosity
-from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
+from oilfilm.ehl.oil.lubricant import density, viscosity
+from oilfilm.ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
 from ...reference.ehl.reynolds import poiseuille
 

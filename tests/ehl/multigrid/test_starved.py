@@ -8,21 +8,21 @@ from functools import cache
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-
-from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
-from ehl.finite_element.solver import solve_contact_finite_element
-from ehl.generalized.solver import solve_generalized
-from ehl.multigrid import _starved_kernels
-from ehl.multigrid.cycle import _restrict as restrict
-from ehl.multigrid.cycle import cycle, relative_residual, relax
-from ehl.multigrid.full_multigrid import ATTEMPTS
-from ehl.multigrid.supply.oil_supply import pressure_moment
-from ehl.oil.lubricant import InletLayer
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.scaling import scale_contact
-from ehl.solver import solve_attempts
-from ehl.traction.rolling_moment import rolling_moment
 from verification.contacts import OIL, from_groups, moes
+
+from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
+from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.multigrid import _starved_kernels
+from oilfilm.ehl.multigrid.cycle import _restrict as restrict
+from oilfilm.ehl.multigrid.cycle import cycle, relative_residual, relax
+from oilfilm.ehl.multigrid.full_multigrid import ATTEMPTS
+from oilfilm.ehl.multigrid.supply.oil_supply import pressure_moment
+from oilfilm.ehl.oil.lubricant import InletLayer
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solver import solve_attempts
+from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 BOX = SolverOptions(points=129, domain=(-6.0, 1.6, 3.5))
 CIRCULAR = moes(20.0, 10.0, oil=OIL)

@@ -8,8 +8,8 @@ from threading import get_ident
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import Lubricant, MoesConditions, SolverOptions, solve_contact
-from ehl.multigrid.starved import SHARED_NODES, Threads
+from oilfilm.ehl import Lubricant, MoesConditions, SolverOptions, solve_contact
+from oilfilm.ehl.multigrid.starved import SHARED_NODES, Threads
 
 
 @pytest.mark.parametrize("threads", [1, 2, 3, 7])

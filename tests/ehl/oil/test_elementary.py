@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from ehl.oil._kernels import exponential, logarithm
+from oilfilm.ehl.oil._kernels import exponential, logarithm
 
 LAST_DIGITS = 4.0 * np.finfo(np.float64).eps  # two roundings of each side
 

@@ -13,9 +13,9 @@ import pytest
 from numba import njit
 from numpy.testing import assert_allclose
 
-from ehl.multigrid.levels import NOTHING
-from ehl.oil import _kernels
-from ehl.oil.free_volume import (
+from oilfilm.ehl.multigrid.levels import NOTHING
+from oilfilm.ehl.oil import _kernels
+from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     ExpansivityForm,
     TaitVolume,
@@ -25,7 +25,7 @@ from ehl.oil.free_volume import (
     pressure_viscosity_yasutomi,
     relative_volume,
 )
-from ehl.oil.lubricant import (
+from oilfilm.ehl.oil.lubricant import (
     DensityLaw,
     Lubricant,
     ThermalProperties,

@@ -9,10 +9,10 @@ import pytest
 from numba import njit
 from numpy.testing import assert_allclose
 
-from ehl.oil import _kernels
-from ehl.oil.lubricant import Lubricant, ViscosityLaw
-from ehl.oil.lubricant import viscosity as lubricant_viscosity
-from ehl.oil.rheology import (
+from oilfilm.ehl.oil import _kernels
+from oilfilm.ehl.oil.lubricant import Lubricant, ViscosityLaw
+from oilfilm.ehl.oil.lubricant import viscosity as lubricant_viscosity
+from oilfilm.ehl.oil.rheology import (
     Rheology,
     ShearLaw,
     contact_rheology,

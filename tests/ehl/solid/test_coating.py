@@ -10,10 +10,10 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 from scipy.special import j0
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.finite_element.solver import solve_contact_finite_element
-from ehl.scaling import scale_contact
-from ehl.solid.layered import Coating, correction, patch_compliance, point_compliance
+from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solid.layered import Coating, correction, patch_compliance, point_compliance
 
 STEEL = 210e9
 BARE = ContactConditions(

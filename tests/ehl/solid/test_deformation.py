@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
-from ehl.grid import Grid
-from ehl.solid.deformation import deflect, deflection_kernel, patch_corner, transform_length
+from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.solid.deformation import deflect, deflection_kernel, patch_corner, transform_length
 
 
 def make_grid(symmetric, cells=16):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from ehl.solid.heat import (
+from oilfilm.ehl.solid.heat import (
     BETA,
     SolidThermal,
     bare_conductance,

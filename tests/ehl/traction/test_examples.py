@@ -7,10 +7,10 @@ import sys
 
 import pytest
 
-from ehl.atlas.films import atlas_films
-from ehl.traction.shear import integrate_traction
-from ehl.traction_table.build import build_table
-from ehl.transient.run import solve_transient
+from oilfilm.ehl.atlas.films import atlas_films
+from oilfilm.ehl.traction.shear import integrate_traction
+from oilfilm.ehl.traction_table.build import build_table
+from oilfilm.ehl.transient.run import solve_transient
 
 
 @pytest.mark.parametrize("function", [atlas_films, integrate_traction, build_table, solve_transient])

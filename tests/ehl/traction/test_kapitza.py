@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from ehl import ContactConditions, Lubricant
-from ehl.scaling import scale_contact
-from ehl.traction.rolling_moment import circles_moment_loss, kapitza_moment
+from oilfilm.ehl import ContactConditions, Lubricant
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.traction.rolling_moment import circles_moment_loss, kapitza_moment
 
 from ...reference.ehl.kapitza import circles_loss_twin, kapitza_moment_twin
 

@@ -14,16 +14,16 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
-import ehl
-from ehl.conditions import contact_kinematics
-from ehl.generalized.solver import solve_generalized
-from ehl.multigrid.far_field import far_field
-from ehl.multigrid.supply.oil_supply import pressure_moment
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.scaling import scale_contact
-from ehl.solution import FilmValue
-from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
-from ehl.traction.shear import integrate_traction
+from oilfilm import ehl
+from oilfilm.ehl.conditions import contact_kinematics
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.multigrid.far_field import far_field
+from oilfilm.ehl.multigrid.supply.oil_supply import pressure_moment
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solution import FilmValue
+from oilfilm.ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
+from oilfilm.ehl.traction.shear import integrate_traction
 
 BALL = 6e-3  # radius [m]
 # box in semi-axes and points, on one mesh along x
@@ -33,7 +33,7 @@ LIGHT = tuple(((-16.0 * f, 1.6 * f, 7.0 * f), n) for f, n in ((1.0, 65), (2.0, 1
 
 def in_box(monkeypatch, conditions, box, points):
     """Solve in an open box of our choice, in Hertz semi-axes."""
-    monkeypatch.setattr("ehl.solver.choose_domain", lambda contact: box)
+    monkeypatch.setattr("oilfilm.ehl.solver.choose_domain", lambda contact: box)
     found = ehl.solve_contact(conditions, ehl.SolverOptions(points=points))
     assert found.converged
     return found

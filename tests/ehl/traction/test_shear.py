@@ -15,10 +15,10 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
-import ehl
-from ehl.conditions import ContactKinematics, contact_kinematics
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.traction.shear import Cavitation, integrate_traction, shear_fields, sheared_width
+from oilfilm import ehl
+from oilfilm.ehl.conditions import ContactKinematics, contact_kinematics
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.traction.shear import Cavitation, integrate_traction, shear_fields, sheared_width
 
 NEWTON = Rheology()
 MU = 0.05

@@ -7,17 +7,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-
-from ehl import Lubricant, MoesConditions, ViscosityLaw
-from ehl.grid import grid_hierarchy
-from ehl.multigrid.cycle import cycle, flow, reynolds_operator, update_film
-from ehl.multigrid.far_field import far_field
-from ehl.multigrid.levels import Damping, TimeStep, make_multigrid
-from ehl.oil.lubricant import DensityLaw
-from ehl.scaling import scale_contact
-from ehl.transient.inputs import TransientConditions, TransientOptions, advected, weights
-from ehl.transient.run import SWITCH, transient_run
 from verification.contacts import from_groups, moes
+
+from oilfilm.ehl import Lubricant, MoesConditions, ViscosityLaw
+from oilfilm.ehl.grid import grid_hierarchy
+from oilfilm.ehl.multigrid.cycle import cycle, flow, reynolds_operator, update_film
+from oilfilm.ehl.multigrid.far_field import far_field
+from oilfilm.ehl.multigrid.levels import Damping, TimeStep, make_multigrid
+from oilfilm.ehl.oil.lubricant import DensityLaw
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions, advected, weights
+from oilfilm.ehl.transient.run import SWITCH, transient_run
 
 OIL = Lubricant(
     viscosity=0.05,

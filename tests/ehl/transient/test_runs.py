@@ -8,19 +8,28 @@ from math import pi
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
-
-from ehl import Lubricant, SolverOptions
-from ehl.closed_form.film import FlatFilm, waviness_amplitude_ratio, waviness_moving_with_body
-from ehl.multigrid.cycle import log_viscosity
-from ehl.oil.lubricant import DOWSON_HIGGINSON_DENOMINATOR, DOWSON_HIGGINSON_NUMERATOR
-from ehl.scaling import scale_contact
-from ehl.solver import solve_attempts
-from ehl.traction.linear_response import linear_contact
-from ehl.transient.inputs import Course, Dent, Impact, Ridge, Scheme, TransientConditions, TransientOptions, Waviness
-from ehl.transient.record import QUANTITIES
-from ehl.transient.run import impact_time, transient_run
-from ehl.transient.waves import wave_results
 from verification.contacts import from_groups, moes
+
+from oilfilm.ehl import Lubricant, SolverOptions
+from oilfilm.ehl.closed_form.film import FlatFilm, waviness_amplitude_ratio, waviness_moving_with_body
+from oilfilm.ehl.multigrid.cycle import log_viscosity
+from oilfilm.ehl.oil.lubricant import DOWSON_HIGGINSON_DENOMINATOR, DOWSON_HIGGINSON_NUMERATOR
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.solver import solve_attempts
+from oilfilm.ehl.traction.linear_response import linear_contact
+from oilfilm.ehl.transient.inputs import (
+    Course,
+    Dent,
+    Impact,
+    Ridge,
+    Scheme,
+    TransientConditions,
+    TransientOptions,
+    Waviness,
+)
+from oilfilm.ehl.transient.record import QUANTITIES
+from oilfilm.ehl.transient.run import impact_time, transient_run
+from oilfilm.ehl.transient.waves import wave_results
 
 SMALL = (-2.5, 1.5, 2.0)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cases.batch.samples import morris_design, saltelli_design
-from postprocess.batch.indices import elementary_effects, sobol_indices
+from oilfilm.cases.batch.samples import morris_design, saltelli_design
+from oilfilm.postprocess.batch.indices import elementary_effects, sobol_indices
 
 SEED = 58_201
 

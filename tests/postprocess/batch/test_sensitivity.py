@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from postprocess.batch.columns import InMemory, columns_of
-from postprocess.batch.indices import bands, sensitivities
-from postprocess.batch.results import BatchPoint, BatchResults
-from postprocess.batch.summary import batch_summary
+from oilfilm.postprocess.batch.columns import InMemory, columns_of
+from oilfilm.postprocess.batch.indices import bands, sensitivities
+from oilfilm.postprocess.batch.results import BatchPoint, BatchResults
+from oilfilm.postprocess.batch.summary import batch_summary
 
 CASE = {"lubricant.viscosity_mPa_s": 20.0, "operation.axial_load_N": -50.0}
 STEP = 0.02

@@ -10,7 +10,7 @@ from contextlib import closing
 
 import pytest
 
-from postprocess.batch.store import (
+from oilfilm.postprocess.batch.store import (
     DONE,
     PointStore,
     Record,
@@ -126,7 +126,7 @@ def test_what_was_on_disk_before_a_kill_is_there_after_it(tmp_path):
 
 
 def test_nobody_else_writes_a_file(tmp_path, monkeypatch):
-    monkeypatch.setattr("postprocess.batch.store.WAIT", 0.01)
+    monkeypatch.setattr("oilfilm.postprocess.batch.store.WAIT", 0.01)
     with closing(PointStore(tmp_path / "points.sqlite")), pytest.raises(OSError, match="locked"):
         PointStore(tmp_path / "points.sqlite")
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.contacts import electrical
-from bearing.material import MaterialKind
-from ehl.traction.instruments import VACUUM_PERMITTIVITY
-from postprocess import summary
+from oilfilm.bearing.contacts import electrical
+from oilfilm.bearing.material import MaterialKind
+from oilfilm.ehl.traction.instruments import VACUUM_PERMITTIVITY
+from oilfilm.postprocess import summary
 
 KINDS = (MaterialKind.BEARING_STEEL, MaterialKind.SILICON_NITRIDE, MaterialKind.OTHER)
 STEEL, NITRIDE, OTHER = KINDS

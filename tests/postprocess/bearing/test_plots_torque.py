@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from bearing.torque.breakdown import NAMES, TorqueBreakdown
-from bearing.torque.integrated import IntegratedTorque, SolvedShear
-from bearing.torque.models import ModelTorque, summed
-from postprocess.bearing.plots_torque import KINDS, draw_models, draw_torque
-from postprocess.bearing.quantities import TORQUE_MODELS
+from oilfilm.bearing.torque.breakdown import NAMES, TorqueBreakdown
+from oilfilm.bearing.torque.integrated import IntegratedTorque, SolvedShear
+from oilfilm.bearing.torque.models import ModelTorque, summed
+from oilfilm.postprocess.bearing.plots_torque import KINDS, draw_models, draw_torque
+from oilfilm.postprocess.bearing.quantities import TORQUE_MODELS
 
 
 def test_every_model_has_a_label_and_every_component_one_colour():

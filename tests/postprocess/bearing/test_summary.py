@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.torque.breakdown import TorqueBreakdown
-from bearing.torque.integrated import IntegratedTorque, SolvedShear
-from bearing.torque.models import summed
-from postprocess import summary
+from oilfilm.bearing.torque.breakdown import TorqueBreakdown
+from oilfilm.bearing.torque.integrated import IntegratedTorque, SolvedShear
+from oilfilm.bearing.torque.models import summed
+from oilfilm.postprocess import summary
 
 BEARING_KEYS = {
     "oilfilm",

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from bearing.films.film import NO_HEAT
-from bearing.torque.models import summed
-from postprocess.bearing.summary import film_row, probability_text
-from postprocess.bearing.torque import shown_titles
-from postprocess.bearing.write import bearing_table
-from postprocess.contact.write import contact_table
+from oilfilm.bearing.films.film import NO_HEAT
+from oilfilm.bearing.torque.models import summed
+from oilfilm.postprocess.bearing.summary import film_row, probability_text
+from oilfilm.postprocess.bearing.torque import shown_titles
+from oilfilm.postprocess.bearing.write import bearing_table
+from oilfilm.postprocess.contact.write import contact_table
 
 
 def printed(results, table=bearing_table):
@@ -49,7 +49,7 @@ def test_an_angle_of_zero_has_no_sign(bearing_results):
 @pytest.fixture
 def bearing_results(bearing_results, monkeypatch):
     """Without the heat of the inlets, whose spread widens all bars."""
-    monkeypatch.setattr("bearing.films.operating.film_heat", lambda contact: NO_HEAT)
+    monkeypatch.setattr("oilfilm.bearing.films.operating.film_heat", lambda contact: NO_HEAT)
     return bearing_results
 
 

@@ -11,16 +11,16 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from typer.testing import CliRunner
 
-from cases.cli.terminal import app
-from postprocess import open_results, summary
-from postprocess.bearing.write import write_bearing_netcdf
-from postprocess.compare.summary import compare, comparison_table, relative
-from postprocess.contact import plots
-from postprocess.contact.plots import Optics, intensity, write_interferogram, write_line_cut
-from postprocess.contact.summary import ContactResults, open_contact
-from postprocess.contact.write import write_contact_netcdf
-from postprocess.files import SUMMARY_FILE, write_json
-from postprocess.netcdf_write import FIELDS_FILE
+from oilfilm.cases.cli.terminal import app
+from oilfilm.postprocess import open_results, summary
+from oilfilm.postprocess.bearing.write import write_bearing_netcdf
+from oilfilm.postprocess.compare.summary import compare, comparison_table, relative
+from oilfilm.postprocess.contact import plots
+from oilfilm.postprocess.contact.plots import Optics, intensity, write_interferogram, write_line_cut
+from oilfilm.postprocess.contact.summary import ContactResults, open_contact
+from oilfilm.postprocess.contact.write import write_contact_netcdf
+from oilfilm.postprocess.files import SUMMARY_FILE, write_json
+from oilfilm.postprocess.netcdf_write import FIELDS_FILE
 
 
 def write_results(results, folder):

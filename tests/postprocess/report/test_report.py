@@ -11,12 +11,12 @@ from operator import itemgetter
 
 import pytest
 
-from bearing.library.bearings import load_catalogue_entry
-from ehl.units import unit_of, without_unit
-from postprocess.files import SUMMARY_FILE
-from postprocess.report.bearing import torque_section
-from postprocess.report.html import cards, estimated_keys, facts, number, text
-from postprocess.report.page import further_results, is_urgent, report_page, write_report
+from oilfilm.bearing.library.bearings import load_catalogue_entry
+from oilfilm.ehl.units import unit_of, without_unit
+from oilfilm.postprocess.files import SUMMARY_FILE
+from oilfilm.postprocess.report.bearing import torque_section
+from oilfilm.postprocess.report.html import cards, estimated_keys, facts, number, text
+from oilfilm.postprocess.report.page import further_results, is_urgent, report_page, write_report
 
 VOID = {"meta", "img", "br", "rect", "line"}
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")

@@ -10,11 +10,11 @@ import pytest
 import xarray as xr
 from numpy.testing import assert_allclose
 
-from postprocess.dynamics.results import open_history
-from postprocess.scene.geometry import about_axis, cage_surface, ring_shape, ring_surface, rotation
-from postprocess.scene.rendering import RenderingError, require_rendering
-from postprocess.scene.scene import AnimationOptions, animate
-from postprocess.scene.vtk_history import RING_RESOLUTION, marked_ball, shown_rows, write_motion
+from oilfilm.postprocess.dynamics.results import open_history
+from oilfilm.postprocess.scene.geometry import about_axis, cage_surface, ring_shape, ring_surface, rotation
+from oilfilm.postprocess.scene.rendering import RenderingError, require_rendering
+from oilfilm.postprocess.scene.scene import AnimationOptions, animate
+from oilfilm.postprocess.scene.vtk_history import RING_RESOLUTION, marked_ball, shown_rows, write_motion
 
 
 def test_rotation_of_a_quaternion():
@@ -136,7 +136,7 @@ class Blocked:
             raise ImportError(f"{name} is blocked")
 sys.meta_path.insert(0, Blocked())
 from pathlib import Path
-from postprocess.scene.vtk_history import write_motion
+from oilfilm.postprocess.scene.vtk_history import write_motion
 write_motion(Path(sys.argv[1]))
 """
     subprocess.run([sys.executable, "-c", code, str(history)], check=True)
@@ -163,8 +163,8 @@ def test_a_simulation_gives_a_gif_and_steps(tmp_path):
 
     from PIL import Image
 
-    from cases import load_case
-    from cases.runs.dynamics import run_dynamics
+    from oilfilm.cases import load_case
+    from oilfilm.cases.runs.dynamics import run_dynamics
 
     case = load_case("7008_axial")
     assert case.file.dynamics is not None

@@ -10,10 +10,10 @@ import pytest
 import xarray as xr
 from numpy.testing import assert_allclose, assert_array_equal
 
-from ehl.solid.layered import Coating
-from postprocess import open_results, write_results
-from postprocess.scene.export import WRITERS, export_results
-from postprocess.scene.geometry import Placement, contact_frame, crop_to_ball
+from oilfilm.ehl.solid.layered import Coating
+from oilfilm.postprocess import open_results, write_results
+from oilfilm.postprocess.scene.export import WRITERS, export_results
+from oilfilm.postprocess.scene.geometry import Placement, contact_frame, crop_to_ball
 
 meshio = pytest.importorskip("meshio")
 FORMATS = tuple(WRITERS)
@@ -166,8 +166,8 @@ def test_elements_of_a_coating(contact_folder, tmp_path, suffix):
 
 def test_the_coating_is_that_of_the_case(contact_results, tmp_path):
     """Rebuilt from the case that the results hold; a bearing and a contact without one have none."""
-    from cases import load_case
-    from cases.runs.output_directory import export_meshes
+    from oilfilm.cases import load_case
+    from oilfilm.cases.runs.output_directory import export_meshes
 
     case = load_case("coated_steel")
     write_results(replace(contact_results, case=case.document), tmp_path / "run")
@@ -182,7 +182,7 @@ def test_the_coating_is_that_of_the_case(contact_results, tmp_path):
 def test_the_command(bearing_folder, tmp_path, monkeypatch):
     from typer.testing import CliRunner
 
-    from cases.cli.terminal import app
+    from oilfilm.cases.cli.terminal import app
 
     def oilfilm(*words):
         return CliRunner().invoke(app, ["export", *map(str, words)])

@@ -9,10 +9,10 @@ import subprocess
 
 import pytest
 
-from postprocess import open_results
-from postprocess.contact.summary import film_maps
-from postprocess.scene.rendering import RenderingError, require_rendering
-from postprocess.scene.scene import export_html
+from oilfilm.postprocess import open_results
+from oilfilm.postprocess.contact.summary import film_maps
+from oilfilm.postprocess.scene.rendering import RenderingError, require_rendering
+from oilfilm.postprocess.scene.scene import export_html
 
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
 
@@ -113,15 +113,15 @@ def browsed(page, tmp_path):
 def test_wrong_names_and_missing_packages_are_reported(tmp_path, monkeypatch):
     with pytest.raises(ValueError, match=r"must end in \.html or \.htm"):
         export_html(tmp_path, tmp_path / "scene.txt")
-    monkeypatch.setattr("postprocess.scene.scene.find_spec", lambda name: None)
+    monkeypatch.setattr("oilfilm.postprocess.scene.scene.find_spec", lambda name: None)
     with pytest.raises(RenderingError, match="pip install"):
         export_html(tmp_path, tmp_path / "scene.html")
 
 
 def test_the_colour_scale_of_the_page():
     """Logarithmic where the scene's colours are: equal ratios take equal heights."""
-    from postprocess.scene.parts import ColourScale
-    from postprocess.scene.rendering import overlay_html
+    from oilfilm.postprocess.scene.parts import ColourScale
+    from oilfilm.postprocess.scene.rendering import overlay_html
 
     bar = ColourScale(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
     assert [bar.height(h) for h in (0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.5, 1.0])
@@ -138,7 +138,7 @@ def test_letters_face_the_camera():
     """Flat, across x, upright where the picture's top is; read from the side of +x."""
     import numpy as np
 
-    from postprocess.scene.rendering import flat_text
+    from oilfilm.postprocess.scene.rendering import flat_text
 
     up = np.array([0.0, 1.0, 0.0])
     body = flat_text("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)
@@ -155,7 +155,7 @@ MOTION = """
 import json, sys
 from pathlib import Path
 import numpy as np
-from postprocess.scene import controls, drawing, parts
+from oilfilm.postprocess.scene import controls, drawing, parts
 scene = drawing.build_scene(Path(sys.argv[1]), drawing.SceneOptions(size=(320, 240)), off_screen=True)
 plotter = scene.plotter
 controls.add_controls(plotter)
@@ -172,7 +172,7 @@ def test_a_click_shows_numbers_and_the_slider_turns(page, bearing_results, beari
     import json
     import sys
 
-    from postprocess.scene.rendering import rendering_environment
+    from oilfilm.postprocess.scene.rendering import rendering_environment
 
     run = subprocess.run(
         [sys.executable, "-c", MOTION, str(bearing_folder)],
@@ -194,7 +194,7 @@ def test_a_click_shows_numbers_and_the_slider_turns(page, bearing_results, beari
 @pytest.mark.slow
 def test_a_movie_has_different_frames(page, contact_folder, tmp_path):
     image = pytest.importorskip("PIL.Image")
-    from postprocess.scene.scene import SceneOptions, movie
+    from oilfilm.postprocess.scene.scene import SceneOptions, movie
 
     file = movie(contact_folder, tmp_path / "turn.gif", SceneOptions(size=(160, 120)))
     with image.open(file) as frames:

@@ -9,17 +9,17 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Operation, QuasistaticModel, Race, load_material, solve_quasistatic
-from bearing.geometry import shoulder_diameter
-from bearing.quasistatic.ring import ring_displacements
-from bearing.rings.elastic_ring import ElasticRings, elastic_ring
-from ehl.solid.bodies import RingCells, Seat
-from postprocess import write_results
-from postprocess.bearing.summary import ring_messages
-from postprocess.scene.export import export_results
-from postprocess.scene.rendering import RenderingError, require_rendering
-from postprocess.scene.scene import SceneOptions, screenshot
-from postprocess.scene.vtk import DISPLACEMENT, DISTANCE, RADIAL, displacement_mesh
+from oilfilm.bearing import Operation, QuasistaticModel, Race, load_material, solve_quasistatic
+from oilfilm.bearing.geometry import shoulder_diameter
+from oilfilm.bearing.quasistatic.ring import ring_displacements
+from oilfilm.bearing.rings.elastic_ring import ElasticRings, elastic_ring
+from oilfilm.ehl.solid.bodies import RingCells, Seat
+from oilfilm.postprocess import write_results
+from oilfilm.postprocess.bearing.summary import ring_messages
+from oilfilm.postprocess.scene.export import export_results
+from oilfilm.postprocess.scene.rendering import RenderingError, require_rendering
+from oilfilm.postprocess.scene.scene import SceneOptions, screenshot
+from oilfilm.postprocess.scene.vtk import DISPLACEMENT, DISTANCE, RADIAL, displacement_mesh
 
 STEEL = load_material("bearing steel")
 COARSE = RingCells(groove=4, largest_angle=np.pi / 9)
@@ -118,7 +118,7 @@ def test_scene_states_its_factor(folder):
         require_rendering()
     except RenderingError as error:
         pytest.skip(str(error))
-    from postprocess.scene.drawing import deformed_rings, deformed_surface, shown_factor
+    from oilfilm.postprocess.scene.drawing import deformed_rings, deformed_surface, shown_factor
 
     assert shown_factor(17.0, 12.0) == 100.0  # 1.7 of 12 mm
     assert shown_factor(0.5, 12.0) == 2000.0

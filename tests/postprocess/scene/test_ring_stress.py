@@ -6,9 +6,9 @@ import meshio
 import numpy as np
 import pytest
 
-from ehl.solid.bodies.ring import RingStress
-from ehl.solid.subsurface import SubsurfaceStress
-from postprocess.scene.vtk import stress_mesh
+from oilfilm.ehl.solid.bodies.ring import RingStress
+from oilfilm.ehl.solid.subsurface import SubsurfaceStress
+from oilfilm.postprocess.scene.vtk import stress_mesh
 
 
 def test_a_box_is_read_back_with_its_stresses(tmp_path):

@@ -8,14 +8,14 @@ import sys
 import numpy as np
 import pytest
 
-from postprocess.scene.rendering import (
+from oilfilm.postprocess.scene.rendering import (
     WINDOW_VARIABLE,
     RenderingError,
     rendering_environment,
     require_rendering,
     run_python,
 )
-from postprocess.scene.scene import SceneOptions, screenshot, show
+from oilfilm.postprocess.scene.scene import SceneOptions, screenshot, show
 
 LINUX = sys.platform.startswith("linux")
 
@@ -48,7 +48,7 @@ def test_single_contact_in_moes_units(moes_folder, tmp_path):
 @pytest.fixture(scope="module")
 def scene(drawing, bearing_folder):
     """What stands in the scene of a bearing, for a page, drawn nowhere."""
-    from postprocess.scene.drawing import build_scene
+    from oilfilm.postprocess.scene.drawing import build_scene
 
     return build_scene(bearing_folder, SceneOptions(quantity="pressure"), off_screen=True, for_page=True)
 
@@ -75,7 +75,7 @@ def test_quiet_pressure_does_not_hide_the_balls(scene):
 
 
 def test_arrows_show_both_loads_and_both_senses(scene):
-    from postprocess.scene.drawing import Room, add_loads, add_rotation
+    from oilfilm.postprocess.scene.drawing import Room, add_loads, add_rotation
 
     bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
     room = Room.of(bodies, 12.0)
@@ -92,7 +92,7 @@ def test_arrows_show_both_loads_and_both_senses(scene):
 
 
 def test_round_off_of_a_radial_load_is_no_arrow(scene):
-    from postprocess.scene.drawing import Room, add_loads
+    from oilfilm.postprocess.scene.drawing import Room, add_loads
 
     bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
     labels = add_loads(scene.plotter, np.array([3000.0, 1e-12, -2e-13]), Room.of(bodies, 12.0))
@@ -101,7 +101,7 @@ def test_round_off_of_a_radial_load_is_no_arrow(scene):
 
 def test_the_size_of_a_radial_load_stands_on_the_other_side_of_it_than_the_axes(scene):
     """Seen with the load upwards: z points to the left, the axes stand to the right."""
-    from postprocess.scene.drawing import Room, add_axes, add_loads
+    from oilfilm.postprocess.scene.drawing import Room, add_axes, add_loads
 
     bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
     room = Room.of(bodies, 12.0)
@@ -114,7 +114,7 @@ def test_the_size_of_a_radial_load_stands_on_the_other_side_of_it_than_the_axes(
 def test_labels_of_many_balls_do_not_crowd():
     import xarray
 
-    from postprocess.scene.parts import MOST_LABELS, ball_labels
+    from oilfilm.postprocess.scene.parts import MOST_LABELS, ball_labels
 
     turn = np.tile(np.linspace(0.0, 2.0 * np.pi, 34, endpoint=False), 2)
     balls = xarray.Dataset(
@@ -163,7 +163,7 @@ def test_bad_requests(bearing_folder, tmp_path):
 
 
 def test_importing_the_scene_opens_nothing():
-    code = "import sys, postprocess.scene.scene; print('pyvista' in sys.modules)"
+    code = "import sys, oilfilm.postprocess.scene.scene; print('pyvista' in sys.modules)"
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert answer.stdout.strip() == "False"
 
@@ -180,7 +180,7 @@ def test_results_without_a_scene_are_reported(tmp_path):
 
 def test_a_drawing_process_ends_with_the_one_that_asked():
     """Also where that is killed: the pipe to its standard input ends."""
-    code = "from postprocess.scene.rendering import read_request\n"
+    code = "from oilfilm.postprocess.scene.rendering import read_request\n"
     code += "read_request('[\"results\", null, {}]'); print('up', flush=True); import time; time.sleep(60)"
     with subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdout.readline() == b"up\n"

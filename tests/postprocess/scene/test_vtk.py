@@ -12,8 +12,15 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from postprocess.scene.geometry import ContactFrame, Placement, bearing_lengths, place_patch, ring_shape, ring_surface
-from postprocess.scene.vtk import (
+from oilfilm.postprocess.scene.geometry import (
+    ContactFrame,
+    Placement,
+    bearing_lengths,
+    place_patch,
+    ring_shape,
+    ring_surface,
+)
+from oilfilm.postprocess.scene.vtk import (
     FILM,
     PRESSURE,
     TEMPERATURE,
@@ -197,7 +204,7 @@ def von_mises(stress):
 
 def test_writing_needs_no_rendering_library():
     code = (
-        "import sys, postprocess.scene.vtk, postprocess.scene.vtk_history, vtkmodules.vtkIOXML; "
+        "import sys, oilfilm.postprocess.scene.vtk, oilfilm.postprocess.scene.vtk_history, vtkmodules.vtkIOXML; "
         "print(any('Rendering' in m or 'pyvista' in m for m in sys.modules))"
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.testing import assert_allclose
 
-from postprocess.vibration.results import (
+from oilfilm.postprocess.vibration.results import (
     BANDS,
     amplitude_at,
     anderon,

@@ -1,5 +1,5 @@
 """Columns of film in NumPy: stress across each, and the integrals of the generalized Reynolds
-equation. The reference for `ehl.generalized._kernels`, where the equations stand.
+equation. The reference for `oilfilm.ehl.generalized._kernels`, where the equations stand.
 """
 
 from dataclasses import dataclass
@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.generalized.film_heat import Section
-from ehl.oil._kernels import LIMIT_POWER
-from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_stress
+from oilfilm.ehl.generalized.film_heat import Section
+from oilfilm.ehl.oil._kernels import LIMIT_POWER
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_stress
 
 from .rheology import shear_rate, unlimited
 

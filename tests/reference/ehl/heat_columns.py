@@ -1,5 +1,5 @@
 """Temperature of one column of film in NumPy. The reference for
-`ehl.generalized._heat_kernels.column_temperature`, where the equations stand.
+`oilfilm.ehl.generalized._heat_kernels.column_temperature`, where the equations stand.
 """
 
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.generalized.film_heat import Section, wall_slopes
+from oilfilm.ehl.generalized.film_heat import Section, wall_slopes
 
 Array = NDArray[np.float64]
 

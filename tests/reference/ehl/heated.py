@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from ehl.oil.rheology import shear_stress
-from ehl.traction._heated_kernels import nahme
-from ehl.traction.film_quadrature import on_strips, strip_positions
+from oilfilm.ehl.oil.rheology import shear_stress
+from oilfilm.ehl.traction._heated_kernels import nahme
+from oilfilm.ehl.traction.film_quadrature import on_strips, strip_positions
 
 from .traction import mean_sliding, sliding_forces, summed_forces
 

@@ -1,19 +1,22 @@
-"""Moment of Kapitza's (1955) pressure ahead of two bodies in NumPy, twin of the kernels of `ehl.traction.rolling_moment`."""
+"""Moment of Kapitza's (1955) pressure ahead of two bodies in NumPy.
+
+Twin of the kernels of `oilfilm.ehl.traction.rolling_moment`.
+"""
 
 from functools import cache
 from math import acos, pi, sqrt
 
 import numpy as np
 
-from ehl.arrays import Array
-from ehl.conditions import ContactConditions
-from ehl.traction.rolling_moment import Sections
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.traction.rolling_moment import Sections
 
 RAYS = 48  # of a quarter, by Gauss and Legendre [-]
 NODES = 48  # of each, in the logarithm of the distance [-]
 NEWTON_STEPS = 60  # most of them for the meniscus: 5 to 9 are taken
 LAST_STEP = 1e-6  # of the square of its distance, after which a step of second order is exact
-INLET_GAP, PARABOLA_SHARE, LOSS = 0.04, 0.2, 1.1  # as in `ehl.traction.rolling_moment` and its kernels
+INLET_GAP, PARABOLA_SHARE, LOSS = 0.04, 0.2, 1.1  # as in `oilfilm.ehl.traction.rolling_moment` and its kernels
 NEAREST = 0.03  # of the distance at which the gap is twice the film: what is within is left out
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ehl.solid.heat import history_weights
+from oilfilm.ehl.solid.heat import history_weights
 
 
 def marched_flux_twin(film, rates):

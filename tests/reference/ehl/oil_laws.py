@@ -1,4 +1,4 @@
-"""Laws of the oil in plain NumPy, written apart from the product's: the reference for `ehl.oil._kernels`."""
+"""Laws of the oil in plain NumPy, written apart from the product's: the reference for `oilfilm.ehl.oil._kernels`."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from math import log
 
 import numpy as np
 
-from ehl.oil.free_volume import ExpansivityForm
-from ehl.oil.lubricant import DensityLaw, FittedHeat, ViscosityLaw, VolumeHeat
+from oilfilm.ehl.oil.free_volume import ExpansivityForm
+from oilfilm.ehl.oil.lubricant import DensityLaw, FittedHeat, ViscosityLaw, VolumeHeat
 
 
 def relative_volume(p, temperature, tait):

@@ -1,5 +1,5 @@
 """The hybrid line relaxation in NumPy and SciPy: the reference for
-`ehl.multigrid._reynolds_kernels.relax_lines`.
+`oilfilm.ehl.multigrid._reynolds_kernels.relax_lines`.
 
 Along a line in x all changes follow together from the linearised Reynolds operator, the
 deflection truncated to a band. Each node is one of three kinds (Venner and Lubrecht, 2000, section
@@ -24,8 +24,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve
 
-from ehl.grid import Grid
-from ehl.solid.deformation import DeflectionKernel
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.solid.deformation import DeflectionKernel
 
 from .reynolds import reynolds_operator
 

@@ -1,4 +1,4 @@
-"""Reynolds' equation in NumPy, the reference for the compiled kernels of `ehl.multigrid`.
+"""Reynolds' equation in NumPy, the reference for the compiled kernels of `oilfilm.ehl.multigrid`.
 
 Arrays have the shape (ny, nx), lines along x contiguous; on a symmetric grid row 0 is y = 0 and
 its southern neighbour is the mirror image of row 1.
@@ -7,7 +7,7 @@ its southern neighbour is the mirror image of row 1.
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.scaling import ScaledContact
+from oilfilm.ehl.scaling import ScaledContact
 
 Array = NDArray[np.float64]
 

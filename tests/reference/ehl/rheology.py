@@ -1,12 +1,12 @@
-"""Shear laws and their inverses in NumPy, the reference for `ehl.oil._kernels`."""
+"""Shear laws and their inverses in NumPy, the reference for `oilfilm.ehl.oil._kernels`."""
 
 from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ehl.oil._kernels import LARGEST_ARGUMENT, LIMIT_POWER
-from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress
+from oilfilm.ehl.oil._kernels import LARGEST_ARGUMENT, LIMIT_POWER
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, limiting_stress
 
 Array = NDArray[np.float64]
 

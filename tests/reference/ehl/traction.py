@@ -6,11 +6,11 @@ from math import exp, log
 
 import numpy as np
 
-from ehl.oil.rheology import limited, shear_stress
-from ehl.traction.coefficients import RampedCoulomb
-from ehl.traction_table.compression import whole_numbers
-from ehl.traction_table.splines import spline_weights
-from ehl.traction_table.table import (
+from oilfilm.ehl.oil.rheology import limited, shear_stress
+from oilfilm.ehl.traction.coefficients import RampedCoulomb
+from oilfilm.ehl.traction_table.compression import whole_numbers
+from oilfilm.ehl.traction_table.splines import spline_weights
+from oilfilm.ehl.traction_table.table import (
     COORDINATE_TERMS,
     at_vertex,
     load_coordinate,

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ehl.multigrid.levels import FlowFactors
+from oilfilm.ehl.multigrid.levels import FlowFactors
 
 
 class UniformFlow:

@@ -5,10 +5,10 @@ from functools import partial
 
 import numpy as np
 
-from ehl import ContactSolution, MoesConditions, SolverOptions, solve_contact
-from ehl.multigrid.supply.oil_supply import starved_film_guess
-from ehl.oil.lubricant import InletLayer
-from ehl.scaling import ScaledContact, scale_contact
+from oilfilm.ehl import ContactSolution, MoesConditions, SolverOptions, solve_contact
+from oilfilm.ehl.multigrid.supply.oil_supply import starved_film_guess
+from oilfilm.ehl.oil.lubricant import InletLayer
+from oilfilm.ehl.scaling import ScaledContact, scale_contact
 
 from ..contacts import OIL, Box, moes
 from ..page import Check, Section, Table, columns, each, percent, text

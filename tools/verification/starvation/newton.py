@@ -21,7 +21,7 @@ import scipy.sparse as sp
 from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, gmres, splu
 
-from ehl.scaling import ScaledContact
+from oilfilm.ehl.scaling import ScaledContact
 
 from .cells import Array, Cells, Deflection, Faces
 

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.closed_form.hertz import contact_stiffness
-from ehl.solid.bodies import Elasticity, RingCells, RingProfile, Seat, ring_response
-from ehl.solid.bodies.compliance import (
+from oilfilm.ehl.closed_form.hertz import contact_stiffness
+from oilfilm.ehl.solid.bodies import Elasticity, RingCells, RingProfile, Seat, ring_response
+from oilfilm.ehl.solid.bodies.compliance import (
     _balanced,
     _directions,
     _half_space,
@@ -25,9 +25,9 @@ from ehl.solid.bodies.compliance import (
     flat_block,
     indentation,
 )
-from ehl.solid.bodies.elasticity import elastic_body, solve_elasticity
-from ehl.solid.bodies.ring import ring_field
-from ehl.solid.bodies.ring_mesh import ring_mesh
+from oilfilm.ehl.solid.bodies.elasticity import elastic_body, solve_elasticity
+from oilfilm.ehl.solid.bodies.ring import ring_field
+from oilfilm.ehl.solid.bodies.ring_mesh import ring_mesh
 
 STEEL = Elasticity(young=206e9, poisson=0.3, body_young=206e9, body_poisson=0.3)
 INNER_6208 = RingProfile(

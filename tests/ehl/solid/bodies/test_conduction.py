@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.solid.bodies import RingCells, RingProfile, ring_conductances
-from ehl.solid.bodies.conduction import _resistance, conduction_matrix
-from ehl.solid.bodies.elasticity import hexahedra, surface_weights
+from oilfilm.ehl.solid.bodies import RingCells, RingProfile, ring_conductances
+from oilfilm.ehl.solid.bodies.conduction import _resistance, conduction_matrix
+from oilfilm.ehl.solid.bodies.elasticity import hexahedra, surface_weights
 
 INNER_6208 = RingProfile(
     groove_radius=6.17e-3, track_radius=24e-3, shoulder_radius=26.3e-3, seat_radius=20e-3, width=18e-3

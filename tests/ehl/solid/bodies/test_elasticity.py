@@ -13,8 +13,8 @@ from numpy.testing import assert_allclose
 from skfem import Basis, BilinearForm, ElementHex2, ElementVector, asm
 from skfem.helpers import ddot, sym_grad, trace
 
-from ehl.solid.bodies import elasticity
-from ehl.solid.bodies.elasticity import (
+from oilfilm.ehl.solid.bodies import elasticity
+from oilfilm.ehl.solid.bodies.elasticity import (
     elastic_body,
     hexahedra,
     rigid_body_modes,

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from scipy.special import eval_legendre
 
-from ehl.closed_form.hertz import hertz_contact
-from ehl.closed_form.hertz_stress import hertz_orthogonal_shear
-from ehl.solid.bodies import finite_body_correction
-from ehl.solid.bodies.finite_body_correction import ball_difference, pole_difference, ring_difference
-from ehl.solid.bodies.ring import grid_stress, ring_stress
-from ehl.solid.bodies.ring_profile import RingProfile
-from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, fitted, groove_gap
+from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.closed_form.hertz_stress import hertz_orthogonal_shear
+from oilfilm.ehl.solid.bodies import finite_body_correction
+from oilfilm.ehl.solid.bodies.finite_body_correction import ball_difference, pole_difference, ring_difference
+from oilfilm.ehl.solid.bodies.ring import grid_stress, ring_stress
+from oilfilm.ehl.solid.bodies.ring_profile import RingProfile
+from oilfilm.ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, fitted, groove_gap
 
 # 6208 under 1000 N, steel: inner ring, ball, ellipse
 RING = RingProfile(groove_radius=6.17e-3, track_radius=24e-3, shoulder_radius=26.3e-3, seat_radius=20e-3, width=18e-3)

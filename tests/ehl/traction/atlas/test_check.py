@@ -6,12 +6,12 @@ from dataclasses import replace
 from functools import cache
 
 import pytest
-
-import ehl
-from ehl.atlas.films import atlas_disagreements
-from ehl.oil.lubricant import InletLayer
-from postprocess.contact.summary import solution_messages
 from verification.contacts import OIL, from_groups, moes
+
+from oilfilm import ehl
+from oilfilm.ehl.atlas.films import atlas_disagreements
+from oilfilm.ehl.oil.lubricant import InletLayer
+from oilfilm.postprocess.contact.summary import solution_messages
 
 GROUPS = moes(200.0, 10.0, 0.4, oil=OIL)
 

@@ -9,22 +9,22 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad, solve_ivp
 
-from ehl import Lubricant, SolverOptions
-from ehl.conditions import ContactKinematics
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.lubricant import ThermalProperties
-from ehl.oil.rheology import Rheology, ShearLaw, thinning_by_gradient
-from ehl.solid.heat import SolidThermal
-from ehl.traction import _heated_kernels
-from ehl.traction._heated_kernels import nahme
-from ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
-from ehl.traction.heated_film import heated_film, heated_forces, line_history
-from ehl.traction.shear import integrate_traction
-from ehl.traction_table.build import TableOptions, build_table
-from ehl.traction_table.film import table_film
-from ehl.traction_table.full_solves import full_solves
-from ehl.traction_table.table import TableContact, TableRange
-from ehl.traction_table.vectorised_traction import vectorised_heated_forces
+from oilfilm.ehl import Lubricant, SolverOptions
+from oilfilm.ehl.conditions import ContactKinematics
+from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.lubricant import ThermalProperties
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, thinning_by_gradient
+from oilfilm.ehl.solid.heat import SolidThermal
+from oilfilm.ehl.traction import _heated_kernels
+from oilfilm.ehl.traction._heated_kernels import nahme
+from oilfilm.ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
+from oilfilm.ehl.traction.heated_film import heated_film, heated_forces, line_history
+from oilfilm.ehl.traction.shear import integrate_traction
+from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.film import table_film
+from oilfilm.ehl.traction_table.full_solves import full_solves
+from oilfilm.ehl.traction_table.table import TableContact, TableRange
+from oilfilm.ehl.traction_table.vectorised_traction import vectorised_heated_forces
 
 from ....reference.ehl import heated as reference
 from ....reference.ehl.traction import largest_force

@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
-
-from ehl import SolverOptions
-from ehl.grid import Grid
-from ehl.multigrid.cycle import cycle, start_level
-from ehl.multigrid.starved import StarvedFlux, flux_change
-from ehl.oil.lubricant import InletLayer
-from ehl.solver import solve_attempts, solve_with_inlet_film
-from ehl.traction import normal_response
-from ehl.traction.linear_response import _Right, linear_contact
 from verification.contacts import moes as groups
+
+from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.grid import Grid
+from oilfilm.ehl.multigrid.cycle import cycle, start_level
+from oilfilm.ehl.multigrid.starved import StarvedFlux, flux_change
+from oilfilm.ehl.oil.lubricant import InletLayer
+from oilfilm.ehl.solver import solve_attempts, solve_with_inlet_film
+from oilfilm.ehl.traction import normal_response
+from oilfilm.ehl.traction.linear_response import _Right, linear_contact
 
 from .test_normal_response import STEEL, on_two_meshes
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.traction_table.table import COORDINATE_TERMS, at_vertex, from_vertex, motion_at, motion_coordinate
+from oilfilm.ehl.traction_table.table import COORDINATE_TERMS, at_vertex, from_vertex, motion_at, motion_coordinate
 
 
 @pytest.mark.parametrize("limit", [0.05, 0.5, 2.0, 3.0])

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from ehl import Lubricant, SolverOptions
-from ehl.oil.lubricant import ThermalProperties
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.solid.heat import SolidThermal
-from ehl.traction_table.full_solves import SLIDE_RATIOS, full_solves
-from ehl.traction_table.table import TableContact, TableRange
+from oilfilm.ehl import Lubricant, SolverOptions
+from oilfilm.ehl.oil.lubricant import ThermalProperties
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.solid.heat import SolidThermal
+from oilfilm.ehl.traction_table.full_solves import SLIDE_RATIOS, full_solves
+from oilfilm.ehl.traction_table.table import TableContact, TableRange
 
 OIL = Lubricant(
     viscosity=0.04,

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from ehl import Lubricant
-from ehl.atlas.films import atlas_load
-from ehl.oil.rheology import Rheology
-from ehl.scaling import scale_contact
-from ehl.traction.linear_response import NormalResponse, ResponseValue, dry_stiffness
-from ehl.traction_table.film import FilmSample
-from ehl.traction_table.responses import log_responses, response_nodes
-from ehl.traction_table.table import TableContact
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.atlas.films import atlas_load
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.scaling import scale_contact
+from oilfilm.ehl.traction.linear_response import NormalResponse, ResponseValue, dry_stiffness
+from oilfilm.ehl.traction_table.film import FilmSample
+from oilfilm.ehl.traction_table.responses import log_responses, response_nodes
+from oilfilm.ehl.traction_table.table import TableContact
 
 CONTACT = TableContact(
     radius_x=5e-3,

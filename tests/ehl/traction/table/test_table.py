@@ -14,22 +14,22 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-import ehl
-from ehl.conditions import ContactKinematics, contact_kinematics
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.solid.heat import SolidThermal
-from ehl.traction import normal_response
-from ehl.traction.coefficients import FourConstants, RampedCoulomb, coefficient
-from ehl.traction.film_quadrature import film_quadrature, sliding_forces
-from ehl.traction.linear_response import NormalResponse, ResponseValue
-from ehl.traction.rolling_moment import rolling_moment
-from ehl.traction.shear import ContactShape, EllipseLaw, integrate_traction
-from ehl.traction_table import build
-from ehl.traction_table.build import TableOptions, build_table, spin_free_motions
-from ehl.traction_table.compression import VALUE_STEP, compressed, decompressed, stored_values, whole_numbers
-from ehl.traction_table.splines import node_values, spline_coefficients, spline_weights
-from ehl.traction_table.storage import inputs_digest, load_table, save_table
-from ehl.traction_table.table import FullSolve, TableContact, TableRange, load_coordinate
+from oilfilm import ehl
+from oilfilm.ehl.conditions import ContactKinematics, contact_kinematics
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.solid.heat import SolidThermal
+from oilfilm.ehl.traction import normal_response
+from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb, coefficient
+from oilfilm.ehl.traction.film_quadrature import film_quadrature, sliding_forces
+from oilfilm.ehl.traction.linear_response import NormalResponse, ResponseValue
+from oilfilm.ehl.traction.rolling_moment import rolling_moment
+from oilfilm.ehl.traction.shear import ContactShape, EllipseLaw, integrate_traction
+from oilfilm.ehl.traction_table import build
+from oilfilm.ehl.traction_table.build import TableOptions, build_table, spin_free_motions
+from oilfilm.ehl.traction_table.compression import VALUE_STEP, compressed, decompressed, stored_values, whole_numbers
+from oilfilm.ehl.traction_table.splines import node_values, spline_coefficients, spline_weights
+from oilfilm.ehl.traction_table.storage import inputs_digest, load_table, save_table
+from oilfilm.ehl.traction_table.table import FullSolve, TableContact, TableRange, load_coordinate
 
 from ....reference.ehl import traction as reference
 
@@ -311,7 +311,7 @@ def test_types_keep_their_names_in_files(table, tmp_path):
     save_table(table, tmp_path / "table.npz")
     with np.load(tmp_path / "table.npz") as file:
         document = json.loads(str(file["document"]))
-    assert document["contact"]["type"] == "ehl.traction_table:TableContact"
+    assert document["contact"]["type"] == "oilfilm.ehl.traction_table:TableContact"
     assert document["contact"]["lubricant"]["viscosity_law"]["type"] == "ehl.lubricant:ViscosityLaw"
     assert document["contact"]["rheology"]["law"]["type"] == "ehl.rheology.laws:ShearLaw"
     assert inputs_digest(CIRCLE, LIMITS, 65) == DIGEST
@@ -379,7 +379,7 @@ def test_strips_of_a_film_are_close_enough(solution, monkeypatch, spin, limit):
     rolling = np.full(120, 15.08 / 4.8e-3)
     forces = []
     for lines in (64, 1024):
-        monkeypatch.setattr("ehl.traction.film_quadrature.LINES", lines)
+        monkeypatch.setattr("oilfilm.ehl.traction.film_quadrature.LINES", lines)
         forces.append(sliding_forces(film_quadrature(solution, RHEOLOGY), slide, rolling, 0.5 / 6.08e-3)[:, :2])
     assert np.hypot(*(forces[0] - forces[1]).T).max() < limit * np.hypot(*forces[1].T).max()
 
@@ -397,7 +397,7 @@ def test_oil_around_a_light_contact_has_its_spin_moment(conditions, monkeypatch,
     """Sliding along has none; blocks of the grid have those of all its nodes to 0.5 %."""
     moments = spin_moments(replace(conditions, load=load))
     assert np.abs(moments[:2]).max() < 1e-9
-    monkeypatch.setattr("ehl.traction.film_quadrature.BLOCKS", 1000)
+    monkeypatch.setattr("oilfilm.ehl.traction.film_quadrature.BLOCKS", 1000)
     assert_allclose(moments, spin_moments(replace(conditions, load=load)), atol=5e-3)
 
 

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.library.lubricants import library_lubricant
-from ehl.arrays import lagrange_weights
-from ehl.oil.rheology import Rheology, ShearLaw
-from ehl.traction_table.build import TableOptions
-from ehl.traction_table.storage import load_table, save_table
-from ehl.traction_table.table import TableContact, TableRange
-from ehl.traction_table.temperature import TemperatureTable, build_temperature_table
+from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.ehl.arrays import lagrange_weights
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
+from oilfilm.ehl.traction_table.build import TableOptions
+from oilfilm.ehl.traction_table.storage import load_table, save_table
+from oilfilm.ehl.traction_table.table import TableContact, TableRange
+from oilfilm.ehl.traction_table.temperature import TemperatureTable, build_temperature_table
 
 from ....reference.ehl import traction as reference
 
