@@ -17,7 +17,7 @@ class LinkedParts(BuildHookInterface):
         links = root / "build" / "links" / "oilfilm"
         links.mkdir(parents=True, exist_ok=True)
         wanted = {path.name: path for path in (root / "oilfilm").iterdir() if path.is_file()}
-        wanted |= {part: root / part for part in self.target_config["sources"]}
+        wanted |= {part: root / part for part in self.build_config.target_config["sources"]}
         for old in links.iterdir():
             old.unlink()
         for name, path in wanted.items():

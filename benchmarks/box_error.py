@@ -13,7 +13,7 @@ from unittest.mock import patch
 
 import numpy as np
 
-from oilfilm.ehl import SolverOptions
+from oilfilm.ehl import SolverOptions, solver
 from oilfilm.ehl.multigrid.full_multigrid import BOX_ERROR, BOX_ERROR_ROTATION, choose_domain
 from oilfilm.ehl.scaling import scale_contact
 
@@ -32,9 +32,9 @@ def solved(conditions, factor):
     def widened(contact):
         return tuple(factor * end for end in choose_domain(contact))
 
-    with patch.object(ehl.solver, "choose_domain", widened):
+    with patch.object(solver, "choose_domain", widened):
         points = (POINTS - 1) * factor + 1
-        solution, levels = ehl.solver.solve_attempts(conditions, SolverOptions(points=points))
+        solution, levels = solver.solve_attempts(conditions, SolverOptions(points=points))
     if not solution.converged:
         return None
     record = solution.record

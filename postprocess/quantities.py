@@ -1,6 +1,6 @@
 """Output quantities: each is declared once, by its key, its title and where its value comes from.
 
-The last words of the key are the unit (`oilfilm.ehl.units`); summary, CSV, netCDF attributes, the tables
+The last words of the key are the unit (`ehl.units`); summary, CSV, netCDF attributes, the tables
 of terminal and report and the labels of pictures read the same declaration.
 
 Results as handed to the output, everything in SI: what is common to all kinds.

@@ -5,8 +5,10 @@ from __future__ import annotations
 import gc
 import os
 import random
+import sys
 from collections import Counter, defaultdict
 from datetime import date
+from pathlib import Path
 
 import pytest
 from filelock import FileLock

@@ -1,7 +1,7 @@
 """Write the columns `ball_mm` and `balls` of bearing/library/data/catalogue_ratings.csv.
 
 Run it with `python tools/catalogue_geometry.py` after a change of the table: each row is a bearing of a maker's
-catalogue, `oilfilm.bearing.rating.geometry_estimate` determines the ball and the number of balls that explain its ratings.
+catalogue, `bearing.rating.geometry_estimate` determines the ball and the number of balls that explain its ratings.
 """
 
 from __future__ import annotations

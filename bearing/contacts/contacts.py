@@ -1,6 +1,6 @@
 """The contacts of a solved bearing as lubricated contacts.
 
-Hertz contacts of many balls at once: `oilfilm.ehl.closed_form.hertz.hertz_contact`, to round-off, in a
+Hertz contacts of many balls at once: `ehl.closed_form.hertz.hertz_contact`, to round-off, in a
 tenth of the time.
 """
 
@@ -69,7 +69,7 @@ def hertz_contacts(
 
 
 def ellipse_ratios(radius_ratio: Array) -> Array:
-    """Ratios of the semi-axes k = b/a, as `oilfilm.ehl.closed_form.hertz.ellipse_ratio` computes one.
+    """Ratios of the semi-axes k = b/a, as `ehl.closed_form.hertz.ellipse_ratio` computes one.
 
     Newton's method in ln k, kept inside the bracket between (Rx/Ry)^-1 and (Rx/Ry)^-1/4.
 

@@ -1,4 +1,4 @@
-"""Friction of balls on races for the compiled equations: the laws of `oilfilm.ehl.traction` as arrays."""
+"""Friction of balls on races for the compiled equations: the laws of `ehl.traction` as arrays."""
 
 from dataclasses import dataclass
 from math import inf

@@ -3,7 +3,7 @@
 Torque models, traction equilibrium and the equations of motion take friction in one form: the
 forces and moments (F_x, F_y, M_n, M_y) on the ball at a contact's centre, as a function of the
 motion k = (S_x, S_y, Omega, omega) of ball against race (`contacts.motion`). The law of one
-contact is an `oilfilm.ehl.traction.law.TractionLaw`. A `FrictionSource` is prepared about an equilibrium
+contact is an `ehl.traction.law.TractionLaw`. A `FrictionSource` is prepared about an equilibrium
 (`refresh`: only films have to be solved) and bound to its contacts (`at`), which gives their
 `ContactFriction`. A coefficient by the local sliding is added in
 `oilfilm.ehl.traction.coefficients`, for the equations of motion too; any other source is one class

@@ -3,7 +3,7 @@ dimensions (ISO 15), load ratings where a maker prints them, and clearance class
 
 The numbers come from three tables in `data`: boundary_dimensions.csv, clearance_classes.csv and
 catalogue_ratings.csv. Ball and number of balls in the latter are those that explain the ratings
-(`oilfilm.bearing.rating.geometry_estimate`, written by tools/catalogue_geometry.py). A bearing without
+(`bearing.rating.geometry_estimate`, written by tools/catalogue_geometry.py). A bearing without
 ratings takes the balls of one of its size with another contact angle, or else typical ones.
 
 Internal geometry that follows from boundary dimensions alone, and what bearings have in common:

@@ -7,7 +7,7 @@ is that of rigid rings and
 .. math:: e = C_i F_i - C_o F_o, \qquad F_o = -F_i + F_c e_r
 
 with the centrifugal force F_c that a ball adds on its way to the outer ring. A groove also opens
-(`oilfilm.ehl.solid.bodies.compliance`), by the part q = F_x^2/(|F| sin^2(alpha)) of a force. The energy of
+(`ehl.solid.bodies.compliance`), by the part q = F_x^2/(|F| sin^2(alpha)) of a force. The energy of
 a ring is then a quadratic form of (F_x, F_r, q), with the matrix G, and
 
 .. math:: e = \frac{\partial}{\partial F}\,\tfrac12 \hat F^T G \hat F, \qquad

@@ -6,7 +6,7 @@ Either the layer of oil that every contact finds at its inlet is given (`InletFi
 
 Film: a contact that finds an oil layer of r times its compressed flooded film keeps the shares of
 the flooded films and of the rolling moment that the law of starvation gives
-(`oilfilm.ehl.closed_form.starvation`). Of the layer :math:`r/(1 + r^\gamma)^{1/\gamma}` passes (Chevalier
+(`ehl.closed_form.starvation`). Of the layer :math:`r/(1 + r^\gamma)^{1/\gamma}` passes (Chevalier
 et al., 1998; Damiens et al., 2004), and the rest is pressed out of the track. Under a flow every
 contact finds what the balls before it left and what was added, in the steady state (`track`).
 

@@ -14,7 +14,7 @@ balls in balance.
 How far the oil of the films reaches, and what of the rolling part hangs on it.
 
 The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the layer that its
-oil ends in (`oilfilm.ehl.traction.rolling_moment`). The integrated torque takes that of the oil up to the
+oil ends in (`ehl.traction.rolling_moment`). The integrated torque takes that of the oil up to the
 layer that the lubricant states: here stand its uncertainty, what the solved boxes alone would
 give, and what twice the layer adds, at the same motion.
 """

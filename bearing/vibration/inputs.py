@@ -12,7 +12,7 @@ rolling direction sin(k a)/(k a), k = 2 pi/l, is left: the mean of the height ov
 
 With a film the same part follows from the derivative of the discrete equations at the solved
 contact, for the wave that passes at the speed of rolling, the film squeezed and carried with it
-(`oilfilm.ehl.traction.response`). The amplitude that is left in the film itself (Venner and Lubrecht,
+(`ehl.traction.response`). The amplitude that is left in the film itself (Venner and Lubrecht,
 2000) is another number: a long wave leaves none in the film and moves the bodies by all of it.
 """
 

@@ -345,7 +345,7 @@ class AtlasFilms:
     minimum: AtlasValue  # film [m] or [a^2/Rx]
     approach: AtlasValue  # h_0, the constant of the film equation
     # up to where the gap is as wide as the layer; None: a layer below 3 (1 + H_c) a^2/Rx ends
-    # too near the contact for the table, see `oilfilm.ehl.traction.rolling_moment`, or the entrainment is
+    # too near the contact for the table, see `ehl.traction.rolling_moment`, or the entrainment is
     # at an angle to x
     rolling_moment: AtlasValue | None
     stiffness: AtlasValue  # -dF/dh_0

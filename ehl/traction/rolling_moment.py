@@ -2,7 +2,7 @@ r"""Hydrodynamic rolling moment of the oil that a contact has, up to its meniscu
 
 Far from a flooded contact the pressure is :math:`s(\theta) r/H^2`, near Kapitza's (1955)
 :math:`-k_x x/H^2` ahead of the contact and zero where oil breaks behind it
-(`oilfilm.ehl.multigrid.far_field`), so that the moment :math:`-\iint x p` of the oil between two distances
+(`ehl.multigrid.far_field`), so that the moment :math:`-\iint x p` of the oil between two distances
 from the centre of a paraboloid gap is, by Kapitza's,
 
 .. math:: \frac{24 \pi\,\eta_0 u R_x^2}{(3 + 2 R_x/R_y)\sqrt{R_x/R_y}}\,\ln\frac{r_2}{r_1},

@@ -1,4 +1,4 @@
-"""One type for a law of force over motion, `oilfilm.ehl.traction.law.TractionLaw`; all with `forces` keep its signature."""
+"""One type for a law of force over motion, `TractionLaw`; all with `forces` keep its signature."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Forces left on balls, and Newton's damped step, in NumPy: twins of the kernels of `oilfilm.bearing.friction.newton`."""
+"""Forces left on balls, and Newton's damped step, in NumPy: twins of the kernels of `bearing.friction.newton`."""
 
 import numpy as np
 

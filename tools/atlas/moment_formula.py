@@ -1,7 +1,7 @@
 """The rolling moment by formulas beside the atlas: `python tools/atlas/moment_formula.py SEED NUMBER`.
 
 Draws contacts, M 1 to 3000, L 5 to 29, R_x/R_y 0.02 to 1, layers of 50, 100 and 400 um. Prints the constants of
-`oilfilm.bearing.contacts.formula_moment` fitted to the atlas at half of them, and the errors of the program's at the others.
+`bearing.contacts.formula_moment` fitted to the atlas at half of them, and the errors of the program's at the others.
 """
 
 from __future__ import annotations

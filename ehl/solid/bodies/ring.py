@@ -1,6 +1,6 @@
 r"""Stress in a grooved ring below a contact: that of a half-space and the difference of the ring.
 
-Hertz' pressure on a half-space has a closed superposition (`oilfilm.ehl.solid.subsurface`). The difference
+Hertz' pressure on a half-space has a closed superposition (`ehl.solid.subsurface`). The difference
 of the ring is smooth and comes from finite elements that need not see the contact: stress of the
 ring less stress of the flat block with the same lines and nodal forces, each in the directions
 along the track, across it and into the body,

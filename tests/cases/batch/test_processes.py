@@ -203,8 +203,9 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatc
 
 def test_workers_import_what_their_parent_does(tmp_path):
     """Not what bears the same name in the folder in which the command is given, where Python 3.11 looks first."""
-    code = "if __name__ == '__main__':\n    from oilfilm import ehl; from oilfilm.cases.batch.pools import LocalPool; pool = LocalPool(1)\n"
-    code += "    found = pool._executor.submit(eval, '__import__(\"ehl\").__file__').result()\n"
+    code = "if __name__ == '__main__':\n    from oilfilm import ehl; from oilfilm.cases.batch.pools import LocalPool\n"
+    code += "    pool = LocalPool(1)\n"
+    code += "    found = pool._executor.submit(eval, '__import__(\"oilfilm.ehl\").ehl.__file__').result()\n"
     code += "    pool.close(at_once=True); assert found == ehl.__file__, found"
     (tmp_path / "script.py").write_text(code)
     (tmp_path / "here").mkdir()

@@ -49,7 +49,8 @@ def test_version():
 def test_validation_imports_no_kernels_and_no_pictures():
     """It is quick: what it takes of the solvers are their types of data."""
     code = (
-        "import sys; from oilfilm.cases.format.document import validate_text; from oilfilm.cases.format.shipped import shipped_cases\n"
+        "import sys; from oilfilm.cases.format.document import validate_text\n"
+        "from oilfilm.cases.format.shipped import shipped_cases\n"
         "for p in shipped_cases().values(): validate_text(p.read_text(), p.name)\n"
         "print([m for m in sys.argv[1:] if m in sys.modules])"
     )

@@ -32,7 +32,8 @@ def signalled(code, number=signal.SIGTERM):
 
 
 def test_a_program_that_ends_while_it_writes_leaves_no_part_of_a_file(tmp_path):
-    code = "from pathlib import Path; from oilfilm.bearing.files import atomic_path; from oilfilm.cases.runs.interrupt import end_now\n"
+    code = "from pathlib import Path; from oilfilm.bearing.files import atomic_path\n"
+    code += "from oilfilm.cases.runs.interrupt import end_now\n"
     code += "with atomic_path(Path('whole.png')) as part:\n    part.write_bytes(b'half'); end_now(3)"
     ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, check=False, timeout=60)
     assert ended.returncode == 3
