@@ -17,6 +17,7 @@ from functools import partial
 from math import inf
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..grid import Grid, full_weighting, inject, interpolate_cubic, interpolate_linear
@@ -233,7 +234,7 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     stored = level.storage.size > 0
     reversing = True if stored or level.factors.couette_x is not None else None
     content = level.film_content
-    layer = (None, None, None)
+    layer: tuple[Array | None, NDArray[np.int8] | None, Array | None] = (None, None, None)
     if content is not None:
         layer = (content.residual, content.empty, content.fraction_along)
     return partial(
