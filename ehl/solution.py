@@ -138,6 +138,16 @@ class ContactSolution:
     along x; Y = y/a. The grid's x is the principal direction nearest to the entrainment; in a
     circular contact it is the entrainment's, as with finite elements. SI properties need
     dimensional conditions and are None otherwise.
+
+    Examples
+    --------
+    >>> from oilfilm import MoesConditions, Lubricant, SolverOptions, solve_contact
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
+    >>> contact = MoesConditions(load_parameter=20.0, lubricant_parameter=5.0, lubricant=oil)
+    >>> solution = solve_contact(contact, SolverOptions(points=65))
+    >>> film = solution.film_central_dimensionless
+    >>> solution.converged, abs(film.value - film.finest) <= film.uncertainty
+    (True, True)
     """
 
     conditions: ContactConditions | MoesConditions

@@ -35,7 +35,7 @@ from oilfilm.bearing.operation import BallKinematics
 from oilfilm.ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
 from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.ehl.oil.rheology import Rheology
-from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.film import FilmSample, film_sample
 from oilfilm.ehl.traction_table.table import TableContact, TableRange
 
@@ -485,7 +485,7 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
         progress(done, total, f"traction tables, {state}")
 
     return {
-        race: build_table(contact, whole, options, race_progress(notify, race))
+        race: build_traction_table(contact, whole, options, race_progress(notify, race))
         for race, contact in contacts.items()
     }
 

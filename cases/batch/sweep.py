@@ -86,6 +86,13 @@ def read_sweep(name_or_path: str | FilePath) -> Sweep:
     ------
     CaseError
         If something is wrong, with one line for every error.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> sweep = oilfilm.read_sweep("6208_load_and_speed")
+    >>> len(sweep.points), sweep.keys
+    (16, ('operation.inner_speed_rpm', 'operation.radial_load_N'))
     """
     path = find_sweep(name_or_path)
     return sweep_from_text(read_text(path), str(path), path.parent)

@@ -237,14 +237,12 @@ def temperatures(
 
     loaded = load_bearing(case, "temperatures need a bearing", heated=False)
     directory = results_directory(case, output, as_json)
-    from ..runs.bearing import run_case
-    from ..runs.temperatures import run_temperatures
+    from ..runs import temperatures as study
 
     report_cost(temperatures_cost(loaded), quiet=quiet)
     duration = None if hours is None else 3600.0 * hours
     with progress_bar(quiet=quiet) as progress:
-        study = partial(run_temperatures, loaded, case, run_case, duration, progress)
-        results = interruptible(study)
+        results = interruptible(partial(study.temperatures, loaded, case, duration, progress))
     from oilfilm.postprocess.temperatures.results import temperatures_summary
     from oilfilm.postprocess.temperatures.write import temperatures_table, write_temperatures
 

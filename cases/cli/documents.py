@@ -292,7 +292,7 @@ def view(
                 print_message(f"movie in {scene.movie(directory, movie, small)}")
         if screenshot is None and html is None and movie is None:
             with reading(directory):
-                scene.show(directory, options)
+                scene.view(directory, options)
     except CaseError:
         raise
     except scene.RenderingError as error:

@@ -16,7 +16,7 @@ from typing import Any
 from oilfilm.bearing.library.bearings import load_catalogue_entry, named_designation
 from oilfilm.bearing.library.catalogue import boundary_dimensions, with_designation
 from oilfilm.bearing.library.designation import Designation, series_and_bore
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.library.plugins import library_data
 from oilfilm.bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
 from oilfilm.bearing.rating.life import viscosity_ratio
@@ -148,7 +148,7 @@ def _circulation(
     Share of oil in the cavity X = 1e5 W^0.37/(n d_m^1.7), W in cm^3/min, n in r/min, d_m in mm
     (Parker, NASA TP-2275, 1984, for 0.8 to 8 L/min; read second hand).
     """
-    oil = library_lubricant(grade, OIL_TEMPERATURE)
+    oil = load_lubricant(grade, OIL_TEMPERATURE)
     pitch = entry["pitch_diameter_mm"]
     name = "angular contact" if kind.angular else "deep groove"
     torque, _ = palmgren_torque(
@@ -180,7 +180,7 @@ def _grade(speed: float, pitch_diameter: float) -> str:
     """Oil of the library nearest to `AIM_KAPPA` at `OIL_TEMPERATURE`; [r/min], [mm]."""
 
     def distance(grade: str) -> float:
-        oil = library_lubricant(grade, OIL_TEMPERATURE)
+        oil = load_lubricant(grade, OIL_TEMPERATURE)
         viscosity = oil.viscosity / oil.density
         kappa = viscosity_ratio(viscosity, abs(speed) * RPM, pitch_diameter * MILLIMETRE)
         return abs(log(kappa / AIM_KAPPA))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import log
 from typing import Annotated, Any, Literal
 
-from oilfilm.bearing.library.lubricants import library_lubricant, list_lubricants, lubricant_data
+from oilfilm.bearing.library.lubricants import list_lubricants, load_lubricant, lubricant_data
 from oilfilm.ehl import DensityLaw, Lubricant, ViscosityLaw
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
@@ -674,7 +674,7 @@ def _of_library(
     laws; and the temperature at which its constants of free volume were measured [K].
     """
     laws = {} if own else {name: given[name] for name in LAWS if name in given}
-    base = library_lubricant(given.pop("name"), temperature, **laws)
+    base = load_lubricant(given.pop("name"), temperature, **laws)
     return base, lubricant_data(base.name).get("doolittle", {}).get("reference_K")
 
 

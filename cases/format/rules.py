@@ -101,7 +101,17 @@ class InvalidKeyError(ValueError):
 
 
 class CaseError(ValueError):
-    """A case that cannot be run, with a line for each error and what is known of its key."""
+    """A case that cannot be run, with a line for each error and what is known of its key.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> try:
+    ...     oilfilm.load_case("6208_full_ceramics")
+    ... except oilfilm.CaseError as error:
+    ...     print(error.messages[0].partition(";")[0])
+    6208_full_ceramics: no such file, and no shipped case has this name
+    """
 
     def __init__(
         self, messages: str | Iterable[str], problems: Iterable[CaseProblem] = ()

@@ -27,7 +27,7 @@ from oilfilm.bearing.rating.frequencies import bearing_frequencies
 from oilfilm.bearing.rating.life import bearing_life
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
 from oilfilm.bearing.supply.supply import AMPLE, GrooveOil, InletFilm, Supply, groove_oil
-from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
+from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, friction_torque
 from oilfilm.bearing.torque.integrated import (
     SolvedShear,
     bearing_films,
@@ -153,7 +153,7 @@ def _load_case_torque(
     if case.rheology is not None:
         arguments = (case.friction, case.inlet, case.rheology, case.lubricant)
         shear = films_torque(solution, contacts, (None,) * len(contacts), *arguments)
-    found = torque_breakdown(solution, contacts, case.lubricant, case.friction, shear=shear)
+    found = friction_torque(solution, contacts, case.lubricant, case.friction, shear=shear)
     return found.total, found.chosen
 
 
@@ -284,7 +284,7 @@ def run_case(
     solve : Solve | None, optional
         Solver of one film in place of the film model's own: a batch reads what it has solved
         before.
-    filmed : OnFilmsSolved | None, optional
+    on_films_solved : OnFilmsSolved | None, optional
         Called with the results up to the films, before friction; not where the torque decides the
         temperature, and with it the films.
     equilibria : Equilibria | None, optional
@@ -299,6 +299,12 @@ def run_case(
     ------
     Interrupted
         On Ctrl-C, with the results of the finished contacts.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> results = oilfilm.run_case(oilfilm.load_case("6208_full_ceramic"))  # doctest: +SKIP
+    >>> oilfilm.summary(results)["torque_N_mm"]["total"]  # doctest: +SKIP
     """
     notify = progress or (lambda done, total, state: None)
     equilibria = equilibria or Equilibria()
@@ -578,7 +584,7 @@ def _torque(
     shear = None
     if state.operation.inner_speed != state.operation.outer_speed:
         shear = _law_shear(case, state, contacts) or _film_shear(case, state, contacts, films)
-    return torque_breakdown(
+    return friction_torque(
         state,
         contacts,
         case.lubricant,

@@ -424,6 +424,16 @@ def solve_contact_finite_element(
     ------
     ValueError
         if conditions contain an inlet layer: mass is not conserved behind one here
+
+    Examples
+    --------
+    >>> from oilfilm import Lubricant, MoesConditions, SolverOptions
+    >>> from oilfilm import solve_contact_finite_element
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
+    >>> contact = MoesConditions(load_parameter=20.0, lubricant_parameter=5.0, lubricant=oil)
+    >>> solution = solve_contact_finite_element(contact, SolverOptions(points=65))
+    >>> solution.converged, f"{solution.film_central_dimensionless.value:.2f}"
+    (True, '0.31')
     """
     options = options or SolverOptions()
     if conditions.inlet_layer is not None:

@@ -375,7 +375,7 @@ class _Study:
     doubtful: list[FilmSample] = field(default_factory=list)  # of the last table
 
 
-def build_table(
+def build_traction_table(
     contact: TableContact,
     limits: TableRange,
     options: TableOptions | None = None,
@@ -413,7 +413,7 @@ def build_table(
     --------
     A coarse table of films from the atlas, for a look at its use; leave out the options.
 
-    >>> from ehl import Lubricant
+    >>> from oilfilm.ehl import Lubricant
     >>> from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
     >>> from oilfilm.ehl.traction_table.build import atlas_sampler
     >>> from oilfilm.ehl.traction_table.film import film_sample
@@ -437,7 +437,7 @@ def build_table(
     ...     check_motions=10,
     ...     check_responses=1,
     ... )
-    >>> table = build_table(contact, limits, options)
+    >>> table = build_traction_table(contact, limits, options)
     >>> f"{table.forces(60.0, 1.5, 0.05, 0.0, 0.0).force_x:.1f} N"
     '-0.9 N'
     """

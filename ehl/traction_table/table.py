@@ -202,6 +202,15 @@ class TractionTable:
     [-], the central film [m], the hydrodynamic moment [N m], stiffness [N/m], damping [N s/m], and
     the units of force [N] and moments about n and y [N m] of sliding; `values` those of the
     sliding forces and moments over these units [-].
+
+    Examples
+    --------
+    Tables of a bearing are kept as a file by `oilfilm table`, and read again:
+
+    >>> from oilfilm.bearing.friction.tables import load_tables
+    >>> tables = load_tables("6208_table.zip")  # doctest: +SKIP
+    >>> inner, outer = tables.values()  # doctest: +SKIP
+    >>> inner.forces(300.0, 8.0, 0.05, 0.0, 0.0).force_x  # doctest: +SKIP
     """
 
     contact: TableContact  # bodies, oil and temperature

@@ -18,7 +18,7 @@ from rich.console import Group
 from typer.testing import CliRunner
 
 from oilfilm.bearing.library.bearings import load_catalogue_entry
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.torque.skf import viscous_factor
 from oilfilm.cases import load_case
 from oilfilm.cases.cli import compute, output, terminal
@@ -447,7 +447,7 @@ def test_the_flow_of_a_jet_takes_the_heat_of_palmgrens_viscous_torque(tmp_path):
     """By hand: VG 22 at 70 C, f_0 6.6, d_m 90 mm, 12 000 r/min; 20 K."""
     case = written(tmp_path, "--bearing", "7014C", "--speed", "12000")
     assert case["lubricant"]["name"] == "iso vg 22"
-    oil = library_lubricant("iso vg 22", 343.15)
+    oil = load_lubricant("iso vg 22", 343.15)
     product = oil.viscosity / oil.density * 1e6 * 12000.0
     heat = 6.6e-7 * product ** (2 / 3) * 90.0**3 * 1e-3 * 12000.0 * np.pi / 30.0
     flow = heat / (oil.density * oil.thermal.specific_heat * 20.0)
@@ -487,7 +487,7 @@ def test_loads_heat_and_oil_of_a_new_case_by_hand(tmp_path):
         flow, pitch = one["friction"]["cooling_oil_mL_min"], one["bearing"]["pitch_diameter_mm"]
         share = 1e5 * (flow / rows) ** 0.37 / (12000.0 * pitch**1.7)
         assert one["friction"]["oil_fraction"] == pytest.approx(share, rel=0.05)
-    oil, pitch = library_lubricant(case["lubricant"]["name"], 343.15), case["bearing"]["pitch_diameter_mm"]
+    oil, pitch = load_lubricant(case["lubricant"]["name"], 343.15), case["bearing"]["pitch_diameter_mm"]
     product = 1e6 * oil.viscosity / oil.density * 12000.0  # nu n [mm^2/s r/min]
     torque = 1e-3 * viscous_factor("angular contact", "oil jet") * 1e-7 * product ** (2.0 / 3.0) * pitch**3  # [N m]
     flow = torque * 12000.0 * np.pi / 30.0 / (oil.density * oil.thermal.specific_heat * 20.0)  # by 20 K
