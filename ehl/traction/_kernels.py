@@ -17,7 +17,7 @@ from ..oil._kernels import (
     inverse_sine,
     shear_stress,
 )
-from ._spline_kernels import inner_weights, row_sums, spline_sum, spline_weights
+from ._spline_kernels import inner_weights, spline_sum, spline_weights
 from .coefficients import coefficient as coefficient_formula
 
 # rows of the nodes of a film; spread: a twelfth of the squared size
@@ -177,7 +177,7 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     flag = BELOW_LOAD if side < 0 else (ABOVE_LOAD if side > 0 else 0)
     u, side = _clamped(np.log(max(speed, 1e-300)), axes[1])
     flag += BELOW_SPEED if side < 0 else (ABOVE_SPEED if side > 0 else 0)
-    film = row_sums()
+    film = np.empty(scalars.shape[2])
     _film_values(scalars, spline_weights(q, axes[0]), spline_weights(u, axes[1]), film)
     i0, w0 = inner_weights(q, axes[0])
     i1, w1 = inner_weights(u, axes[1])
