@@ -30,6 +30,11 @@ from .oil.lubricant import InletLayer, Lubricant
 from .options import require_finite, require_not_negative, require_positive
 from .solid.layered import Coating
 
+# of the faster surface: a mean velocity below it entrains no oil that a film could be solved for
+SMALLEST_ENTRAINMENT = 1e-6
+
+MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactConditions:
@@ -99,10 +104,6 @@ class SurfaceMotion(NamedTuple):
     entrainment_angle: float  # from x towards y [rad]
     slide_roll_ratio: float  # along the entrainment [-]
     lateral_slide_ratio: float  # at right angles to it [-]
-
-
-# of the faster surface: a mean velocity below it entrains no oil that a film could be solved for
-SMALLEST_ENTRAINMENT = 1e-6
 
 
 def surface_motion(
@@ -215,9 +216,6 @@ class MoesConditions:
         require_positive(self, "load_parameter", "radius_ratio")
         require_not_negative(self, "lubricant_parameter")
         require_finite(self, "entrainment_angle")
-
-
-MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
 
 
 def curvature_height(curvature: Array | float, width: Array | float, y: Array) -> Array:

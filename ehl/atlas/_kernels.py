@@ -5,6 +5,8 @@ import numpy as np
 from ..compiled import compiled
 from ..oil._kernels import exponential_of
 
+FARTHEST = 600.0  # up to which e^-t is no zero and `exponential_of` holds [-]
+
 
 @compiled
 def _cubic(at, count, weights, slopes):
@@ -108,9 +110,6 @@ def look_up(x, features, shares, low, step, lattice, oils, out):
             out[n, f] += shares[0, n] * own[f]
         out[n, 3] += shares[1, n] * own[0]
         out[n, 4] += shares[1, n] * own[2]
-
-
-FARTHEST = 600.0  # up to which e^-t is no zero and `exponential_of` holds [-]
 
 
 @compiled

@@ -73,6 +73,21 @@ OIL = 0.1
 CENTRE = np.array([2.5, 2.5, -2.5])
 SPREAD = np.array([1.2, 1.5, 1.5])
 
+HALF_LINES = 12  # on one side of the middle, all of one width
+PLACES = 14  # of Gauss' rule from edge to edge of each line
+# ranges of A, L, D, alpha [1/Pa] and z of the solved contacts
+BOX = ((2.8, 160.0), (1.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
+PLACE = len(BOX) + 1  # numbers of a place [-]
+SEAM = (11.0, 15.0)  # of A, between which the table of light contacts goes over into the other
+
+# shapes of the components of one vector
+SHAPES = (
+    *((), (HALF_LINES,), (HALF_LINES,)),
+    *((HALF_LINES, PLACES), (HALF_LINES, PLACES), (PLACES,), (2,)),
+    *((CELL_ROWS, CELLS), (), ()),
+)
+SIZES = tuple(prod(shape) for shape in SHAPES)
+
 
 class FieldTable(NamedTuple):
     """Contents of the file [-]."""
@@ -380,14 +395,6 @@ def _mirrored(half: Array) -> Array:
     return np.concatenate([other[:, ::-1], half], axis=1)
 
 
-HALF_LINES = 12  # on one side of the middle, all of one width
-PLACES = 14  # of Gauss' rule from edge to edge of each line
-# ranges of A, L, D, alpha [1/Pa] and z of the solved contacts
-BOX = ((2.8, 160.0), (1.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
-PLACE = len(BOX) + 1  # numbers of a place [-]
-SEAM = (11.0, 15.0)  # of A, between which the table of light contacts goes over into the other
-
-
 class FilmShapes(NamedTuple):
     """Fields of n contacts: nodes of high pressure (5, n, m), and those around them, (5, n, k).
 
@@ -412,15 +419,6 @@ class _Parts(NamedTuple):
     cells: Array  # (k, 7, cells)
     load: Array  # (k,)
     shear: Array
-
-
-# shapes of the components of one vector
-SHAPES = (
-    *((), (HALF_LINES,), (HALF_LINES,)),
-    *((HALF_LINES, PLACES), (HALF_LINES, PLACES), (PLACES,), (2,)),
-    *((CELL_ROWS, CELLS), (), ()),
-)
-SIZES = tuple(prod(shape) for shape in SHAPES)
 
 
 def shape_coordinates(contacts: Sequence[ContactConditions], semi_axes: Array) -> Array:

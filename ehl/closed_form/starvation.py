@@ -47,6 +47,12 @@ HALVINGS = 50
 LARGEST_LOG_EXPONENT = 5.0  # ln g
 PAIRS = np.triu_indices(4)
 
+EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
+WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
+# factor on the uncertainties of a contact outside the solved ones, which takes the values of the
+# nearest point inside; assumed
+OUTSIDE = 4.0
+
 
 class Function(NamedTuple):
     """One of the four functions: trend and radial terms."""
@@ -276,13 +282,6 @@ def _errors(tabulated: Table, log_film: float) -> Array:
     return np.array(
         [[np.interp(log_film, tabulated.error_films, row) for row in rows] for rows in flat]
     )
-
-
-EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
-WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
-# factor on the uncertainties of a contact outside the solved ones, which takes the values of the
-# nearest point inside; assumed
-OUTSIDE = 4.0
 
 
 @dataclass(frozen=True, slots=True)

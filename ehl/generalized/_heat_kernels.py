@@ -56,6 +56,10 @@ DIAGONAL, ALONG, PULL = range(10, 13)
 LOWER, MIDDLE, UPPER, COUPLED = range(13, 17)
 LAST, FLOW_ROWS = range(17, 19)  # the temperatures that the flow is of [K]
 
+# of the step towards temperatures of second order, where oil recirculates: 0, 1 and 2 of 32 fast
+# contacts on 129 points needed the continuation with 0.5, 0.7 and 1
+FOLLOWED = 0.5
+
 
 @compiled
 def solve_tridiagonal(flow, right):
@@ -359,11 +363,6 @@ def heat_of_shear(height, weights, temperature, flow):
         source = flow[SOURCE, k] + flow[DIAGONAL, k] * (temperature[k] - flow[LAST, k])
         total += height * weights[k] * (source - flow[ALONG, k] * drawn)
     return total
-
-
-# of the step towards temperatures of second order, where oil recirculates: 0, 1 and 2 of 32 fast
-# contacts on 129 points needed the continuation with 0.5, 0.7 and 1
-FOLLOWED = 0.5
 
 
 def column_rooms(n):

@@ -24,6 +24,12 @@ from . import _heat_kernels as _kernels
 # numbers as a register holds: with 11, three of them alone, a film with heat takes a tenth longer
 NODES = 12
 
+Mask = NDArray[np.bool_]
+
+# [K]. Films of 19 contacts within 2.5e-4 of those with all columns in each sweep (0.15 K: 1e-3)
+SMALLEST_PENDING_CHANGE = 0.05
+SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Section:
@@ -101,13 +107,6 @@ def wall_slopes(section: Section) -> tuple[Array, Array]:
     below[:3] = -(a + b) / (a * b), b / (a * (b - a)), -a / (b * (b - a))
     above[-3:] = -below[2::-1]
     return below, above
-
-
-Mask = NDArray[np.bool_]
-
-# [K]. Films of 19 contacts within 2.5e-4 of those with all columns in each sweep (0.15 K: 1e-3)
-SMALLEST_PENDING_CHANGE = 0.05
-SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

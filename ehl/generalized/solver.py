@@ -91,6 +91,18 @@ CHANGE_FRACTION = 0.05
 # largest change in a cycle [K] at which cycles are accelerated; none
 REST_TEMPERATURE_CHANGE = 1.0
 
+# fraction of the columns that may stay unsolved or over the limiting stress, measured: they lie at
+# the edge of the cavity, where hardly anything flows
+UNSOLVED_FRACTION = 0.005
+# error bar of the film by twelve nodes across it: a fraction, and one times the fourth power of
+# what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power thicker than on
+# 36 nodes, on which up to a fifth as much is left
+SECTION_FRACTION = 5e-4
+SECTION_ERROR = 0.55
+# error bar of the film for each kelvin by which the heat of a film at rest still changes: where
+# the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
+UNCONVERGED_HEAT_ERROR = 3e-4
+
 
 def solve_by_continuation(
     flow: GeneralizedFlow, options: SolverOptions, newtonian: ContactSolution | None = None
@@ -319,19 +331,6 @@ def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmVa
     uncertainty = abs(ratio) * plain.uncertainty + history.noise(kind) * abs(finest)
     uncertainty += CHANGE_FRACTION * abs(1.0 - ratio) * plain.finest
     return FilmValue(value=ratio * plain.value, uncertainty=uncertainty, finest=finest)
-
-
-# fraction of the columns that may stay unsolved or over the limiting stress, measured: they lie at
-# the edge of the cavity, where hardly anything flows
-UNSOLVED_FRACTION = 0.005
-# error bar of the film by twelve nodes across it: a fraction, and one times the fourth power of
-# what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power thicker than on
-# 36 nodes, on which up to a fifth as much is left
-SECTION_FRACTION = 5e-4
-SECTION_ERROR = 0.55
-# error bar of the film for each kelvin by which the heat of a film at rest still changes: where
-# the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
-UNCONVERGED_HEAT_ERROR = 3e-4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

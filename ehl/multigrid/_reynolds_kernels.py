@@ -14,6 +14,39 @@ from ..oil._kernels import copy, exponential, logarithm
 
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 
+LANES = 8  # lines solved at once, as many as fit a register of 512 bits
+LOWER = 4  # sub-diagonals of the line system
+UPPER = 3  # super-diagonals of the line system
+WIDTH = LOWER + UPPER + 1
+REACH = LOWER + 3  # kernel entries needed
+# where the fields of a node begin in its row, after the WIDTH diagonals
+RIGHT = WIDTH * LANES  # right-hand side, in the end the solution
+EPS = (WIDTH + 1) * LANES
+SIDES = (WIDTH + 2) * LANES  # sum of eps in the two next lines
+FLOW = (WIDTH + 3) * LANES
+DENSITY = (WIDTH + 4) * LANES  # H times the derivative of the flow by P
+GAUSS = (WIDTH + 5) * LANES  # one where the node is Gauss-Seidel, else zero
+SPREAD = (WIDTH + 6) * LANES  # one where it is Jacobi, else zero
+# minus the derivative of d_Y(flow H) by the film of this line and the two upstream, and by P
+LATERAL = (WIDTH + 7) * LANES
+# behind a node that its oil does not fill: one, and the share of that oil that leaves along the
+# line
+FRONT = (WIDTH + 11) * LANES
+SHARE = (WIDTH + 12) * LANES
+# of what a node stores over time: its derivative by the film, and by the pressure at that film
+STORED = (WIDTH + 13) * LANES
+STORED_BY_PRESSURE = (WIDTH + 14) * LANES
+COLUMNS = WIDTH + 15
+ROW = COLUMNS * LANES
+# the row of the node in a window, and the numbers of a window
+HERE = LOWER * ROW
+WINDOW = (LOWER + 1 + LOWER) * ROW
+
+# kinds of nodes: how the relaxation changes them
+FIXED = 0
+GAUSS_SEIDEL = 1
+JACOBI = 2
+
 
 @compiled
 def flow_properties(
@@ -153,35 +186,6 @@ def residual_sums(P, H, residual, flow_x, flow_y, hx, hy):
                 balance += residual[j, i]
                 divergence += abs(couette)
     return size, balance, divergence
-
-
-LANES = 8  # lines solved at once, as many as fit a register of 512 bits
-LOWER = 4  # sub-diagonals of the line system
-UPPER = 3  # super-diagonals of the line system
-WIDTH = LOWER + UPPER + 1
-REACH = LOWER + 3  # kernel entries needed
-# where the fields of a node begin in its row, after the WIDTH diagonals
-RIGHT = WIDTH * LANES  # right-hand side, in the end the solution
-EPS = (WIDTH + 1) * LANES
-SIDES = (WIDTH + 2) * LANES  # sum of eps in the two next lines
-FLOW = (WIDTH + 3) * LANES
-DENSITY = (WIDTH + 4) * LANES  # H times the derivative of the flow by P
-GAUSS = (WIDTH + 5) * LANES  # one where the node is Gauss-Seidel, else zero
-SPREAD = (WIDTH + 6) * LANES  # one where it is Jacobi, else zero
-# minus the derivative of d_Y(flow H) by the film of this line and the two upstream, and by P
-LATERAL = (WIDTH + 7) * LANES
-# behind a node that its oil does not fill: one, and the share of that oil that leaves along the
-# line
-FRONT = (WIDTH + 11) * LANES
-SHARE = (WIDTH + 12) * LANES
-# of what a node stores over time: its derivative by the film, and by the pressure at that film
-STORED = (WIDTH + 13) * LANES
-STORED_BY_PRESSURE = (WIDTH + 14) * LANES
-COLUMNS = WIDTH + 15
-ROW = COLUMNS * LANES
-# the row of the node in a window, and the numbers of a window
-HERE = LOWER * ROW
-WINDOW = (LOWER + 1 + LOWER) * ROW
 
 
 @compiled
@@ -474,12 +478,6 @@ def solve_lines(work, lanes, lines, mesh, weights, reversing, backward, flow_y, 
         _eliminate(window)
     for i in range(last, 0, -1):
         _substitute(work[(LOWER + i) * ROW : (LOWER + i) * ROW + WINDOW], lanes)
-
-
-# kinds of nodes: how the relaxation changes them
-FIXED = 0
-GAUSS_SEIDEL = 1
-JACOBI = 2
 
 
 @compiled

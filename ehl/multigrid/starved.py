@@ -59,6 +59,8 @@ from . import _starved_kernels
 # nodes of the smallest grid that is shared: below, the hand-over costs more than it saves
 SHARED_NODES = 2**15
 
+Numbers = NDArray[Any]  # real or complex
+
 
 def cores() -> int:
     """Cores this process may use [-]."""
@@ -477,9 +479,6 @@ def oil_imbalance(film_content: FilmContent, residual: Array, grid: Grid) -> flo
     entering = inlet_flow(film_content, grid)
     lost = grid.integral(residual)
     return lost / entering if entering > 0.0 else np.inf
-
-
-Numbers = NDArray[Any]  # real or complex
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -30,6 +30,32 @@ from .free_volume import (
     yasutomi_constants,
 )
 
+CAPACITY_POWER = -4.0  # of the volume in rho c, Habchi and Bair [-]
+
+ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
+# Layer at flooded inlets [m], assumed: the order of what a ball of a 6208 carries along against
+# the centrifugal acceleration, (eta u/(rho g))^(1/2) with u^2/r for g (after Derjaguin, 1943).
+# Half and double of it change the rolling torque of 6208_full_ceramic by -8 and +7 %.
+FLOODED_LAYER = 1e-4
+# ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
+ROELANDS_LOG_OFFSET = 9.67
+ROELANDS_TEMPERATURE = 138.0  # [K], -135 degrees Celsius, Roelands (1966)
+# of the temperature of operation over Roelands' lowest in the array of an oil [K]; colder oils are
+# refused as soon as their temperature is to vary
+SMALLEST_ROOM = 1e-3
+UNNAMED_TEMPERATURE = 298.15  # of an oil without one, with which nothing varies then [K]
+DOWSON_HIGGINSON_NUMERATOR = 0.6e-9  # [1/Pa], Dowson and Higginson (1966)
+DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9  # [1/Pa], Dowson and Higginson (1966)
+# fraction by which a prescribed coefficient may differ from that of the law's constants
+PRESSURE_VISCOSITY_TOLERANCE = 0.01
+
+# of the laws whose ln(eta) counts from another viscosity: column of its value at ambient pressure
+AMBIENT_COLUMNS = {
+    _kernels.TAIT_DOOLITTLE: _kernels.V + 4,
+    _kernels.YASUTOMI: _kernels.V + 8,
+    _kernels.SCALED: _kernels.V + 3,
+}
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InletLayer:
@@ -145,9 +171,6 @@ class VolumeHeat:
 
     def __post_init__(self) -> None:
         require_positive(self, "conductivity_base", "conductivity_scale", "capacity_base")
-
-
-CAPACITY_POWER = -4.0  # of the volume in rho c, Habchi and Bair [-]
 
 
 def volume_heat(
@@ -294,24 +317,6 @@ def pressure_viscosity_scaled(tait: TaitVolume, law: ScaledVolume, temperature: 
     return law.factor * law.limit * law.exponent * phi / ((phi - law.limit) ** 2 * modulus)
 
 
-ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
-# Layer at flooded inlets [m], assumed: the order of what a ball of a 6208 carries along against
-# the centrifugal acceleration, (eta u/(rho g))^(1/2) with u^2/r for g (after Derjaguin, 1943).
-# Half and double of it change the rolling torque of 6208_full_ceramic by -8 and +7 %.
-FLOODED_LAYER = 1e-4
-# ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
-ROELANDS_LOG_OFFSET = 9.67
-ROELANDS_TEMPERATURE = 138.0  # [K], -135 degrees Celsius, Roelands (1966)
-# of the temperature of operation over Roelands' lowest in the array of an oil [K]; colder oils are
-# refused as soon as their temperature is to vary
-SMALLEST_ROOM = 1e-3
-UNNAMED_TEMPERATURE = 298.15  # of an oil without one, with which nothing varies then [K]
-DOWSON_HIGGINSON_NUMERATOR = 0.6e-9  # [1/Pa], Dowson and Higginson (1966)
-DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9  # [1/Pa], Dowson and Higginson (1966)
-# fraction by which a prescribed coefficient may differ from that of the law's constants
-PRESSURE_VISCOSITY_TOLERANCE = 0.01
-
-
 class ViscosityLaw(Enum):
     """Pressure dependence of the viscosity."""
 
@@ -421,12 +426,6 @@ DENSITY_CODES = {
     DensityLaw.INCOMPRESSIBLE: _kernels.INCOMPRESSIBLE,
     DensityLaw.DOWSON_HIGGINSON: _kernels.DOWSON_HIGGINSON,
     DensityLaw.TAIT: _kernels.TAIT,
-}
-# of the laws whose ln(eta) counts from another viscosity: column of its value at ambient pressure
-AMBIENT_COLUMNS = {
-    _kernels.TAIT_DOOLITTLE: _kernels.V + 4,
-    _kernels.YASUTOMI: _kernels.V + 8,
-    _kernels.SCALED: _kernels.V + 3,
 }
 NEEDED_BY_LAW = {  # fields in addition to viscosity and coefficient
     ViscosityLaw.TAIT_DOOLITTLE: ("tait", "doolittle", "temperature"),

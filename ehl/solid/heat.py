@@ -45,6 +45,11 @@ from ..arrays import Array
 from ..options import require_positive
 from ._kernels import marched_sums
 
+SERIES_BELOW = 1.0e-2  # of beta sqrt(t), where the closed form cancels [-]
+LINES = 32  # of Gauss and Legendre across the ellipse [-]; 64 change G by 1e-9
+# B(1/2, 5/4), from the integral of sqrt(w) across an ellipse [-]
+BETA = gamma(0.5) * gamma(1.25) / gamma(1.75)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SolidThermal:
@@ -114,12 +119,6 @@ def history_weights(count: int, mesh: float) -> Array:
     weights = (d + 1.0) ** 1.5 - 2.0 * d**1.5 + np.abs(d - 1.0) ** 1.5
     weights[0] = 1.0
     return 4.0 / 3.0 * np.sqrt(mesh) * weights
-
-
-SERIES_BELOW = 1.0e-2  # of beta sqrt(t), where the closed form cancels [-]
-LINES = 32  # of Gauss and Legendre across the ellipse [-]; 64 change G by 1e-9
-# B(1/2, 5/4), from the integral of sqrt(w) across an ellipse [-]
-BETA = gamma(0.5) * gamma(1.25) / gamma(1.75)
 
 
 def exchanged_heat(time: ArrayLike, film: float, first: float, second: float) -> Array:

@@ -46,6 +46,8 @@ from ..arrays import Array
 
 EVEN_TOLERANCE = 1e-9  # relative difference of mesh sizes of an even grid [-]
 
+Kernels = tuple[Array, Array, Array]  # of sigma_x, sigma_y, tau_xy
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SubsurfaceStress:
@@ -186,9 +188,6 @@ def _even_step(axis: Array, name: str) -> float:
     if not rising or np.ptp(steps) > EVEN_TOLERANCE * float(np.abs(axis).max()):
         raise ValueError(f"{name} must be evenly spaced and increasing")
     return float((axis[-1] - axis[0]) / (axis.size - 1))
-
-
-Kernels = tuple[Array, Array, Array]  # of sigma_x, sigma_y, tau_xy
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

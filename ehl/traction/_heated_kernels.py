@@ -48,6 +48,15 @@ NEWTON_STEPS = 5  # from m = sqrt(X^2 + X) to round-off
 LARGEST_ROOT = 8.0  # of X in the table: ln(g) reaches 120 there
 ROOTS = 2048  # linear between them, ln(g) is off by 1.1e-5 at most
 
+# columns of a node
+X, Y, AREA, FILM, VISCOSITY, PRESSURE = range(6)
+TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY, CONDUCTIVITY = range(6, 13)
+STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
+HEAT_STEPS = 20  # of Newton's method for the heat of a node at most
+NO_HEAT = 1e-4  # of the friction of a line, from which on it falls with the square of the speed
+SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
+NEAREST = 4  # neighbouring slide-roll ratios whose factors count at a motion
+
 
 def nahme(loading: Array) -> tuple[Array, Array]:
     """Solve Couette flow heated by itself at X = m tanh m, Nahme (1940), Gruntfest (1963).
@@ -76,16 +85,6 @@ def nahme(loading: Array) -> tuple[Array, Array]:
 
 # ln g and 2 ln(cosh m), shape (ROOTS, 2), at sqrt(X) evenly from 0 to LARGEST_ROOT
 PROFILE = np.ascontiguousarray(np.stack(nahme(np.linspace(0.0, LARGEST_ROOT, ROOTS) ** 2), axis=1))
-
-
-# columns of a node
-X, Y, AREA, FILM, VISCOSITY, PRESSURE = range(6)
-TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY, CONDUCTIVITY = range(6, 13)
-STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
-HEAT_STEPS = 20  # of Newton's method for the heat of a node at most
-NO_HEAT = 1e-4  # of the friction of a line, from which on it falls with the square of the speed
-SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
-NEAREST = 4  # neighbouring slide-roll ratios whose factors count at a motion
 
 
 @compiled

@@ -51,6 +51,28 @@ BEYOND_SLIDE_X, BEYOND_SLIDE_Y, BEYOND_SPIN = (1 << bit for bit in range(4, 7))
 
 coefficient = compiled(coefficient_formula)
 
+BLOCK = 32  # motions of a block; 16 and 64 take as long
+# rows of a block's room: motions, sliding at a node and its pull (area stress/sliding), sums
+SLIDE_X, SLIDE_Y, SPIN, ROLLING, AT_X, AT_Y, SLIDE, PULL = (BLOCK * row for row in range(8))
+F_X, F_Y, M_N, M_Y, SQUARES = (BLOCK * row for row in range(8, 13))
+ROOM = 13 * BLOCK
+HALF_ROOT = 0x3FE6A09E667F3BCD  # bits of the root of 1/2
+FRACTION_BITS = 52  # of a number's binary form
+ROUNDED = 0x4338000000000000  # bits of ROUND_NUMBER
+ROUND_NUMBER = 6755399441055744.0  # 1.5 2^52: whole numbers added to its bits add to its value
+LOG_2 = float(np.log(2.0))
+
+NEWTON_STEPS = 60  # most of them for the meniscus: 5 to 9 are taken
+LAST_STEP = 1e-6  # of the square of its distance, after which a step of second order is exact
+NEAREST = 0.03  # of the distance at which the gap is twice the film: what is within is left out
+# gap beyond the film of elastic bodies from which on pressure counts, in a^2/Rx: 0.015 to 0.1
+# serve alike
+INLET_GAP = 0.04
+SECANTS = 60  # most of them for a gap: 5 to 8 are taken, more where the gap of circles jumps
+LAST_SECANT = 1e-9  # of the gap, or of the square of its distance, at which they end [-]
+PARABOLA_SHARE = 0.2  # as `oil_extent.PARABOLA_SHARE`
+CIRCLE_END = 1.0 - 1e-9  # as `oil_extent.CIRCLE_END`
+
 
 @compiled
 def _clamped(place, axis):
@@ -298,18 +320,6 @@ def straight_friction(nodes, law, constants, load, speed, slide_x, out):
     out[4] = -(out[0] * slide_x + out[3] * rolling)
 
 
-BLOCK = 32  # motions of a block; 16 and 64 take as long
-# rows of a block's room: motions, sliding at a node and its pull (area stress/sliding), sums
-SLIDE_X, SLIDE_Y, SPIN, ROLLING, AT_X, AT_Y, SLIDE, PULL = (BLOCK * row for row in range(8))
-F_X, F_Y, M_N, M_Y, SQUARES = (BLOCK * row for row in range(8, 13))
-ROOM = 13 * BLOCK
-HALF_ROOT = 0x3FE6A09E667F3BCD  # bits of the root of 1/2
-FRACTION_BITS = 52  # of a number's binary form
-ROUNDED = 0x4338000000000000  # bits of ROUND_NUMBER
-ROUND_NUMBER = 6755399441055744.0  # 1.5 2^52: whole numbers added to its bits add to its value
-LOG_2 = float(np.log(2.0))
-
-
 @intrinsic
 def bits_of(typing, number):
     """The binary form of a number of single or double precision, a whole number of its size."""
@@ -512,18 +522,6 @@ def sliding_sums_many(nodes, law, motions, surface, out):
         count = load_block(motions, first, room)
         block_sums(nodes, law, surface, room)
         _add_block(room, first, count, out)
-
-
-NEWTON_STEPS = 60  # most of them for the meniscus: 5 to 9 are taken
-LAST_STEP = 1e-6  # of the square of its distance, after which a step of second order is exact
-NEAREST = 0.03  # of the distance at which the gap is twice the film: what is within is left out
-# gap beyond the film of elastic bodies from which on pressure counts, in a^2/Rx: 0.015 to 0.1
-# serve alike
-INLET_GAP = 0.04
-SECANTS = 60  # most of them for a gap: 5 to 8 are taken, more where the gap of circles jumps
-LAST_SECANT = 1e-9  # of the gap, or of the square of its distance, at which they end [-]
-PARABOLA_SHARE = 0.2  # as `oil_extent.PARABOLA_SHARE`
-CIRCLE_END = 1.0 - 1e-9  # as `oil_extent.CIRCLE_END`
 
 
 @compiled

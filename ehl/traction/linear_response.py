@@ -53,6 +53,21 @@ Numbers = NDArray[Any]  # real or complex
 
 TOLERANCE = 1e-5  # of the linear systems: 0.03 % of the damping at most, 4 contacts at 257 points
 
+POINTS = (257, 513)  # the first that resolves the film, and half of them
+COARSEST = 65
+# error of the extrapolated value over the step between the meshes; a third is what order 2 adds
+MESH_FRACTION = 0.5
+# error of a stiffness k over (1 - k/k_H) k/points, k_H of the dry contact: the edge of the cavity
+# stands by a node, and what the film gives in changes with its place from mesh to mesh
+EDGE_ERROR = 2.6
+INLET_FILM_FRACTION = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
+# angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
+# there, and is too small a part of the reaction to be told from it
+SLOWEST = 0.02
+FASTEST = 10.0  # likewise; beyond it a mesh no longer carries the film's wave
+
+Solved = tuple[ContactSolution, Multigrid]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlowResponse:
@@ -288,20 +303,6 @@ def _by_parts(action: Any, *fields: Numbers) -> Numbers:
     return np.asarray(real + 1j * imaginary)
 
 
-POINTS = (257, 513)  # the first that resolves the film, and half of them
-COARSEST = 65
-# error of the extrapolated value over the step between the meshes; a third is what order 2 adds
-MESH_FRACTION = 0.5
-# error of a stiffness k over (1 - k/k_H) k/points, k_H of the dry contact: the edge of the cavity
-# stands by a node, and what the film gives in changes with its place from mesh to mesh
-EDGE_ERROR = 2.6
-INLET_FILM_FRACTION = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
-# angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
-# there, and is too small a part of the reaction to be told from it
-SLOWEST = 0.02
-FASTEST = 10.0  # likewise; beyond it a mesh no longer carries the film's wave
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ResponseValue:
     """A stiffness [N/m] or damping [N s/m], and its error bar in the same unit."""
@@ -476,9 +477,6 @@ class _Mesh:
     points: int  # along x
     resolved: bool
     over_frequency: tuple[tuple[float, float], ...]  # stiffness and damping
-
-
-Solved = tuple[ContactSolution, Multigrid]
 
 
 def _solved(conditions: ContactConditions, meshes: Sequence[SolverOptions]) -> Iterator[Solved]:

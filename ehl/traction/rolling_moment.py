@@ -61,6 +61,37 @@ PARABOLA_SHARE = 0.2
 CIRCLE_END = 1.0 - 1e-9
 HALVINGS = 40  # of the interval in which the meniscus of a ray lies: to 1e-12 of it
 
+DIRECTIONS = 720  # rays from the centre
+RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distance
+SMALLEST_DISTANCE = 1e-12  # from the centre over a [-]: a direction at the centre itself
+
+SAME_ANGLE = 1e-9  # [rad]
+# Error by the mesh over the sum of what the balance of power changes and the share of the step of
+# the central film from the finest grid to its limit [-]: 95 % of 71 random contacts are within
+# 0.16, 0.24, 0.32, 0.39 of it on 65, 129, 257, 513 points (`benchmarks/rolling_moment.py`)
+MESH_ERROR = 0.4
+# films solved with shear or heat, whose balance has more terms: error of the lever arm of the load
+# over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the sixteen
+# contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
+LEVER_ERROR = 0.4
+# Relative error of the moment over the residual [-]: below 1 in most, some 10 at most in 30
+# contacts on 129 points and six on 257 and 513, cycled on until the residual had vanished
+RESIDUAL_ERROR = 10.0
+# Relative error of the moment beyond the box [-]: solved in a box five times as long it changes by
+# at most 0.19 of it (five contacts, boxes from 3 semi-axes on)
+FAR_FIELD_ERROR = 0.2
+# Hamrock and Dowson (1977, part IV): distance of the meniscus over the half length, below which
+# the film starves, 1 + 3.06 [(R/b)^2 h/R]^0.58
+FLOODED_DISTANCE = (3.06, 0.58)
+
+RAYS = 48  # of a quarter, by Gauss and Legendre [-]
+NODES = 48  # of each, in the logarithm of the distance [-]
+# rays and nodes of what circles lose; 48 and 96 change it by up to 8 %, of the moment by 0.5 %
+LOSS_NODES = 24
+# solved over this loss: fitted to 24 contacts, `python tools/atlas/circles.py 20261126 24`, as the
+# gap along a ray is not that of a circular contact [-]
+LOSS = 1.1
+
 
 class Sections(NamedTuple):
     """Curvatures of both bodies in the plane of the normal and a ray, over 1/a [-]."""
@@ -170,11 +201,6 @@ def ray_curvature(contact: ScaledContact | FarField, x: Array, y: Array) -> Arra
     """
     along = contact.curvature_x * x**2 + contact.curvature_y * y**2
     return np.asarray(along + 2.0 * contact.curvature_xy * x * y)
-
-
-DIRECTIONS = 720  # rays from the centre
-RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distance
-SMALLEST_DISTANCE = 1e-12  # from the centre over a [-]: a direction at the centre itself
 
 
 class MeniscusRegion:
@@ -372,26 +398,6 @@ def _edge_film(solution: ContactSolution, x: Array, y: Array) -> Array:
     off_row = np.minimum(np.abs(x - X[0]), np.abs(x - X[-1]))
     on_row = off_row < np.minimum(np.abs(y - Y[0]), np.abs(y - Y[-1]))
     return np.asarray(np.where(on_row, rows, columns))
-
-
-SAME_ANGLE = 1e-9  # [rad]
-# Error by the mesh over the sum of what the balance of power changes and the share of the step of
-# the central film from the finest grid to its limit [-]: 95 % of 71 random contacts are within
-# 0.16, 0.24, 0.32, 0.39 of it on 65, 129, 257, 513 points (`benchmarks/rolling_moment.py`)
-MESH_ERROR = 0.4
-# films solved with shear or heat, whose balance has more terms: error of the lever arm of the load
-# over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the sixteen
-# contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
-LEVER_ERROR = 0.4
-# Relative error of the moment over the residual [-]: below 1 in most, some 10 at most in 30
-# contacts on 129 points and six on 257 and 513, cycled on until the residual had vanished
-RESIDUAL_ERROR = 10.0
-# Relative error of the moment beyond the box [-]: solved in a box five times as long it changes by
-# at most 0.19 of it (five contacts, boxes from 3 semi-axes on)
-FAR_FIELD_ERROR = 0.2
-# Hamrock and Dowson (1977, part IV): distance of the meniscus over the half length, below which
-# the film starves, 1 + 3.06 [(R/b)^2 h/R]^0.58
-FLOODED_DISTANCE = (3.06, 0.58)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -627,15 +633,6 @@ def _starved_note(solution: ContactSolution, contact: ScaledContact, extent: flo
         f"the layer ends {extent / half_length:.1f} half lengths of the contact ahead of its "
         f"centre, and its film is flooded from {needed:.1f} on (Hamrock and Dowson, 1977)"
     )
-
-
-RAYS = 48  # of a quarter, by Gauss and Legendre [-]
-NODES = 48  # of each, in the logarithm of the distance [-]
-# rays and nodes of what circles lose; 48 and 96 change it by up to 8 %, of the moment by 0.5 %
-LOSS_NODES = 24
-# solved over this loss: fitted to 24 contacts, `python tools/atlas/circles.py 20261126 24`, as the
-# gap along a ray is not that of a circular contact [-]
-LOSS = 1.1
 
 
 def kapitza_moment(

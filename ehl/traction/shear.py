@@ -74,6 +74,9 @@ LARGEST_VISCOSITY = 1e30
 OUTLET_NODES = 24  # lines downstream of the box
 OUTLET_GROWTH = 1.25  # of their distance, to 1.25^24 = 200 times the first
 
+# on either side of a line of pure rolling, where balls do not spin (`straight_friction`)
+STRAIGHT_NODES = 6
+
 
 class Cavitation(Enum):
     """Model of the sheared width where the pressure is zero.
@@ -593,10 +596,6 @@ def dimensional_conditions(solution: ContactSolution) -> ContactConditions:
     if not isinstance(solution.conditions, ContactConditions):
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
     return solution.conditions
-
-
-# on either side of a line of pure rolling, where balls do not spin (`straight_friction`)
-STRAIGHT_NODES = 6
 
 
 class EllipseRule(Enum):

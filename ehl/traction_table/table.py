@@ -56,6 +56,10 @@ from .splines import spline_weights
 # bits of the kernel
 FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "slide_y", "spin")
 
+FurtherTerm = Callable[[Array | float], Array]
+STEPS = 60  # of an inversion at most; some ten are needed
+INVERTED = 1e-14  # of a place that is inverted, or of the last step to it
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableContact:
@@ -330,11 +334,6 @@ def load_coordinate(load: float) -> float:
         coordinate [N^(-1/5)]
     """
     return float(-(load**LOAD_POWER))
-
-
-FurtherTerm = Callable[[Array | float], Array]
-STEPS = 60  # of an inversion at most; some ten are needed
-INVERTED = 1e-14  # of a place that is inverted, or of the last step to it
 
 
 def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:

@@ -53,6 +53,10 @@ NEARLY_NEWTONIAN = 0.8
 LOW_ALONG = 4  # places along x of patches of low pressure, which reach far behind the contact
 LOW_ACROSS = (3, 5, 3)  # across, of those beyond the ellipse on one side, beside it, on the other
 
+# smallest over largest sliding in the table of pulls, below which the drag goes with the sliding
+SMALLEST = 1e-9
+Slide = tuple[Array, Array, Array]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NodeClusters:
@@ -264,11 +268,6 @@ def _add_low(
             (along, positions[:, None], area, *spread), summed.reshape(*weights.shape[1:], -1)
         )
     rows.add(_columns(nodes[:, None, alone]), shear_per_sliding[None, alone])
-
-
-# smallest over largest sliding in the table of pulls, below which the drag goes with the sliding
-SMALLEST = 1e-9
-Slide = tuple[Array, Array, Array]
 
 
 def vectorised_sliding_forces(

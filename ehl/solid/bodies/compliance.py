@@ -54,6 +54,17 @@ from .elasticity import (
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import Elasticity, RingCells, RingProfile, Seat, track_angle
 
+GAUSS_POINTS = 32  # of the parabola
+
+# half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
+# change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, with Hertz'
+# approach 9.3 um at 1 kN [-]
+PATCH = 0.25
+# half length of the flat block in patches, in addition to half the wall [-]
+BLOCK_PATCHES = 2.0
+
+Patch = tuple[Array, Array, float]  # lines across the track [m], weights [-], angle [rad]
+
 
 def boussinesq(points: Array, young: float, poisson: float) -> Array:
     """Displacement of a half-space under a unit load at the origin along the depth, Boussinesq
@@ -172,9 +183,6 @@ def _line_nodes(block: HexMesh, across: Array) -> Array:
     return np.asarray(line[[int(np.abs(positions - position).argmin()) for position in across]])
 
 
-GAUSS_POINTS = 32  # of the parabola
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SeatResponse:
     """Radial displacement of the seat under unit forces at theta = 0, by its contacts' weights."""
@@ -290,16 +298,6 @@ def _across(mesh: RingMesh) -> Array:
         weights[corner : nodes.size - 2 + corner : 2] += simpson / 6.0 * sizes
     line_weights = weights[np.abs(s[:, None] - nodes).argmin(axis=1)] / (nodes[-1] - nodes[0])
     return np.where(mesh.seat, line_weights, 0.0)
-
-
-# half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
-# change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, with Hertz'
-# approach 9.3 um at 1 kN [-]
-PATCH = 0.25
-# half length of the flat block in patches, in addition to half the wall [-]
-BLOCK_PATCHES = 2.0
-
-Patch = tuple[Array, Array, float]  # lines across the track [m], weights [-], angle [rad]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

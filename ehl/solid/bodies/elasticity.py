@@ -38,6 +38,18 @@ Nodes = NDArray[np.bool_]
 INTEGRATION_ORDER = 4  # three Gauss points a direction: exact for products of gradients in a box
 SAME = 1e-9  # parameters closer than this count as one, relative to their range [-]
 
+STRENGTH = 0.05  # of connection, symmetric; 0.25 multiplies the hierarchy by nine [-]
+MAX_COARSE = 300
+# a free ring of 1.25 mm under the groove takes 134, one on a rigid shaft 25
+MAX_ITERATIONS = 400
+# unknowns below which factors are cheaper: rings of 23 000 take 2.5 s by them, 4 to 13 s otherwise
+DIRECT_BELOW = 30_000
+# relative residual that counts as solved by factors, where the matrix is ill-conditioned [-]
+FACTOR_TOLERANCE = 1e-7
+FLOATING = 1e-9  # force of a rigid motion over the largest entry that is round-off [-]
+
+TOLERANCE = 1e-8  # relative residual of the displacements [-]
+
 
 @dataclass(frozen=True, slots=True)
 class HexMesh:
@@ -282,16 +294,6 @@ try:
 except ImportError:  # no wheels for Linux on 64-bit ARM
     pyamg = None
 
-STRENGTH = 0.05  # of connection, symmetric; 0.25 multiplies the hierarchy by nine [-]
-MAX_COARSE = 300
-# a free ring of 1.25 mm under the groove takes 134, one on a rigid shaft 25
-MAX_ITERATIONS = 400
-# unknowns below which factors are cheaper: rings of 23 000 take 2.5 s by them, 4 to 13 s otherwise
-DIRECT_BELOW = 30_000
-# relative residual that counts as solved by factors, where the matrix is ill-conditioned [-]
-FACTOR_TOLERANCE = 1e-7
-FLOATING = 1e-9  # force of a rigid motion over the largest entry that is round-off [-]
-
 
 class LinearSolution(NamedTuple):
     """Solutions of a system, their residual and the method."""
@@ -414,9 +416,6 @@ def _pins(modes: Array) -> NDArray[np.int32]:
     """Rows that determine the floating modes: pivots of a QR factorisation of the modes."""
     _, _, order = qr(modes.T, mode="economic", pivoting=True)
     return np.asarray(order[: modes.shape[1]])
-
-
-TOLERANCE = 1e-8  # relative residual of the displacements [-]
 
 
 @dataclass(frozen=True, slots=True)

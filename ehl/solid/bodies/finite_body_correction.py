@@ -55,6 +55,9 @@ ALONG = 2.0  # of a
 MOST_ACROSS = 40  # cells between the edges of the groove: a short ellipse has coarser ones
 SECTOR = 3.0  # of wall and semi-axis b together, half a sector; 5 changes nothing in four digits
 
+DEGREES = 400  # of the rest; twice as many change the difference by less than 1e-5 of it
+SMALLEST = 1e-6  # half angle between two cells, where the smooth part is even [rad]
+
 
 def ring_difference(
     profile: RingProfile,
@@ -228,10 +231,6 @@ def _flat(
     fixed[block.on(0, 0.0), 0] = True
     fixed[far] = True
     return block, solve_elasticity(elastic_body(block, *elastic), forces, fixed, prescribed)
-
-
-DEGREES = 400  # of the rest; twice as many change the difference by less than 1e-5 of it
-SMALLEST = 1e-6  # half angle between two cells, where the smooth part is even [rad]
 
 
 def ball_difference(

@@ -33,6 +33,13 @@ from .surface_difference import ContactPatch
 
 LARGEST_STEP = pi / 60.0  # between lines around the ring [rad]
 
+# of the box below the contact: points along, across and into the ring, its half sides in a and b,
+# and its depth in a; the largest shear of a line contact lies at 0.79 a
+POINTS = (49, 49, 31)
+HALF_SIDES = (1.5, 1.2)
+DEPTH = 3.0
+PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))  # xx, yy, zz, xy, yz, xz
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingField:
@@ -111,14 +118,6 @@ def _lines(turns: Array) -> Array:
         for a, b in zip(loaded, following, strict=True)
     ]
     return np.concatenate(steps)
-
-
-# of the box below the contact: points along, across and into the ring, its half sides in a and b,
-# and its depth in a; the largest shear of a line contact lies at 0.79 a
-POINTS = (49, 49, 31)
-HALF_SIDES = (1.5, 1.2)
-DEPTH = 3.0
-PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))  # xx, yy, zz, xy, yz, xz
 
 
 @dataclass(frozen=True, slots=True)
