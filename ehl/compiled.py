@@ -1,6 +1,5 @@
-"""Decorators that compile kernels, and the log and the cache of compiled kernels.
-
-Which files make up the compiled kernels of this program, and what they hold as one number.
+"""Decorators that compile kernels, the log and the cache of compiled kernels, and the digest of
+the files that make them up.
 """
 
 import hashlib
@@ -16,7 +15,6 @@ from numba.core import event
 
 PACKAGES = ("ehl", "bearing")
 CONSTANTS = (  # modules from which kernels take constants, types and how they are compiled
-    "bearing/dynamics/arrays.py",
     "bearing/dynamics/arrays.py",
     "bearing/quasistatic/kinematics.py",
     "bearing/vibration/assembly.py",
@@ -49,6 +47,16 @@ def compiled(function: Callable[..., Any]) -> Any:
     numba keeps the machine code in a folder and compares only the file of the kernel itself. But
     the code of kernels of other files that it calls is in there, too. Hence a change of any of
     `kernel_sources` makes all of that folder's kernels be compiled anew.
+
+    Parameters
+    ----------
+    function : Callable[..., Any]
+        function to compile
+
+    Returns
+    -------
+    Any
+        kernel
     """
     return _kernel(function, fastmath=False)
 
@@ -56,6 +64,16 @@ def compiled(function: Callable[..., Any]) -> Any:
 def summing(function: Callable[..., Any]) -> Any:
     """A kernel as `compiled` whose sums over nodes are computed as several sums side by side,
     which takes a quarter of the time; results differ in rounding, and by the machine.
+
+    Parameters
+    ----------
+    function : Callable[..., Any]
+        function to compile
+
+    Returns
+    -------
+    Any
+        kernel
     """
     return _kernel(function, fastmath={"reassoc", "nsz"})
 
@@ -65,6 +83,16 @@ def inlined(function: Callable[..., Any]) -> Any:
 
     For kernels that call large ones and are called once: compiled on their own, they and every
     kernel above them would optimise all of these again.
+
+    Parameters
+    ----------
+    function : Callable[..., Any]
+        function to compile
+
+    Returns
+    -------
+    Any
+        kernel
     """
     return njit(inline="always", nogil=True, fastmath=False, error_model="numpy")(function)
 
@@ -99,7 +127,15 @@ def _log_compilations() -> None:
 
 @cache
 def forget_old_kernels(folder: Path, digest: str) -> None:
-    """Drop the indices of compiled kernels that do not come from the sources of a digest."""
+    """Drop the indices of compiled kernels that do not come from the sources of a digest.
+
+    Parameters
+    ----------
+    folder : Path
+        folder with the machine code of kernels
+    digest : str
+        digest of the sources, see `kernel_digest`
+    """
     stamp = folder / f".kernels-{digest}"
     if stamp.exists():
         return

@@ -125,7 +125,7 @@ def _radial(x, places, shares, out):
 
 @compiled
 def near_functions(x, places, scales, step, found):
-    """The functions of `table.near` with places (n, 3) at x (m, 3), found of shape (m, n)."""
+    """Radial functions `table.slanted_radial` of places (n, 3) at x (m, 3), into found (m, n)."""
     centre, width, variance = step[:3]
     shares = 1.0 / scales
     narrow = 1.0 / step[3:]

@@ -1,28 +1,22 @@
 """Films, rolling moment and stiffness of a flooded contact by the atlas, without a solve.
 
-Newtonian and isothermal, flooded; entrainment along x, or at an angle (`skewed`); the oil after
+Newtonian and isothermal, flooded; entrainment along x, or at an angle; the oil after
 Roelands with the density of Dowson and Higginson, or one of another law, for which a Roelands oil
 stands (`oils`). Each value has the error within which nineteen of twenty contacts lay that were
-solved to judge the table. What the table does not cover is refused.
+solved to judge the table. Contacts beyond the table are refused; `nearest_covered` gives the
+nearest one within it, `atlas_disagreements` compares a solved film with that of the atlas.
 
-Entrainment at an angle: the straight contact that has its curvatures along and across the
-entrainment, and what the mixed curvature changes.
-
-In the frame of the entrainment the gap is S X^2/2 + T Y^2/2 + C X Y. Without C the contact is one
-of R_x/S and the ratio T/S, whose load and oil are M S^(5/4) and L S^(1/4). The functions of the
-table at that place, x, are exact at C = 0, along both principal directions and in circles; else
+Entrainment at an angle: in its frame the gap is S X^2/2 + T Y^2/2 + C X Y. Without C the contact
+is one of R_x/S and the ratio T/S, whose load and oil are M S^(5/4) and L S^(1/4). The functions of
+the table at that place, x, are exact at C = 0, along both principal directions and in circles;
+else
 
     F(x, m) = F(x) + m sum_i w_i m_i k(|((x, m) - (x_i, m_i))/l|),   m = C^2/(S T)
 
 with the radial functions of `table`, fitted to solutions at an angle by `tools/atlas/skewed.py`,
 and terms of the oil. Films are counted in a^2/R_x of the straight contact, and the deflection less
-the difference of both Hertz approaches.
-
-Effect of a rotation of the entrainment on films.
-
-A solved film beside that of the atlas: what one of them has wrong the other tells.
-
-The contact nearest to one that the atlas does not cover.
+the difference of both Hertz approaches. A rotation of the entrainment changes them by a fitted law
+(`rotation_law`).
 """
 
 from collections.abc import Iterator, Mapping, Sequence

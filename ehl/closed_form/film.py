@@ -1,12 +1,12 @@
-r"""Film thickness formulas from curve fits: starting guesses and comparisons, never oracles.
+r"""Closed forms for a film: its thickness by curve fits, its reduction by heat, the amplitude of a
+waviness.
 
-All take the entrainment along the principal direction x, smooth surfaces, a Newtonian oil and a
-flooded inlet; isothermal, but for the reduction by heat. Ranges of the fits:
-`docs/theory/contact.md`.
+The film formulas are starting guesses and comparisons, never oracles. All take the entrainment
+along the principal direction x, smooth surfaces, a Newtonian oil and a flooded inlet; isothermal,
+but for the reduction by heat. Ranges of the fits: `docs/theory/contact.md`.
 
-Thermal reduction factor: film with the heat of its inlet over the isothermal film.
-
-In pure rolling, without a solve with heat, it is
+The thermal reduction factor, film with the heat of its inlet over the isothermal film, is in pure
+rolling
 
     s = 1/(1 + a L_T^b (p_h/E')^c/[1 + (M_0/M)^d]),    L_T = eta_0 beta u_m^2/k.
 
@@ -18,11 +18,9 @@ the contact, also outside the solved box, where nothing is heated: the low end o
 the bracket out. Bodies are steel and silicon nitride; sliding is neglected. The formula of Gupta
 et al. (`film_reduction_gupta`), a fit to line contacts, takes a third more.
 
-Amplitude of a small waviness in a lubricated contact, in closed form.
-
-A waviness r = Re r_a exp(i omega_x (x - u_b t) + i omega_y y) on a body of speed u_b, in a flat
-film h of uniform high pressure. Hooke (2006); as printed in Morales-Espejel and Brizmer, Tribology
-Transactions 54 (2011) 625:
+A small waviness r = Re r_a exp(i omega_x (x - u_b t) + i omega_y y) on a body of speed u_b, in a
+flat film h of uniform high pressure. Hooke (2006); as printed in Morales-Espejel and Brizmer,
+Tribology Transactions 54 (2011) 625:
 
 .. math::
     \frac{p_a}{r_a} = \frac{\kappa E'}{4} \frac{i Q}{1 - i Q - i C Q}, \qquad
@@ -64,8 +62,8 @@ MINERAL_FALL = 0.110
 MINERAL_FALL_POWER = 0.282
 ASSUMED_SPREAD = 0.35  # of the loss, more, of such an oil (0.51^0.55 to 1.31^0.55) [-]
 
-# of A_d/A_i = 1/(1 + c1 x + c2 x^2), Venner and Lubrecht (2000), as quoted by Morales-Espejel and
-# Brizmer (2011): circular contacts, pure rolling
+# constants of A_d/A_i = 1/(1 + c1 x + c2 x^2), Venner and Lubrecht (2000), as quoted by
+# Morales-Espejel and Brizmer (2011): circular contacts, pure rolling
 AMPLITUDE_FIT = (0.15, 0.015)
 
 

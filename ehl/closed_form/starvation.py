@@ -1,15 +1,12 @@
 """Starvation factors of films, rolling moment and damping: value behind an inlet layer over the
 flooded one.
 
-`starvation_factors` is the law of this program, tabulated from its solutions. The formulas of
-others are for comparison.
-
-The law of starvation as tabulated: four functions of four numbers.
-
-These are x = (ln H_c, ln(1 + L/3), ln(Rx/Ry), ln r). H_c is the flooded film by the formula of
-Nijenbanning, Venner and Moes (1994) over a^2/Rx, which says how far the inlet's gap is that of the
-undeformed bodies. Each function is a trend of second degree and a sum of radial functions around
-the solved contacts, fitted to solutions by `tools/starvation/fit.py`:
+`starvation_factors` is the law of this program, tabulated from its solutions; the formulas of
+others are for comparison. It is four functions of x = (ln H_c, ln(1 + L/3), ln(Rx/Ry), ln r). H_c
+is the flooded film by the formula of Nijenbanning, Venner and Moes (1994) over a^2/Rx, which says
+how far the inlet's gap is that of the undeformed bodies. Each function is a trend of second degree
+and a sum of radial functions around the solved contacts, fitted to solutions by
+`tools/starvation/fit.py`:
 
     f(x) = trend(x) + sum_i w_i k(|(x - x_i)/l|),   k(d) = (1 + t + t^2/3) e^-t,  t = sqrt(5) d
 

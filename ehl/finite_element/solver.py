@@ -3,13 +3,9 @@
 Unknowns are the nodal pressures on a graded rectangle mesh and the constant H0; equations are the
 weak Reynolds equation with the cavitation condition (`reynolds.py`), the film H = H0 + gap +
 compliance P (`solid/compliance.py`) and the load balance (`newton.py`). The solution does not
-depend on the start, which may be the multigrid's pressure.
+depend on the start: Hertz, or pressure and film of another solution, such as the multigrid's.
 
-Lines of a rectangle mesh graded by halving.
-
-Initial state of Newton's method: pressure and film of another solution, or Hertz.
-
-Meshes of a contact, each twice as fine as the one before, and what is set up once on each.
+Meshes have lines graded by halving, each mesh twice as many as the one before.
 """
 
 import time

@@ -1,9 +1,8 @@
 """Contacts whose oil thins under shear and heats up, by a generalized Reynolds equation.
 
-From the Newtonian film of uniform temperature to that of an oil that thins and heats up.
-
 With an oil whose viscosity falls a millionfold under shear, cycles with frozen coefficients
 diverge from a pressure that is far from the solution and converge from one that is close to it.
+Hence:
 
 1. Solve the Newtonian film.
 2. On the finest grid, raise the fraction of rheology and heat (`flow.Continuation`) from zero
@@ -548,13 +547,13 @@ def _checked(
     if state is None:
         return contact, state
     few = UNSOLVED_FRACTION * contact.P.size
-    over = f"the limiting stress is below h/2 grad p at {state.over_limit_columns} columns"
+    over = f"limiting stress is below h/2 grad p at {state.over_limit_columns} columns"
     if not contact.converged:
         if state.over_limit_columns:
-            contact = replace(contact, message=f"{contact.message}; {over} of the last cycle")
+            contact = replace(contact, message=f"{contact.message}; the {over} of the last cycle")
         return contact, state
     if state.over_limit_columns > few:
-        reason = f"{over}, where no oil of that law flows steadily"
+        reason = f"the {over}, where no oil of that law flows steadily"
     elif not state.change <= FLOW_TOLERANCE:
         changed = f"shear and heat changed the flow by {state.change:.1e} in the last cycle"
         reason = f"{changed}; try more cycles"

@@ -1,7 +1,5 @@
-"""Film values of a solve with their error bars, and its status: converged, resolved, and the
-message that explains why not.
-
-Grid-converged films with error bars from the levels of one contact.
+"""Film values of a solve, extrapolated from its levels, with their error bars, and its status:
+converged, resolved, and the message that explains why not.
 """
 
 from collections.abc import Sequence
@@ -31,7 +29,7 @@ UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
 LARGEST_FALL = 0.25  # over the film, beyond which none is extrapolated: the finest value stands
 # relative error by cycles and equations above which a level below says nothing: a third of it
-# alone passes the bar of a resolved film (`verdict.LARGEST_BAR`)
+# alone passes the bar of a resolved film (`LARGEST_BAR`)
 UNKNOWN_ORDER_FRACTION = 0.45
 SINGLE_LEVEL_ERROR = 4.0  # over Hmin/(S hx^2): relative bar of a level alone
 

@@ -1,17 +1,11 @@
-"""Full multigrid of one contact, Venner and Lubrecht (2000): levels for a box, and a list of
-attempts with other settings where one fails.
+"""Full multigrid of one contact, Venner and Lubrecht (2000): the open box of its film and load,
+the levels, and a list of attempts with other settings where one fails.
 
-Nonlinear Krylov acceleration of the multigrid cycle, for cycles that converge slowly or
-oscillate.
-
-The cycle is a fixed-point map x -> g(x) of x = (P, H0). Anderson (1965) takes the combination of
-the last cycles whose residual g(x) - x would be the smallest if the map were linear (Walker and
-Ni, 2011): GMRES on the linearised equations with the cycle as preconditioner, without derivatives.
-
-Cycles on one level until its film is at rest, each undone and repeated with more damping where
-it diverges.
-
-The open box of a contact: from its film by formula, and wide enough for its load.
+On a level cycles run until the film is at rest; a cycle that diverges is undone and repeated with
+more damping. Cycles that converge slowly or oscillate are accelerated: the cycle is a fixed-point
+map x -> g(x) of x = (P, H0). Anderson (1965) takes the combination of the last cycles whose
+residual g(x) - x would be the smallest if the map were linear (Walker and Ni, 2011): GMRES on the
+linearised equations with the cycle as preconditioner, without derivatives.
 """
 
 from collections.abc import Iterator

@@ -4,14 +4,13 @@ resort where cycles fail.
 Unknowns are the pressure at all nodes and H0; the discrete equations are those of the cycles, with
 upstream wedge, pressure on an open edge and exterior load. Cavitation is the semi-smooth equation
 min(P, -L/d) = 0, d > 0 the diagonal: a step sets P = 0 where P + L/d <= 0 and L = 0 at the other
-nodes (Hintermueller, Ito and Kunisch, 2002). Its linear system is solved by GMRES, the deflection
-by FFT, with sparse factors of the near field as preconditioner, which are kept while they serve.
+nodes (Hintermueller, Ito and Kunisch, 2002).
 
-Bordered linear systems [A b; w^T c] [p; h] = [f; g]: a pressure p and the approach h.
-
-A holds the deflection of all nodes by all others and is known by its action only. GMRES (Saad and
+In the bordered linear systems [A b; w^T c] [p; h] = [f; g] of a pressure p and the approach h, A
+holds the deflection of all nodes by all others and is known by its action only. GMRES (Saad and
 Schultz, 1986) solves the system; the preconditioner is the same system with A replaced by its near
-field, a sparse matrix, factored directly (SuperLU) and bordered by block elimination.
+field, a sparse matrix, factored directly (SuperLU), kept while it serves, and bordered by block
+elimination.
 """
 
 from collections.abc import Callable

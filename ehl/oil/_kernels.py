@@ -46,7 +46,8 @@ law = register_jitable(error_model="numpy")
 NEWTONIAN = 0
 REE_EYRING = 1
 CARREAU_YASUDA = 2
-# of exponentials: keeps the rate finite at stresses that only occur while iterating
+# largest argument of exponentials: keeps the rate finite at stresses that only occur while
+# iterating
 LARGEST_ARGUMENT = 300.0
 LIMIT_POWER = 32  # m of the limiting stress on other laws than Newton's [-]
 LIMIT_ROOTS = 5  # square roots in a row that are the m-th root [-]
@@ -581,7 +582,7 @@ def limited_stresses(tau, limit, law, out):
 
 @compiled
 def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
-    """As `shear_stress`, with its derivative by the rate [Pa s]."""
+    """Stress as `shear_stress`, with its derivative by the rate [Pa s]."""
     if law == REE_EYRING:
         return eyring_stress_slope(rate, viscosity, limit, stress)
     tau = viscosity * rate
@@ -598,7 +599,7 @@ def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
 
 @compiled
 def eyring_stress_slope(rate, viscosity, limit, stress):
-    """As `shear_stress_slope` of Ree and Eyring's law."""
+    """Stress and slope as `shear_stress_slope` of Ree and Eyring's law."""
     tau, slope = eyring_slope(rate, viscosity, stress)
     return limited_slope(tau, slope, limit)
 

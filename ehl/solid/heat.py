@@ -1,4 +1,5 @@
-r"""Bodies as half-spaces that move past the heat they take up.
+r"""Bodies as half-spaces: their temperature as they move past the heat that they take up, and the
+heat that a rolling contact conducts from one to the other.
 
 A body that moves at u past a heat flux q(x) into its surface takes, where u is fast against its
 diffusivity over the contact's length, the temperature (Carslaw and Jaeger, 1959)
@@ -10,11 +11,10 @@ that holds: the formula has u + (4/pi) 2 kappa/a for u, which gives the largest 
 of a uniformly heated circle of radius a at rest, q a/k, as well as at speed (as Tian and Kennedy,
 1994, interpolate). Heat that spreads at right angles to the motion is neglected otherwise.
 
-Heat that a rolling lubricated contact conducts from one body to the other.
-
-Each strip of the surfaces meets the other body for the time t = w(y)/u, w its length along rolling
-and u the rolling speed, through a film of the conductance H = k_f/h per area. Two half-spaces of
-effusivities e_1, e_2 that are brought together at t = 0 through H exchange, per area and kelvin,
+Between the bodies each strip of the surfaces meets the other body for the time t = w(y)/u, w its
+length along rolling and u the rolling speed, through a film of the conductance H = k_f/h per area.
+Two half-spaces of effusivities e_1, e_2 that are brought together at t = 0 through H exchange, per
+area and kelvin,
 
 .. math:: E(t) = \frac{H}{\beta^2} \left[ e^{\beta^2 t} \mathrm{erfc}(\beta \sqrt t) - 1
           + 2 \beta \sqrt{t/\pi} \right], \qquad \beta = H (1/e_1 + 1/e_2)

@@ -1,8 +1,5 @@
-r"""Compliance of a coated contact: 1/r, and a smooth correction from finite elements.
-
-A coated body: its compliance is that of a half space of the coating and a smooth correction.
-
-Surface compliance of a coated half space by axisymmetric finite elements.
+r"""Compliance of a contact one body of which is coated: that of a half space of the coating, 1/r,
+and a smooth correction from axisymmetric finite elements.
 
 The displacement under a point load is that of a half space of the coating, Boussinesq's (1885)
 u_B, and a smooth rest w

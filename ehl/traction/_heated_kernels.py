@@ -1,4 +1,5 @@
-r"""Heat of sliding in a film that is sheared: its equations, and compiled sums over the film.
+r"""Heat of sliding in a film that is sheared: its equations, the table of self-heated Couette
+flow, and compiled sums over the film.
 
 The film that rolls without sliding is solved with its heat; its temperature T_0 across the film is
 known. Sliding at s under the stress :math:`\tau` adds :math:`q = \tau s` to each column. Along
@@ -22,18 +23,16 @@ Gruntfest, 1963) with the flux that leaves the film: the mean fluidity grows by 
     \qquad \theta_{mid} - \theta_w = \frac{2}{b} \ln \cosh m .
 
 As the softening falls with temperature, :math:`\ln\eta = \ln\eta_0 - \beta\theta/(1 + c\theta)`,
-which is exact for oils after Vogel, b is the secant between wall and middle,
-:math:`b = \beta/[(1 + c\theta_w)(1 + c\theta_{mid})]`. The base laws have rates
-f(stress)/viscosity, so that one mean fluidity determines the stress,
-:math:`\tau = f^{-1}(s/(h\,\overline{1/\eta}))`. Left out: that sliding changes pressure and film,
-and that the two walls may differ in temperature where g is evaluated.
+which is exact for oils after Vogel, b is the secant between wall and middle, :math:`b = \beta/[(1
++ c\theta_w)(1 + c\theta_{mid})]`. The base laws have rates f(stress)/viscosity, so that one mean
+fluidity determines the stress, :math:`\tau = f^{-1}(s/(h\,\overline{1/\eta}))`. Left out: that
+sliding changes pressure and film, and that the two walls may differ in temperature where g is
+evaluated.
 
 As heat acts along a line alone, the friction of a line with it over that without is a smooth
 function of two numbers, the line's sliding speed and the slide-roll ratio, which sets how fast
 both bodies move under the heat: it is marched at some of each, and multiplied onto sums without
 heat of sliding.
-
-Couette flow heated by itself (Nahme, 1940; Gruntfest, 1963), and its table for the kernels.
 """
 
 import numpy as np

@@ -1,6 +1,5 @@
-r"""Stiffness and damping of a lubricated contact along its normal, with error bars.
-
-Response of a solved contact to a small movement of its bodies: derivative of its equations.
+r"""Stiffness and damping of a lubricated contact along its normal, with error bars, from the
+derivative of its equations.
 
 With the solution's pressure P and approach constant H0, an oscillation of the load with the
 amplitude one moves H0 by h and P by p. Where the oil carries pressure, on the edge of an open box,
@@ -14,7 +13,7 @@ and for the load,
 
 L' as in `multigrid/jacobian.py`, the squeeze beyond the edge that of a paraboloid, -kappa dH0/dT
 /H^2. The nodes without pressure stay so: their movement is of second order. Behind a layer of oil
-the first equation is that of `multigrid/starved_jacobian.py`, which carries the oil of a gap that
+the first equation is that of `multigrid/starved.py`, which carries the oil of a gap that
 is not full, too. Stiffness and damping are k + i omega c = -1/h; the limit of slow movement is the
 derivative at omega = 0. All quantities [-], the time in a/u_m.
 """

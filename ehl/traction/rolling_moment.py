@@ -2,7 +2,7 @@ r"""Hydrodynamic rolling moment of the oil that a contact has, up to its meniscu
 
 Far from a flooded contact the pressure is :math:`s(\theta) r/H^2`, near Kapitza's (1955)
 :math:`-k_x x/H^2` ahead of the contact and zero where oil breaks behind it
-(`ehl.multigrid.far_field`), so that the moment :math:`-\iint x p` of the oil between two distances
+(`multigrid/far_field.py`), so that the moment :math:`-\iint x p` of the oil between two distances
 from the centre of a paraboloid gap is, by Kapitza's,
 
 .. math:: \frac{24 \pi\,\eta_0 u R_x^2}{(3 + 2 R_x/R_y)\sqrt{R_x/R_y}}\,\ln\frac{r_2}{r_1},
@@ -16,25 +16,19 @@ which the solver has set on that edge (1.4 % more than Kapitza's moment for a sp
 into heat as the flow does (`pressure_moment`). The lever of the pressure alone stays above it on
 every mesh on which the pressure behind the spike falls within two cells, by 5.1 % on 257 points
 and 2.7 % on 1025 (M 300, L 15, :math:`R_x/R_y = 2`); films solved with shear or heat have that
-one. Farther out than 0.2 of the smaller radius of a ray's section the gap is that of two circles
-(`oil_extent`); the pressure goes with its square there.
+one. Farther out than 0.2 of the smaller radius of a ray's section the gap is that of two circles;
+the pressure goes with its square there.
 
-What that leaves out. The film is solved without a meniscus: at one, where the pressure vanishes,
+Left out: the film is solved without a meniscus: at one, where the pressure vanishes,
 mass conservation asks for a layer of 0.3675 of the gap under a sphere, and the moment is that of
 Kapitza's pressure up to a gap of 1.446 layers: 0.18 of the moment above per unit of logarithm more
 (`tests/ehl/traction/test_meniscus.py`), more yet in wide ellipses. And the pressure over the
 square of the gap of circles is, up to 0.3 of the radius, 1.2 % above that of Reynolds' equation.
 
-How far the oil of a flooded contact reaches: the gap of two circles, and the meniscus in it.
-
-The oil stands between the bodies up to where their gap is as wide as the layer that they carry
-in. Near the contact that gap is a paraboloid with its deflection; farther out it is that of two
+Near the contact the gap is a paraboloid with its deflection; farther out it is that of two
 circles: in the plane of the normal and a ray body 1, a ball, is cut in a circle, and body 2 is
 taken as the circle of its curvature there (Euler), which is exact in both principal planes.
-
-The oil around a solved contact: its gap beyond the box, along rays up to the meniscus.
-
-Moment of Kapitza's (1955) pressure ahead of two bodies, up to the meniscus of the oil.
+`kapitza_moment` is the moment of Kapitza's pressure, for contacts that are not solved.
 """
 
 from collections.abc import Callable

@@ -3,14 +3,10 @@ check is passed.
 
 The check solves films at loads and speeds between the nodes, random ones and those where the
 splines are most in doubt, and evaluates the shear at random motions there: its error counts
-everything that the table does. Where it is too large, the axis
-whose nodes are worst predicted by their neighbours gets more of them. Films are kept when the
-nodes along load or speed are doubled.
-
-Check of a table by films at loads and speeds between its nodes. Random ones and those where its
-splines bend most are sheared at random motions; some have stiffness and damping.
-
-Films of a traction table by the film atlas, without a solve.
+everything that the table does. At some of them stiffness and damping are checked, too. Where the
+error is too large, the axis whose nodes are worst predicted by their neighbours gets more of them.
+Films are kept when the nodes along load or speed are doubled. `atlas_sampler` takes films of the
+film atlas in place of solved ones.
 """
 
 from collections.abc import Callable, Sequence

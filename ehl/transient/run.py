@@ -1,8 +1,7 @@
-"""A run: start, steps, what is recorded, and the state to go on from.
+"""A run: times of its steps, the steady film that it starts from, the steps, their records, and
+the state to go on from.
 
-Times of the steps: the film moves from node to node in each, where it moves fast enough.
-
-Steady film that a run starts from.
+The film moves from node to node in each step, where it moves fast enough.
 """
 
 from collections.abc import Iterator

@@ -21,19 +21,16 @@ and one at alpha, measured at both and at -alpha, yield it::
 Without the opening G_xx would have to hold it, and be wrong where it is small, such as in a loose
 outer ring, and G_rr could not tell one flank from the bottom.
 
-A flat block of a half-space under nodal forces: what a finite body is compared with.
+The flat block, a part of a half-space that a finite body is compared with, has the grid lines of
+the body around its load and the same nodal forces; its far faces move as those of a half-space, by
+the sum of Boussinesq's (1885) point loads. Body less block is then smooth, and the error of the
+mesh under the load cancels.
 
-The block has the grid lines of the body around its load and the same nodal forces; its far faces
-move as those of a half-space, by the sum of Boussinesq's (1885) point loads. Body less block is
-then smooth, and the error of the mesh under the load cancels.
-
-Response of a ring whose seat touches it at some azimuths only.
-
-A seat contact presses radially on the seat, evenly across the ring and as a parabola over the
-angle :math:`\pm w` around it, :math:`p \propto 1 - (\theta/w)^2`; it measures the radial
-displacement of the seat with the same weights, which make its resultant one. The rigid part of all
-displacements is that of a loose ring under a cosine pressure, which cancels where the seat
-contacts balance the balls.
+A seat may touch the ring at some azimuths only. A seat contact presses radially on the seat,
+evenly across the ring and as a parabola over the angle :math:`\pm w` around it, :math:`p \propto 1
+- (\theta/w)^2`; it measures the radial displacement of the seat with the same weights, which make
+its resultant one. The rigid part of all displacements is that of a loose ring under a cosine
+pressure, which cancels where the seat contacts balance the balls.
 """
 
 from collections.abc import Sequence
@@ -312,7 +309,8 @@ class RingResponse:
     # d(alpha, -alpha), shape (4, n) [m/N]
     displacement: Array
     half_space: Array  # displacement of a half-space at theta = 0, shape (4,) [m/N]
-    # of all nodes (x, y, z), shape (nodes, 3, 2); (nodes, 3, 3) with a seat contact [m/N]
+    # displacements of all nodes (x, y, z), shape (nodes, 3, 2); (nodes, 3, 3) with a seat contact
+    # [m/N]
     field: Array
     seat_contacts: SeatResponse | None  # of a ring whose seat touches at some azimuths only
     unknowns: int

@@ -1,4 +1,4 @@
-r"""Linear elasticity on meshes of quadratic hexahedra.
+r"""Linear elasticity on meshes of quadratic hexahedra, and its linear systems.
 
 .. math:: \int \lambda\, \mathrm{div} u\, \mathrm{div} v + 2 \mu\, \varepsilon(u) : \varepsilon(v)
 
@@ -6,15 +6,11 @@ is put together from the products of gradients of the scalar shape functions, S_
 phi_a d_j phi_b, cell by cell: K_{ai,bj} = lambda S_{ai,bj} + mu S_{aj,bi} + mu delta_ij S_{ak,bk}.
 Linear hexahedra lock in the bending of rings; quadratic ones do not.
 
-Meshes of quadratic hexahedra as images of boxes of parameters, and integrals of their shape
-functions.
-
-Linear systems of elasticity and conduction: conjugate gradients preconditioned by smoothed
-aggregation (Vanek, Mandel and Brezina, 1996), else a sparse factorisation.
-
-With rigid-body modes as near-null space and block Gauss-Seidel as smoother, quadratic elements
-take 22 to 60 iterations where no cell is long, slender rings up to 150. Small systems, and those
-that do not reach the tolerance, go to the factorisation.
+Meshes are images of boxes of parameters. The systems of elasticity and conduction are solved by
+conjugate gradients preconditioned by smoothed aggregation (Vanek, Mandel and Brezina, 1996), else
+by a sparse factorisation. With rigid-body modes as near-null space and block Gauss-Seidel as
+smoother, quadratic elements take 22 to 60 iterations where no cell is long, slender rings up to
+150. Small systems, and those that do not reach the tolerance, go to the factorisation.
 """
 
 import warnings
