@@ -1,20 +1,16 @@
-"""Internal geometry of a ball bearing: groove curvatures, clearance, free contact angle, reduced
-radii.
+"""Internal geometry of a ball bearing: grooves, clearance, free contact angle, reduced radii, rows
+of balls, shoulders of the rings.
 
 The outer groove's centre of curvature stands still; the inner one is A = r_i + r_o - D away from
 it when a ball just touches both races. With the grooves facing each other (axial position zero)
 their centres are A - Pd/2 apart, hence cos(free angle) = 1 - Pd/(2 A) (Harris and Kotzalas,
 Rolling Bearing Analysis).
 
-Rows of balls on one inner ring: their positions and the offsets of their grooves.
-
-All rows have the same bearing. The undisplaced inner ring is the reference: there the middle of a
-row's inner groove lies at `axial_position`, that of its outer groove `offset` behind. A row
-touches at an offset of the free axial position A sin(free angle) and is preloaded beyond it; a
-positive offset loads it as a push of the inner ring to +x does. Back to back, left row +, right
-row -; face to face the other way round; tandem, both alike.
-
-Diameters of the shoulders of a bearing's rings, given or estimated.
+All rows on one inner ring have the same bearing. The undisplaced inner ring is the reference:
+there the middle of a row's inner groove lies at `axial_position`, that of its outer groove
+`offset` behind. A row touches at an offset of the free axial position A sin(free angle) and is
+preloaded beyond it; a positive offset loads it as a push of the inner ring to +x does. Back to
+back, left row +, right row -; face to face the other way round; tandem, both alike.
 """
 
 from collections.abc import Sequence
@@ -31,6 +27,11 @@ from .material import Material, reduced_modulus
 # free contact angle above which a bearing of no given type counts as one of angular contact [rad]:
 # deep groove bearings with a normal clearance have up to 13.5 degrees, nominal ones begin at 15
 ANGULAR_CONTACT = radians(14.25)
+
+# shoulders of deep groove bearings where none are given: height above the raceway over the ball
+# diameter [-]; the 35 bearings 60, 62, 63 of the catalogue with the diameters that SKF prints have
+# 0.198 (median), 0.164 to 0.208. Angular contact bearings have two unlike shoulders: no estimate
+ESTIMATED_HEIGHT = 0.2
 
 
 class BearingType(Enum):
@@ -454,12 +455,6 @@ def per_ball(bearing: Bearing, values: Sequence[float]) -> Array:
         the values, each repeated for the balls of its row, shape (N,) [any unit]
     """
     return np.repeat(np.asarray(values, dtype=np.float64), bearing.balls)
-
-
-# shoulders of deep groove bearings where none are given: height above the raceway over the ball
-# diameter [-]; the 35 bearings 60, 62, 63 of the catalogue with the diameters that SKF prints have
-# 0.198 (median), 0.164 to 0.208. Angular contact bearings have two unlike shoulders: no estimate
-ESTIMATED_HEIGHT = 0.2
 
 
 def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None:

@@ -1,11 +1,9 @@
-"""One contact of a ball with a race, placed in the bearing's frame.
+"""One contact of a ball with a race: its place in the bearing's frame, its curvatures, and the
+ellipse as friction laws take it.
 
 n points from the ball into the race, x along the entrainment and y across, x cross y = n. The
 outer contact lies at (sin ao, cos ao e_r) from the ball's centre, the inner one opposite to (sin
 ai, cos ai e_r).
-
-Shape of a contact between ball and race: curvatures, and the ellipse as friction laws take
-it.
 """
 
 from collections.abc import Sequence
@@ -22,6 +20,8 @@ from oilfilm.ehl.traction.shear import ContactShape
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 
 RACES = (Race.INNER, Race.OUTER)  # order of the contacts of a ball
+
+UNLOADED = 1e-6  # semi-axis of a contact without load [m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,9 +50,6 @@ class BearingContact:
     def loaded(self) -> bool:
         """Whether the film of this contact can be solved."""
         return self.conditions is not None
-
-
-UNLOADED = 1e-6  # semi-axis of a contact without load [m]
 
 
 def groove_radius(bearing: Bearing, race: Race) -> float:

@@ -1,7 +1,5 @@
-"""The contacts of a solved bearing as lubricated contacts.
-
-Hertz contacts of many balls at once: `ehl.closed_form.hertz.hertz_contact`, to round-off, in a
-tenth of the time.
+"""The contacts of a solved bearing as lubricated contacts, and their Hertz ellipses, many at once:
+`ehl.closed_form.hertz.hertz_contact`, to round-off, in a tenth of the time.
 """
 
 from dataclasses import replace
@@ -25,6 +23,13 @@ from .motion import BearingContacts, motion_map_of_axes
 NEWTON_STEPS = 60
 STEP_TOLERANCE = 1.0e-14  # of ln k, relative, at which Newton's method has converged [-]
 CIRCLE = 1.0e-4  # k^2 - 1 below which the derivative is that of the circle [-]
+
+# entrainment or rolling over the speed of the rings below which there is none [-]
+STANDSTILL = 1.0e-12
+# load over that of the heaviest contact, below which one whose film is outside the model is left
+# out: the six of a 6205 at 3800 r/min, just thin enough, have 1.9 % of the rolling moments
+NEGLIGIBLE_LOAD = 0.02
+SIDES = np.array([-1.0, 1.0])  # of the inner and the outer contact, from the ball's centre [-]
 
 
 def hertz_contacts(
@@ -111,14 +116,6 @@ def _log_radius_ratios(t: Array) -> tuple[Array, Array]:
         away, (along_x - along_y) / np.where(away, k2 - 1.0, 1.0), 9.0 * np.pi / 16.0 * k2**-1.25
     )
     return np.log(along_y / along_x), -3.0 + mixed / along_y + k2 * mixed / along_x
-
-
-# entrainment or rolling over the speed of the rings below which there is none [-]
-STANDSTILL = 1.0e-12
-# load over that of the heaviest contact, below which one whose film is outside the model is left
-# out: the six of a 6205 at 3800 r/min, just thin enough, have 1.9 % of the rolling moments
-NEGLIGIBLE_LOAD = 0.02
-SIDES = np.array([-1.0, 1.0])  # of the inner and the outer contact, from the ball's centre [-]
 
 
 def contact_conditions(

@@ -1,4 +1,5 @@
-"""Motion of balls over their races: rolling, sliding and spin of both surfaces in each contact.
+"""Motion of balls over their races, rolling, sliding and spin of both surfaces in each contact,
+and the traction of the films there.
 
 In the frame that turns with the ball's centre at the orbit speed w_m, the ball has the angular
 velocity w = (w_x, w_r, w_t) along e_x, e_r, e_t and the race (Omega - w_m) e_x. At the contact's
@@ -7,8 +8,6 @@ of the track, R = d_m/2 -+ D/2 cos(angle) (inner, outer). Both bodies' motions a
 the contact's axes x, y, n as k = (velocity x, velocity y, angular speed about n, about y); the
 ball's less the race's is (S_x, S_y, spin, rolling) of `oilfilm.ehl.conditions.ContactKinematics`.
 `MotionMap` is this linear map, and every other kinematics of ball on race an evaluation of it.
-
-Traction at the contacts of a bearing: shear of their films at the motion of ball and race.
 """
 
 from collections.abc import Iterable, Sequence
@@ -28,6 +27,13 @@ from oilfilm.ehl.traction.shear import TractionResult, integrate_traction
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact, groove_curvature_radius
+
+# along x of the films whose shear is summed, at most, in the balance of the balls and in the
+# torque: with the nodes of one and of the other the rings' power misses the heat by what the mesh
+# changes of a friction that nearly vanishes, half of the heat of a 6306 with little oil. A 6306 at
+# 10 kN, films on 1025 nodes, takes 201.039 N mm so and 201.037 by all nodes, in a quarter of the
+# time
+TRACTION_POINTS = 513
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -321,14 +327,6 @@ def bearing_kinematics(
         curvature_width=np.inf if hertz is None else hertz.semi_axis_y,
         curvature_difference=0.0 if hertz is None else 1.0 / hertz.radius_x - 2.0 * ball_curvature,
     )
-
-
-# along x of the films whose shear is summed, at most, in the balance of the balls and in the
-# torque: with the nodes of one and of the other the rings' power misses the heat by what the mesh
-# changes of a friction that nearly vanishes, half of the heat of a 6306 with little oil. A 6306 at
-# 10 kN, films on 1025 nodes, takes 201.039 N mm so and 201.037 by all nodes, in a quarter of the
-# time
-TRACTION_POINTS = 513
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

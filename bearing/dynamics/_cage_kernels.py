@@ -1,4 +1,4 @@
-"""Balls in pockets and the cage on its guiding lands, compiled."""
+"""Balls in pockets, the films around them, and the cage on its guiding lands, compiled."""
 
 import numpy as np
 

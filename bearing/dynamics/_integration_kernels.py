@@ -1,8 +1,9 @@
-"""Dormand and Prince's method of order 5(4) around the equations of motion, compiled as a whole.
+"""Dormand and Prince's method of order 5(4) around the equations of motion, with its step control
+and the slopes of the friction in the motions, compiled as a whole.
 
 Coefficients: Dormand and Prince (1980), J. Comput. Appl. Math. 6, 19-26; test for stiffness:
 Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.2. The last stage of a
-step is the first of the next. After a step the memory of the impacts is brought up to date; that
+step is the first of the next. After a step the speeds of the impacts are brought up to date; that
 of a contact does not change while it lasts, and does not count while there is none, so the
 derivative stays valid. Work and dissipation are integrated along, outside the error control.
 """
@@ -76,6 +77,41 @@ LONGEST_INTERVAL = 8.0  # [steps]
 STEEP = 0.1
 LARGE = 0.25
 SMALL = 0.05
+
+OF_BODIES = -1  # in place of a ball: a coordinate of ring or cage
+
+A = np.array(
+    [
+        [1 / 5, 0, 0, 0, 0, 0],
+        [3 / 40, 9 / 40, 0, 0, 0, 0],
+        [44 / 45, -56 / 15, 32 / 9, 0, 0, 0],
+        [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0],
+        [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656, 0],
+        [35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84],
+    ]
+)
+C = np.array([1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
+E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
+STAGES = 7
+# rows of the stages beside the seven derivatives: states of stage 6 and 7
+STATE_6 = 7
+STATE_7 = 8
+STAGE_ROWS = 9
+# step control: new step = safety times step times error^(-1/5), between the two limits
+SAFETY = 0.9
+SMALLEST_FACTOR = 0.2
+LARGEST_FACTOR = 5.0
+FEW_ERRORS = (SAFETY / LARGEST_FACTOR) ** 5  # a step grows by the largest factor below them
+# stiff: h |lambda| beyond the edge of the stability region in fifteen steps, fewer than six not
+STIFF_BOUND = 3.25
+STIFF_STEPS = 15
+SOFT_STEPS = 6
+DONE, TOO_SMALL, STIFF, NOT_FINITE = range(4)
+STEPS, REJECTED, STIFF_SEEN, SOFT_SEEN, EVALUATIONS = range(5)  # of the counters
+COUNTERS = 5
+SEPARATED, IN_CONTACT, IN_IMPACT = range(3)  # states of a contact
+# duration of an elastic impact over largest approach by speed, Hertz (1882)
+HERTZ_DURATION = 2.943
 
 
 @compiled
@@ -217,9 +253,6 @@ def renew_pockets(p, balls, y, step, time, speed):
     return some
 
 
-OF_BODIES = -1  # in place of a ball: a coordinate of ring or cage
-
-
 @compiled
 def ball_of(balls, place):
     """The ball that a coordinate or speed of the state vector belongs to, or `OF_BODIES`."""
@@ -315,40 +348,6 @@ def jacobian(t, y, data, scale, out):
     if alone:
         for j in range(c.balls):
             columns_of_ball(data, t, j, base, owner, scale, out)
-
-
-A = np.array(
-    [
-        [1 / 5, 0, 0, 0, 0, 0],
-        [3 / 40, 9 / 40, 0, 0, 0, 0],
-        [44 / 45, -56 / 15, 32 / 9, 0, 0, 0],
-        [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0],
-        [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656, 0],
-        [35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84],
-    ]
-)
-C = np.array([1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
-E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
-STAGES = 7
-# rows of the stages beside the seven derivatives: states of stage 6 and 7
-STATE_6 = 7
-STATE_7 = 8
-STAGE_ROWS = 9
-# step control: new step = safety times step times error^(-1/5), between the two limits
-SAFETY = 0.9
-SMALLEST_FACTOR = 0.2
-LARGEST_FACTOR = 5.0
-FEW_ERRORS = (SAFETY / LARGEST_FACTOR) ** 5  # a step grows by the largest factor below them
-# stiff: h |lambda| beyond the edge of the stability region in fifteen steps, fewer than six not
-STIFF_BOUND = 3.25
-STIFF_STEPS = 15
-SOFT_STEPS = 6
-DONE, TOO_SMALL, STIFF, NOT_FINITE = range(4)
-STEPS, REJECTED, STIFF_SEEN, SOFT_SEEN, EVALUATIONS = range(5)  # of the counters
-COUNTERS = 5
-SEPARATED, IN_CONTACT, IN_IMPACT = range(3)  # states of a contact
-# duration of an elastic impact over largest approach by speed, Hertz (1882)
-HERTZ_DURATION = 2.943
 
 
 @inlined

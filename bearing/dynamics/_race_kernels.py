@@ -1,4 +1,6 @@
-"""Balls on races, compiled: where and how they meet, friction, forces."""
+"""Balls on races, compiled: normal force of Hertz or of a solved film, damping, friction by a law
+or by its slopes, and what both races do to a ball.
+"""
 
 import numpy as np
 
@@ -38,6 +40,23 @@ from .arrays import (
 
 # of the film of a land; beyond it its forces stay and the solid contact takes over [-]
 ECCENTRICITY_LIMIT = 0.95
+
+# of the axes of a table: rows, and columns
+LOAD, SPEED = range(2)
+FIRST, DENSITY, NODES = range(3)
+NEWTON_STEPS = 40
+# last step of Newton's iteration over the approach; the error left is its square [-]
+STEP_TOLERANCE = 1.0e-9
+
+FORCES = 4  # F_x, F_y, M_n, M_y: those that sliding changes
+MOTIONS = 3  # slide_x, slide_y, spin
+STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
+# load over that of the slopes, either way, up to which they hold [-]
+LOAD_CHANGE = 2.0
+# of the differences that slopes are taken from: over the entrainment [-], and at least [m/s]
+DIFFERENCE = 1.0e-6
+LEAST_DIFFERENCE = 1.0e-9
+SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that of the ball [-]
 
 
 @compiled
@@ -183,14 +202,6 @@ def ball_collisions(p, balls, memory, y):
         accumulate(next_forces, MOMENT, moment)
 
 
-# of the axes of a table: rows, and columns
-LOAD, SPEED = range(2)
-FIRST, DENSITY, NODES = range(3)
-NEWTON_STEPS = 40
-# last step of Newton's iteration over the approach; the error left is its square [-]
-STEP_TOLERANCE = 1.0e-9
-
-
 @compiled
 def smallest_load(axes):
     """Smallest load of a table."""
@@ -261,17 +272,6 @@ def elastic_approach(axes, scalars, law, distance, speed):
         if abs(step) <= STEP_TOLERANCE * w:
             return w
     return np.nan  # no root: the step in time is rejected
-
-
-FORCES = 4  # F_x, F_y, M_n, M_y: those that sliding changes
-MOTIONS = 3  # slide_x, slide_y, spin
-STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
-# load over that of the slopes, either way, up to which they hold [-]
-LOAD_CHANGE = 2.0
-# of the differences that slopes are taken from: over the entrainment [-], and at least [m/s]
-DIFFERENCE = 1.0e-6
-LEAST_DIFFERENCE = 1.0e-9
-SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that of the ball [-]
 
 
 @compiled

@@ -1,13 +1,12 @@
-"""Numbers and arrays that the compiled equations of motion share, and the names of their rows and
-columns; SI, vectors along x (axial), y (load line) and z, inertial.
+"""Arrays that the compiled equations of motion share, the state vector, and the names of their
+rows and columns; SI, vectors along x (axial), y (load line) and z, inertial.
 
 `EquationData` is assembled once a simulation. All of fixed size stands in two structured arrays,
 one record for the bearing and one for each ball, which compiled functions hand on by reference:
-`KernelData`. Kernels write scratch arrays and the memory of the impacts there, and the fields of
+`KernelData`. Kernels write scratch arrays and the speeds of the impacts there, and the fields of
 `EquationData` are views of them.
 
-The state vector: positions, velocities, angle of the inner ring, energy accumulators.
-
+The state vector has positions, velocities, the angle of the inner ring and energy accumulators.
 Positions: ring x, y, z, tilt y, tilt z; cage x, y, z, rotation about x, tilt y, tilt z; x, y, z of
 each ball. Velocities: the same, then the angular velocities of the balls, all along inertial axes.
 A ball's attitude does not enter its equations of motion; it is advanced beside them (`attitude`).
@@ -56,6 +55,19 @@ FRICTION_COLUMNS = 8
 
 STEP_LOAD, STEP_FILM = range(2)  # columns of `films` [N], [m]
 KINETIC, ELASTIC, POTENTIAL = range(3)  # columns of the stored energies [J]
+
+POCKET_COLUMNS = 3
+
+OF_RACES = ("race_out", "films", "linear")  # fields of a ball with a row for each race
+
+RING = 5  # coordinates of the ring; also the place of the cage's first
+CAGE = 6
+BODIES = RING + CAGE  # place of the balls' first coordinate
+# places among the coordinates of the ring, and of the cage
+RING_TILT = 3
+CAGE_ROTATION = 3
+CAGE_TILT = 4
+FREE_TURN = BODIES + 3  # in `EquationData.free`, after the positions of a ball
 
 
 class ContactColumns(NamedTuple):
@@ -110,7 +122,6 @@ class WorkColumns(NamedTuple):
 
 
 RACE_COLUMNS = len(ContactColumns._fields)
-POCKET_COLUMNS = 3
 ACCUMULATORS = len(WorkColumns._fields)
 CONTACT = ContactColumns(*range(RACE_COLUMNS))
 LINEAR = LinearColumns(
@@ -263,7 +274,6 @@ BALL = np.dtype(
     ],
     align=True,
 )
-OF_RACES = ("race_out", "films", "linear")  # fields of a ball with a row for each race
 
 
 class KernelData(NamedTuple):
@@ -346,16 +356,6 @@ def equation_data(**fields: Any) -> EquationData:
 def changed_data(data: EquationData, **fields: Any) -> EquationData:
     """`EquationData` with other values of some fields, in structured arrays of its own."""
     return equation_data(**data._asdict() | fields)
-
-
-RING = 5  # coordinates of the ring; also the place of the cage's first
-CAGE = 6
-BODIES = RING + CAGE  # place of the balls' first coordinate
-# places among the coordinates of the ring, and of the cage
-RING_TILT = 3
-CAGE_ROTATION = 3
-CAGE_TILT = 4
-FREE_TURN = BODIES + 3  # in `EquationData.free`, after the positions of a ball
 
 
 class Layout:

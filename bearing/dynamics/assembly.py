@@ -1,6 +1,5 @@
-"""From bearing, operation and model to the arrays of the compiled equations.
-
-Numbers of the model in closed form: normal contact, drag of a ball, speed of the cage.
+"""Arrays of the compiled equations of motion from bearing, operation and model, and the numbers of
+the model in closed form: normal contact, drag of a ball, speed of the cage.
 """
 
 from math import pi, sqrt
@@ -48,6 +47,19 @@ from .friction import check_film
 from .initial import StartingPoint
 from .inputs import CageBody, DynamicsModel, Guidance, LoadType, NormalLaw, RaceStiffness
 from .reduction import solved_indices
+
+HERTZ_EXPONENT = 1.5
+RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
+# fraction of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed
+# its energies to 0.1 of the work without it, to 3e-4 with it [-]
+ROLLING_SHARE = 3.0
+# friction that follows the entrainment reverses, in a bearing that comes to rest, over at least
+# this part of its fastest entrainment, up to the speed of Coulomb's ramp: at rest it would jump
+REST_SHARE = 1.0e-2  # [-]
+REST_BAND = RampedCoulomb.slide_full  # [m/s]
+NO_CAGE = CageBody(
+    mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0
+)
 
 
 def damping_factor(law: NormalLaw, restitution: float) -> float:
@@ -213,20 +225,6 @@ def cage_drag_of_torque(bearing: Bearing, operation: Operation, torque: float) -
     angle = bearing.free_contact_angle if operation.force[0] else 0.0
     speed = kinematic_cage_speed(bearing, operation.inner_speed, operation.outer_speed, angle)
     return torque / speed**2 if speed != 0.0 else 0.0
-
-
-HERTZ_EXPONENT = 1.5
-RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
-# fraction of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed
-# its energies to 0.1 of the work without it, to 3e-4 with it [-]
-ROLLING_SHARE = 3.0
-# friction that follows the entrainment reverses, in a bearing that comes to rest, over at least
-# this part of its fastest entrainment, up to the speed of Coulomb's ramp: at rest it would jump
-REST_SHARE = 1.0e-2  # [-]
-REST_BAND = RampedCoulomb.slide_full  # [m/s]
-NO_CAGE = CageBody(
-    mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0
-)
 
 
 def assemble(

@@ -1,6 +1,5 @@
-"""Inputs of a time simulation: cage, contact laws, drag, schedule, accuracy; frozen, SI.
-
-Choices of a time simulation, in the words of case files; they need no solver.
+"""Inputs of a time simulation: cage, contact laws, drag, schedule, accuracy; frozen, SI. Choices
+are enumerations in the words of case files.
 """
 
 from collections.abc import Mapping, Sequence

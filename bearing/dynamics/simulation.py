@@ -1,6 +1,5 @@
-"""The time simulation: steps to each sample, hands records on in pieces, keeps the energies.
-
-A simulation on disk, to go on from where it stood.
+"""The time simulation: steps to each sample, hands records on in pieces, keeps the energies, and
+goes on from a file of its state.
 """
 
 import io
@@ -59,6 +58,9 @@ FAILURES = {
     "tolerance, friction ramp or impact floor, or less load{land}",
     NOT_FINITE: "the state is not finite at t = {t:.6g} s",
 }
+
+FORMAT = 3
+ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counters")
 
 
 @dataclass(slots=True, kw_only=True)
@@ -359,10 +361,6 @@ def from_state(
         start_energy=float(energy.sum()),
         messages=list(point.messages),
     )
-
-
-FORMAT = 3
-ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counters")
 
 
 def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:

@@ -1,25 +1,24 @@
-"""Films of the film atlas and of formulas, for contacts whose film is not solved.
+"""Films and rolling moments of the film atlas and of formulas, for contacts whose film is not
+solved.
 
 They are those of the film atlas where it covers the contact. Under less or more load than it
 covers, or for larger L, they are formulas times the ratio of atlas to formulas at the nearest
 contact that it covers, so that there is no step; for other oils and ellipses the formulas alone:
 the central film of Chittenden et al. (1985), or, in light contacts that they were not made for,
 that of Nijenbanning, Venner and Moes (1994) as corrected here, minimum over central film after
-Hamrock and Dowson (1977), the moment as `moment` has it. Where the same contact was solved at
-another speed or with another oil, film and moment are those of that solution times the ratio of
-these values here and there.
+Hamrock and Dowson (1977), the moment as follows. Where the same contact was solved at another
+speed or with another oil, film and moment are those of that solution times the ratio of these
+values here and there.
 
 The formulas alone, against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 61808 (129 points,
 M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 20 %.
 
-Moment that resists rolling in a flooded, isothermal contact, by formulas.
-
-A light contact hardly changes the gap of the bodies, h_0 + x^2/(2 Rx) + y^2/(2 Ry): there
-Kapitza's (1955) pressure -K x/h^2, K = 12 eta_0 u/(3 + 2 Rx/Ry), is the solution. Its moment up to
-the meniscus, where the gap is as wide as the layer that floods the contact, goes to zero as the
-film goes to that layer. Under heavy loads Biboulet and Houpert's (2010) formula holds, which knows
-no layer and does not vanish with the contact. Both together, with M_0 = 24 pi eta_0 u Rx^2/((3 + 2
-Rx/Ry) sqrt(Rx/Ry)),
+Moment that resists rolling in a flooded, isothermal contact: a light contact hardly changes the
+gap of the bodies, h_0 + x^2/(2 Rx) + y^2/(2 Ry); there Kapitza's (1955) pressure -K x/h^2, K = 12
+eta_0 u/(3 + 2 Rx/Ry), is the solution. Its moment up to the meniscus, where the gap is as wide as
+the layer that floods the contact, goes to zero as the film goes to that layer. Under heavy loads
+Biboulet and Houpert's (2010) formula holds, which knows no layer and does not vanish with the
+contact. Both together, with M_0 = 24 pi eta_0 u Rx^2/((3 + 2 Rx/Ry) sqrt(Rx/Ry)),
 
     M = M_Kapitza + M_0 f(M_Biboulet/M_0),   f(e) = (z + sqrt(z^2 + w^2))/2,   z = s e - t,
 
@@ -78,6 +77,27 @@ from .film import (
 SLOPE = (0.843, -0.250)
 START = (0.884, -0.330)
 WIDTH = 0.06
+
+# of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (R_x/R_y
+# 0.02 to 0.1: 0.823 to 0.846) [-]
+LIGHT_CONTACT = 0.83
+DIGITS = 10  # of conditions and axes in which contacts are alike
+FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
+# of formulas scaled to the atlas, per unit of ln A, ln L and z beyond its range [-]
+BEYOND_ERROR = 0.1
+
+# of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
+# films of a 6208 fall by 0.05 of that more slowly or faster than the formula
+WAY_ERROR = 0.05
+# Inlets are about H^(2/3) semi-axes long, H the film in units of a^2/Rx. Cells that they have at
+# least: where an error bar is asked for, and on a mesh that is given. A 6208 at 2000 N solves on
+# 1025 nodes down to 7.3 (40 r/min); with 1.8 the film of a 6312 was off by 38 %.
+CELLS_BY_TOLERANCE = 8.0
+CELLS_BY_POINTS = 1.5
+BOX = 5.0  # length of a box of such a film, about [semi-axes]
+SEARCH = 60  # halvings of the logarithm of the speed
+FASTEST = 1.0e9  # factor that is searched [-]
+THICKEST = 0.017  # film over R_x above which none is solved: with the formula's error, 2 % [-]
 
 
 def flooded_moment(
@@ -156,28 +176,6 @@ def heavy_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x:
     beta = 4.0 / pi * float(scipy.special.ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
     width = 2.0 * semi_axis_y / c.radius_x
     return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
-
-
-# of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (R_x/R_y
-# 0.02 to 0.1: 0.823 to 0.846) [-]
-LIGHT_CONTACT = 0.83
-DIGITS = 10  # of conditions and axes in which contacts are alike
-FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
-# of formulas scaled to the atlas, per unit of ln A, ln L and z beyond its range [-]
-BEYOND_ERROR = 0.1
-
-# of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
-# films of a 6208 fall by 0.05 of that more slowly or faster than the formula
-WAY_ERROR = 0.05
-# Inlets are about H^(2/3) semi-axes long, H the film in units of a^2/Rx. Cells that they have at
-# least: where an error bar is asked for, and on a mesh that is given. A 6208 at 2000 N solves on
-# 1025 nodes down to 7.3 (40 r/min); with 1.8 the film of a 6312 was off by 38 %.
-CELLS_BY_TOLERANCE = 8.0
-CELLS_BY_POINTS = 1.5
-BOX = 5.0  # length of a box of such a film, about [semi-axes]
-SEARCH = 60  # halvings of the logarithm of the speed
-FASTEST = 1.0e9  # factor that is searched [-]
-THICKEST = 0.017  # film over R_x above which none is solved: with the formula's error, 2 % [-]
 
 
 class FormulaValues(NamedTuple):

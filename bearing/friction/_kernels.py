@@ -1,9 +1,9 @@
-"""Compiled friction of many contacts and its slope: laws of `oilfilm.ehl.traction`, by difference
-quotients, films node by node, and Coulomb's; SI.
+"""Compiled friction of many contacts and its slope, and Newton's steps for balls under it; SI.
 
-Everything is arrays and floats; motion k = (S_x, S_y, Omega, omega). The NumPy twins are
-`tables.law_gradient`, contact by contact, `film_friction_twin` and `coulomb_dissipation_twin` of
-tests/reference.
+Friction is that of laws of `oilfilm.ehl.traction` by difference quotients, of films node by node,
+and Coulomb's. Everything is arrays and floats; motion k = (S_x, S_y, Omega, omega). The NumPy
+twins are `tables.law_gradient`, contact by contact, `film_friction_twin` and
+`coulomb_dissipation_twin` of tests/reference.
 """
 
 import numpy as np
@@ -29,6 +29,12 @@ PROPORTIONAL = 1.0e-6
 FLAT_LINE = 1.0e-9
 NO_SLOPE = 1.0e-300
 FAR_LINE = 1.0e30  # where lines beyond reach stand, over the semi-axis [-]
+
+TINY = 1.0e-300  # as `law.TINY`
+NOISE = 1.0e-13  # of the power that rounding leaves [-]
+LESS_DAMPING = 0.2  # after a step taken [-]
+MORE_DAMPING = 6.0  # after one refused [-]
+LEAST_DAMPING = 1.0e-14
 
 
 @compiled
@@ -367,13 +373,6 @@ def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
         copy((c01, c11, c12, c13), slope[n, 1])
         copy((c02, c12, c22, c23), slope[n, 2])
         copy((c03, c13, c23, c33), slope[n, 3])
-
-
-TINY = 1.0e-300  # as `law.TINY`
-NOISE = 1.0e-13  # of the power that rounding leaves [-]
-LESS_DAMPING = 0.2  # after a step taken [-]
-MORE_DAMPING = 6.0  # after one refused [-]
-LEAST_DAMPING = 1.0e-14
 
 
 @compiled

@@ -1,11 +1,6 @@
-"""One state of a bearing that warms itself: heat at a film temperature and a clearance, and the
-temperatures of all parts that follow from it.
-
-How the contacts of a bearing conduct heat through their films.
-
-Heat of films of formulas with the balls in balance: what the search for temperatures takes.
-
-Temperature at which friction and cooling agree.
+"""One state of a bearing that warms itself: heat at a film temperature and a clearance, with films
+of formulas and the balls in balance, the conduction of heat through the films, and the
+temperatures of all parts that follow.
 """
 
 from collections.abc import Callable, Sequence
@@ -59,6 +54,12 @@ PRESSED = 2.0
 ELLIPSE_POINTS = 33  # along and across the ellipse [-]; 129 conduct 0.9 % more in a 6306
 
 Ends = tuple[float, float, float]  # value, low and high end [W/K]
+
+# highest film temperature of a balance [K]: 150 C, where mineral oils near their flash points
+# (about 150 C for light ones) and the oils' data end; assumed
+HIGHEST_TEMPERATURE = 423.15
+
+OUTER = ("outer_ring_loaded", "outer_ring_unloaded")
 
 
 def contact_conductances(
@@ -352,11 +353,6 @@ def film_conductances(
     return contact_conductances(solution.bearing, contacts, films, temperature, ends=ends)
 
 
-# highest film temperature of a balance [K]: 150 C, where mineral oils near their flash points
-# (about 150 C for light ones) and the oils' data end; assumed
-HIGHEST_TEMPERATURE = 423.15
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeatBalance:
     """Temperature at which friction and cooling agree."""
@@ -371,7 +367,6 @@ class HeatBalance:
 
 
 FrictionModel = Callable[[QuasistaticSolution, Sequence[BearingContact], Lubricant], FrictionHeat]
-OUTER = ("outer_ring_loaded", "outer_ring_unloaded")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -14,6 +14,18 @@ INNER_CONTROL = 1
 MEAN_ANGLE = 2
 REACH = 0.5  # of the distance to the groove's centre within which a race has no angle [-]
 
+COMPLEX_STEP = 1.0e-30  # [m]
+BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
+# residual of a ball over its forces that is accepted when it falls no further [-]
+BALL_TOLERANCE = 1.0e-11
+SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
+CUT = 0.4  # of a step that leads nowhere [-]
+MAX_HALVINGS = 12
+MAX_BALL_STEPS = 30
+LONGEST_STEP = 0.25  # over the distance of the ball's centre from that of the outer groove [-]
+SINGULAR = 1.0e-14  # determinant over squared entries of a matrix at which it counts as singular
+STIFFENED = 0.1  # trace of stiffness in place of that of body forces, over forces and length [-]
+
 
 @compiled
 def root(z):
@@ -156,19 +168,6 @@ def balance(u, w, lengths, sizes, speeds, hypothesis, prescribed, inner_series, 
     left_r = inner_r - outer_load * outer[1] + at_outer * outer[0] + force
     size = (inner_load + outer_load + force).real
     return (left_x, left_r, -inner_x, -inner_r, -at_inner * groove, force), size
-
-
-COMPLEX_STEP = 1.0e-30  # [m]
-BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
-# residual of a ball over its forces that is accepted when it falls no further [-]
-BALL_TOLERANCE = 1.0e-11
-SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
-CUT = 0.4  # of a step that leads nowhere [-]
-MAX_HALVINGS = 12
-MAX_BALL_STEPS = 30
-LONGEST_STEP = 0.25  # over the distance of the ball's centre from that of the outer groove [-]
-SINGULAR = 1.0e-14  # determinant over squared entries of a matrix at which it counts as singular
-STIFFENED = 0.1  # trace of stiffness in place of that of body forces, over forces and length [-]
 
 
 @compiled

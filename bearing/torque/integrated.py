@@ -1,22 +1,16 @@
 """Friction torque from the shear of all contacts: of solved films, or of a law or table of each
-race.
+race, under a hypothesis of the balls' motion and with the balls in balance.
 
 Heat is the power of friction against the sliding at the contact's centre, the spin and the rolling
 of the curved surfaces, of asperities, and of the oil that the pressure pumps; the torque is heat
-over the shaft's speed. Motion and forces are those under the hypothesis of the balls' motion, and
-those in traction equilibrium. A table and a law have one moment about the transverse axis, which
-is the rolling resistance with the curvature slip or the slip alone, and no minimum film, from
-which a share of asperities would follow.
-
-Torque of the friction of all contacts, under a hypothesis of the balls' motion and with the
-balls in balance.
-
-How far the oil of the films reaches, and what of the rolling part hangs on it.
+over the shaft's speed. A table and a law have one moment about the transverse axis, which is the
+rolling resistance with the curvature slip or the slip alone, and no minimum film, from which a
+fraction of asperities would follow.
 
 The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the layer that its
 oil ends in (`ehl.traction.rolling_moment`). The integrated torque takes that of the oil up to the
-layer that the lubricant states: here stand its uncertainty, what the solved boxes alone would
-give, and what twice the layer adds, at the same motion.
+layer that the lubricant states; `RollingExtent` has its uncertainty, what the solved boxes alone
+would give, and what twice the layer adds, at the same motion.
 """
 
 from collections.abc import Sequence
@@ -47,6 +41,17 @@ from .skf import InletFactors
 
 # rings' power less heat and drag over the heat up to which balls count as balanced [-]
 POWER_TOLERANCE = 1.0e-6
+
+# why a law of friction lacks parts of the torque
+ONE_MOMENT = (
+    "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
+)
+NO_ROLLING_RESISTANCE = (
+    "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"
+)
+NO_ASPERITIES = (
+    "the friction law holds no minimum film, from which the share of asperities follows"
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -249,18 +254,6 @@ def orbit_lag(solution: QuasistaticSolution, balance: BalancedFriction) -> float
     ratio = orbits / (solution.orbit_speed - outer)
     weights = np.where(balance.driven, solution.inner_load, 0.0)
     return float(1.0 - np.average(ratio, weights=weights))
-
-
-# why a law of friction lacks parts of the torque
-ONE_MOMENT = (
-    "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
-)
-NO_ROLLING_RESISTANCE = (
-    "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"
-)
-NO_ASPERITIES = (
-    "the friction law holds no minimum film, from which the share of asperities follows"
-)
 
 
 def solved_shear(

@@ -1,7 +1,5 @@
 """Every model of the friction torque, brought to one form: components that add up, or why there
-are none.
-
-What the models of the friction torque take beyond the loads.
+are none; and what these models take beyond the loads.
 """
 
 from collections.abc import Sequence
@@ -34,6 +32,10 @@ from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
 from . import skf
 from . import skf as palmgren
 from .skf import bearing_kind, mean_diameter
+
+ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
+AS_PRINTED = "skf_as_printed"
+COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -157,11 +159,6 @@ class FrictionInput:
     def scarce(self) -> Supply | InletFilm | None:
         """The supply that the torque is wanted at [m^3/s], [m]; None where it is flooded."""
         return None if self.flooded else self.supply
-
-
-ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
-AS_PRINTED = "skf_as_printed"
-COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

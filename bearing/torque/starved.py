@@ -1,15 +1,13 @@
 """Friction torque over the oil supply, first order: less film and rolling resistance, more
 asperities, less churning.
 
-Every contact keeps the shares of its flooded films and of its rolling moment that the supply
+Every contact keeps the fractions of its flooded films and of its rolling moment that the supply
 leaves it (`supply`). Its sliding friction is that of film and asperities in the proportion of the
 lambda ratio (`mixed`), on the lines of pure rolling. The balls plough through the oil that stands
 in the cavity.
 
-Films and torque over the range of what a flow of oil may leave on the tracks.
-
-The share of the oil that lands on the tracks decides the film and is not known: 0.1 to 0.5 of a
-jet by an estimate. A flow therefore gives a band, not a number.
+The fraction of a flow that lands on the tracks decides the film and is not known: 0.1 to 0.5 of a
+jet by an estimate. A flow therefore gives a band of films and torque, not a number.
 """
 
 from collections.abc import Callable, Sequence

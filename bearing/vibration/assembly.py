@@ -1,8 +1,6 @@
-"""Numbers of the equations of motion from a bearing in equilibrium and what makes it vibrate.
-
-Numbers of a model for the compiled equations of motion, and indices in the state.
-
-Laws of ball and race in the equations of motion: Hertz, solved films, linear springs.
+"""Numbers of the equations of motion from a bearing in equilibrium and what makes it vibrate:
+arrays of the compiled equations, indices in the state, and laws of ball and race (Hertz, solved
+films, linear springs).
 """
 
 from collections.abc import Sequence
@@ -57,6 +55,18 @@ FACTOR = 0  # elastic force over approach^n [N/m^n]
 DAMPING = 1  # [N s/m]
 ENERGY = 2  # elastic energy over approach^(n + 1) [J/m^(n + 1)]
 
+NODES = 600  # of a law, over the logarithm of the approach
+SPAN = (1e-4, 30.0)  # of approaches, over that of the largest load [-]
+HERTZ = 1.5  # exponent of the force
+# loads over the largest of a race, at which films are solved; stiffness over that of Hertz and
+# damping change by some per cent between them
+SOLVED_LOADS = (0.2, 1.0)
+POINTS = 129  # and half of them; damping of the 6208 within 1.5 % of that from 257
+STARVED_POINTS = 257  # behind a layer, where the damping is small and feels the mesh
+
+RACES = {Race.INNER: Place.INNER, Race.OUTER: Place.OUTER}
+AXES = {Direction.X: 0, Direction.Y: 1, Direction.Z: 2}
+
 
 class ContactLawTable(NamedTuple):
     """Law of the contacts with one race, even in the logarithm of the approach."""
@@ -94,16 +104,6 @@ class VibrationArrays(NamedTuple):
     sensor: Array  # stiffness [N/m], damping [N s/m], axis it moves along (0, 1, 2), shape (3,)
     ball_mass: float  # [kg]
     centrifugal_force: float  # on a ball at the end's speed [N]
-
-
-NODES = 600  # of a law, over the logarithm of the approach
-SPAN = (1e-4, 30.0)  # of approaches, over that of the largest load [-]
-HERTZ = 1.5  # exponent of the force
-# loads over the largest of a race, at which films are solved; stiffness over that of Hertz and
-# damping change by some per cent between them
-SOLVED_LOADS = (0.2, 1.0)
-POINTS = 129  # and half of them; damping of the 6208 within 1.5 % of that from 257
-STARVED_POINTS = 257  # behind a layer, where the damping is small and feels the mesh
 
 
 class FilmsNotSolvedError(RuntimeError):
@@ -397,10 +397,6 @@ def law_table(approach: Array, factor: Array, damping: Array, exponent: float) -
         table=np.ascontiguousarray(np.stack([factor, damping, energy / edges], axis=1)),
         exponent=exponent,
     )
-
-
-RACES = {Race.INNER: Place.INNER, Race.OUTER: Place.OUTER}
-AXES = {Direction.X: 0, Direction.Y: 1, Direction.Z: 2}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
