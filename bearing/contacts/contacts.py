@@ -226,14 +226,14 @@ def _motions(solution: QuasistaticSolution) -> list[_Motion]:
 
 def _contact(
     solution: QuasistaticSolution,
-    place: tuple[int, Race],
+    number: tuple[int, Race],
     motion: _Motion,
     hertz: HertzContact | None,
     axes: tuple[Array, Array],
     oil: tuple[Lubricant, float],
 ) -> BearingContact:
     """One of them; `oil`: with the load under which a thick film is left out [N]."""
-    (index, race), (origin, rows) = place, axes
+    (index, race), (origin, rows) = number, axes
     inner = race is Race.INNER
     load = float((solution.inner_load if inner else solution.outer_load)[index])
     angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])

@@ -51,7 +51,6 @@ from oilfilm.ehl.traction.shear import shear_fields
 
 from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..quasistatic.solution import QuasistaticSolution
-from ._kernels import largest_sliding_speeds
 from .contact import BearingContact, groove_curvature_radius, groove_radius
 from .motion import ContactTraction, ball_speeds, motion_map
 
@@ -321,10 +320,16 @@ def largest_sliding(
     product
         largest pressure times sliding speed, shape (n,) [W/m^2]
     """
-    shapes = np.stack([ellipses[0], ellipses[1], spin, 0.5 * rolling / radius], axis=1)
-    largest = np.empty((len(shapes), 2))
-    largest_sliding_speeds(shapes, *_ellipse_points(), largest)
-    return largest[:, 0], ellipses[2] * largest[:, 1]
+    along, across, pressure = _ellipse_points()
+    semi_axis_x, semi_axis_y, spin, curved = (
+        values[:, None, None] for values in (*ellipses[:2], spin, 0.5 * rolling / radius)
+    )
+    y = semi_axis_y * across
+    slide_x = y * (curved * y - spin)
+    slide_y = semi_axis_x * spin * along
+    square = slide_x * slide_x + slide_y * slide_y
+    speed = np.sqrt(square.max(axis=(1, 2)))
+    return speed, ellipses[2] * np.sqrt((square * pressure * pressure).max(axis=(1, 2)))
 
 
 @cache

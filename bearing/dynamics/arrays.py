@@ -22,7 +22,7 @@ from oilfilm.ehl.arrays import Array
 
 Vector = tuple[float, float, float]
 
-# rows of `normal` and, times the number of balls, first places in `memory`
+# rows of `normal` and, times the number of balls, first places in `impact_speeds`
 INNER, OUTER, POCKET, LAND = range(4)
 CAGE_LOAD = 2  # row of `loads` after INNER and OUTER
 STIFFNESS, EXPONENT, DAMPING = range(3)  # columns of `normal`
@@ -49,7 +49,7 @@ PRESCRIBED_COLUMNS = 18
 
 # columns of `friction`, as the kernels of `oilfilm.ehl.traction` write them
 FORCE_X, FORCE_Y, SPIN_MOMENT, ROLL_MOMENT = range(4)
-CENTRAL_FILM = 5
+RACE_FILM = 5
 FILM_DAMPING = 7
 FRICTION_COLUMNS = 8
 
@@ -247,12 +247,12 @@ BEARING = np.dtype(
         ("friction_kind", np.int64),
         ("mechanical", np.int64),
         ("free", np.float64, (17,)),
-        ("held", np.float64, (5,)),
-        ("given", np.float64, (PRESCRIBED_COLUMNS,)),
+        ("constrained", np.float64, (5,)),
+        ("prescribed", np.float64, (PRESCRIBED_COLUMNS,)),
         ("friction", np.float64, (FRICTION_COLUMNS,)),
         ("land_out", np.float64, (2, POCKET_COLUMNS)),
         ("predicted_friction", np.float64, (4,)),
-        ("pace", np.float64, (1,)),
+        ("implicit_step", np.float64, (1,)),
         ("system", np.float64, (6, 7)),
         ("power", np.float64, (ACCUMULATORS,)),
         ("loads", np.float64, (3, LOAD_COLUMNS)),
@@ -285,9 +285,9 @@ class KernelData(NamedTuple):
     friction_outer: FrictionData
     times: Array
     schedule: Array
-    memory: Array
+    impact_speeds: Array
     solved: NDArray[np.int64]
-    whole: Array
+    full_state: Array
     rates: Array
 
 
@@ -300,7 +300,7 @@ class EquationData(NamedTuple):
     friction_inner: FrictionData
     friction_outer: FrictionData
     free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
-    held: Array  # 1 for coordinates of the ring whose place is given, else 0, shape (5,)
+    constrained: Array  # 1 for coordinates of the ring whose place is given, else 0, shape (5,)
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
     pocket_direction: Array  # direction (y, z) of each pocket in the cage, shape (Z, 2) [-]
     pocket_play: Array  # radial, of each pocket, shape (Z,) [m]
@@ -309,8 +309,8 @@ class EquationData(NamedTuple):
     # is held [m], [rad], its rate, viscosity [-]; shape (n, PRESCRIBED_COLUMNS)
     schedule: Array
     # speed of the impact that began each contact [m/s]: inner, outer, pocket of each ball, lands
-    memory: Array
-    given: Array  # scratch: the schedule at a time, shape (PRESCRIBED_COLUMNS,)
+    impact_speeds: Array
+    prescribed: Array  # scratch: the schedule at a time, shape (PRESCRIBED_COLUMNS,)
     friction: Array  # scratch: friction of one ball on a race, shape (FRICTION_COLUMNS,)
     forces: Array  # scratch: force and moment on each ball, shape (Z, 6) [N], [N m]
     race_out: Array  # state of the races' contacts, shape (2, Z, RACE_COLUMNS)
@@ -319,16 +319,16 @@ class EquationData(NamedTuple):
     films: Array  # load and film of the races' contacts after the last step, shape (2, Z, 2)
     # friction of the races linearised, shape (2, Z, LINEAR.size); no slopes where the law counts
     linear: Array
-    pocket_films: Array  # of the pockets as matrices, shape (Z, 38); `contact._belt_kernels`
+    pocket_films: Array  # of the pockets as matrices, shape (Z, 38); `_cage_kernels`
     predicted_friction: Array  # scratch: forces and moments by slopes, shape (4,)
-    pace: Array  # step that friction is implicit over, shape (1,); 0: not [s]
+    implicit_step: Array  # step that friction is implicit over, shape (1,); 0: not [s]
     system: Array  # scratch: equations of a ball's acceleration, shape (6, 7)
     power: Array  # into and out of the accumulators [W], shape (ACCUMULATORS,)
     loads: Array  # of the contacts on inner ring, outer ring and cage, shape (3, 6) [N], [N m]
     # places in the state vector of what is solved: coordinates, speeds, then all that follows them
     solved: NDArray[np.int64]
     mechanical: int  # of them under error control, the coordinates and speeds
-    whole: Array  # scratch: state vector, the coordinates that are not solved at rest [SI]
+    full_state: Array  # scratch: state vector, the coordinates that are not solved at rest [SI]
     rates: Array  # scratch: its rates
     turns: Array  # scratch: angular velocities of the balls before a step, shape (Z, 3) [rad/s]
     kernel: KernelData  # all of it, as the kernels take it

@@ -16,7 +16,7 @@ from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import reduced_modulus
 from ..operation import Operation
 from ..quasistatic.kinematics import ball_mass
-from ..rating.frequencies import kinematic_cage_speed
+from ..quasistatic.solution import kinematic_cage_speed
 from .arrays import (
     ACCUMULATORS,
     CAGE,
@@ -266,14 +266,14 @@ def assemble(
         friction_inner=races[0],
         friction_outer=races[1],
         free=free,
-        held=np.array([load is None for load in operation.loads], dtype=np.float64),
+        constrained=np.array([load is None for load in operation.loads], dtype=np.float64),
         pocket_angle=np.asarray(azimuth),
         pocket_direction=np.stack((np.cos(azimuth), np.sin(azimuth)), axis=1),
         pocket_play=0.5 * np.array((cage or NO_CAGE).clearances(n)),
         times=np.array(model.times, dtype=np.float64),
         schedule=schedule,
-        memory=np.full(3 * n + 2, model.normal.impact_floor),
-        given=np.zeros(PRESCRIBED_COLUMNS),
+        impact_speeds=np.full(3 * n + 2, model.normal.impact_floor),
+        prescribed=np.zeros(PRESCRIBED_COLUMNS),
         friction=np.zeros(FRICTION_COLUMNS),
         forces=np.zeros((n, LOAD_COLUMNS)),
         race_out=np.zeros((2, n, RACE_COLUMNS)),
@@ -284,7 +284,7 @@ def assemble(
         loads=np.zeros((3, LOAD_COLUMNS)),
         solved=indices,
         mechanical=_mechanical(indices, n),
-        whole=np.zeros(Layout(n).size),
+        full_state=np.zeros(Layout(n).size),
         rates=np.zeros(Layout(n).size),
         turns=np.zeros((n, 3)),
     )
@@ -369,7 +369,7 @@ def _clock_arrays(balls: int) -> dict[str, Array]:
         "linear": np.zeros((2, balls, LINEAR.size)),
         "predicted_friction": np.zeros(4),
         "pocket_films": np.zeros((balls, 38)),
-        "pace": np.zeros(1),
+        "implicit_step": np.zeros(1),
         "system": np.zeros((6, 7)),
     }
 

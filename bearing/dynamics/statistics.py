@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
 
-from ..rating.frequencies import kinematic_cage_speed
+from ..quasistatic.solution import kinematic_cage_speed
 from .arrays import CAGE_ROTATION, CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Layout
 from .inputs import Start
 from .record import Record

@@ -104,7 +104,7 @@ class Asperities:
         """
         return self.inner_roughness if race is Race.INNER else self.outer_roughness
 
-    def share(self, contact: BearingContact, film: float) -> float:
+    def load_fraction(self, contact: BearingContact, film: float) -> float:
         """Fraction of a contact's load that asperities carry.
 
         Parameters

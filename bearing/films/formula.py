@@ -297,23 +297,23 @@ def _numbers(
 
 
 def _of_atlas(
-    known: AtlasFilms, conditions: ContactConditions, axes: tuple[float, float]
+    atlas: AtlasFilms, conditions: ContactConditions, axes: tuple[float, float]
 ) -> FormulaValues:
     """Of a contact that the atlas covers, with the moment of the formulas where it has none."""
-    found = _as_numbers(known, 0.0)
-    if known.rolling_moment is not None:
+    found = _as_numbers(atlas, 0.0)
+    if atlas.rolling_moment is not None:
         return found
     return found._replace(moment=_by_formulas(conditions, axes).moment)
 
 
-def _as_numbers(known: AtlasFilms, distance: float) -> FormulaValues:
+def _as_numbers(atlas: AtlasFilms, distance: float) -> FormulaValues:
     """Films of the atlas that count at a distance in ln A, ln L and z [-]."""
     beyond = BEYOND_ERROR * distance
-    errors = [one.uncertainty / one.value + beyond for one in (known.central, known.minimum)]
+    errors = [one.uncertainty / one.value + beyond for one in (atlas.central, atlas.minimum)]
     return FormulaValues(
-        central=known.central.value,
-        ratio=known.minimum.value / known.central.value,
-        moment=0.0 if known.rolling_moment is None else known.rolling_moment.value,
+        central=atlas.central.value,
+        ratio=atlas.minimum.value / atlas.central.value,
+        moment=0.0 if atlas.rolling_moment is None else atlas.rolling_moment.value,
         error=min(errors[0], FORMULA_ERROR),
         minimum_error=min(errors[1], FORMULA_ERROR),
         atlas=not distance,
@@ -334,16 +334,16 @@ def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> F
     return _beyond(_as_numbers(known, distance), own, there)
 
 
-def _beyond(known: FormulaValues, own: FormulaValues, there: FormulaValues) -> FormulaValues:
+def _beyond(atlas: FormulaValues, here: FormulaValues, there: FormulaValues) -> FormulaValues:
     """Those of the atlas at the nearest contact times what the formulas change from there."""
-    ratio = known.ratio
-    if ratio is not None and own.ratio is not None and there.ratio is not None:
-        ratio *= own.ratio / there.ratio
-    moment = own.moment
-    if known.moment:
-        moment *= known.moment / there.moment
-    central = known.central * own.central / there.central
-    return known._replace(central=central, ratio=ratio, moment=moment)
+    ratio = atlas.ratio
+    if ratio is not None and here.ratio is not None and there.ratio is not None:
+        ratio *= here.ratio / there.ratio
+    moment = here.moment
+    if atlas.moment:
+        moment *= atlas.moment / there.moment
+    central = atlas.central * here.central / there.central
+    return atlas._replace(central=central, ratio=ratio, moment=moment)
 
 
 def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FormulaValues:

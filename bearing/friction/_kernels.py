@@ -87,22 +87,22 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
 
 
 @compiled
-def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope):
+def film_frictions(nodes, parts, thin, laws, motion, film_numbers, least, gradient, slope):
     """Friction (n, 4) of sheared films, A tau s/|s| K summed over the nodes of each, and its slope
     (n, 4, 4) by the motions (n, 4); s = (K_x, K_y) motion is the sliding of `coulomb_sums`.
 
     nodes: rows of area [m^2], 1 over the gap [1/m], viscosity [Pa s], limiting stress [Pa], x, y
     and height of the surface [m], shape (7, m); parts (films, 3): where the nodes of a film begin,
     those of oil at ambient pressure, and where they end; thin (films, 11): of these what
-    `thin_sums` gives; laws (films, 4): the first four fields of `KernelRheology`; own (n,): film
-    of each motion; least: sliding below which the stress is proportional to it [m/s].
+    `thin_sums` gives; laws (films, 4): the first four fields of `KernelRheology`; film_numbers
+    (n,): film of each motion; least: sliding below which the stress is proportional to it [m/s].
     """
     most = 0
     for film in range(parts.shape[0]):
         most = max(most, parts[film, 2] - parts[film, 0])
     work = np.empty((3, most))
     for n in range(motion.shape[0]):
-        film = own[n]
+        film = film_numbers[n]
         law = laws[film]
         begin, end = parts[film, 0], parts[film, 2]
         gradient[n] = 0.0
@@ -119,12 +119,12 @@ def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope
 
 
 @compiled
-def stresses(oil, place, motion, law, least, speeds, tau, bent):
+def stresses(oil, coordinates, motion, law, least, speeds, tau, bent):
     """Sliding [m/s], stress [Pa] and its derivative by the rate [Pa s] at nodes; loops apart, that
     each be compiled for several nodes at a time.
     """
     opening, eta, limit = oil
-    x, y, height = place
+    x, y, height = coordinates
     slide_x, slide_y, spin, rolling = motion
     code = int(law[0])
     stress, exponent, breadth = law[1], law[2], law[3]
@@ -147,7 +147,7 @@ def stresses(oil, place, motion, law, least, speeds, tau, bent):
 
 
 @summing
-def pull_sums(area, opening, place, motion, speeds, tau, bent):
+def pull_sums(area, opening, coordinates, motion, speeds, tau, bent):
     """Friction of nodes by their stress: its four parts, and of its slope the ten above and on the
     diagonal.
     """
@@ -157,7 +157,7 @@ def pull_sums(area, opening, place, motion, speeds, tau, bent):
         over = 1.0 / speeds[k]
         pull = area[k] * tau[k] * over
         bend = (area[k] * bent[k] * opening[k] - pull) * over * over
-        x, y, height = place[0][k], place[1][k], place[2][k]
+        x, y, height = coordinates[0][k], coordinates[1][k], coordinates[2][k]
         s0 = slide_x - spin * y + rolling * height
         s1 = slide_y + spin * x
         s2 = s1 * x - s0 * y
@@ -376,9 +376,9 @@ def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
 
 
 @compiled
-def motions(given, at, z, k):
+def motions(problem, at, z, k):
     """Motions of contacts k = start + slopes z, (n, 2, 4)."""
-    start, slopes = given[0], given[1]
+    start, slopes = problem[0], problem[1]
     for n in range(at.size):
         ball = at[n]
         for c in range(2):
@@ -390,14 +390,14 @@ def motions(given, at, z, k):
 
 
 @compiled
-def left_on_balls(given, at, z, friction, left):
+def left_on_balls(problem, at, z, friction, left):
     """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the unknowns z (n, 4).
 
-    given: start and slopes of the motions, forces that do not change, the gyroscopic matrix,
+    problem: start and slopes of the motions, forces that do not change, the gyroscopic matrix,
     friction of the pockets and the motion in them, which unknowns are free (1 or 0); friction:
     power, gradient and curvature of the contacts, two a ball.
     """
-    _, slopes, fixed, matrix, pocket, rubbing, free = given
+    _, slopes, fixed, matrix, pocket, rubbing, free = problem
     bent = np.empty((4, 4))
     for n in range(at.size):
         ball = at[n]

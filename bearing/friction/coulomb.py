@@ -155,14 +155,16 @@ def balanced_friction(
     *,
     lines: bool = False,
     gyroscopic: bool = True,
-    near: BalancedFriction | None = None,
+    initial_guess: BalancedFriction | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in balance under Coulomb's mu [-], and what it costs; contacts inner
     then outer, ball by ball.
 
     `lines`: by lines of pure rolling, which cannot hold the gyroscopic couple: it is left out;
-    `gyroscopic`: whether the contacts have to hold it; `near`: of a similar law, where the search
+    `gyroscopic`: whether the contacts have to hold it; `initial_guess`: of a similar law, where the search
     begins.
     """
     law = (line_law if lines else coulomb_law)(solution, contacts, friction)
-    return balance_balls(solution, contacts, law, gyroscopic=gyroscopic, initial_guess=near)
+    return balance_balls(
+        solution, contacts, law, gyroscopic=gyroscopic, initial_guess=initial_guess
+    )

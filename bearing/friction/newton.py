@@ -65,7 +65,7 @@ def _of_balls(problem: MotionProblem, balls: NDArray[np.int64]) -> tuple[Array, 
 
 def _evaluate(
     problem: MotionProblem,
-    given: tuple[Array, ...],
+    prepared: tuple[Array, ...],
     balls: NDArray[np.int64],
     at: NDArray[np.int64],
     z: Array,
@@ -74,10 +74,10 @@ def _evaluate(
     balls at these places of `balls`.
     """
     k = np.empty((at.size, 2, 4))
-    motions(given, at, z, k)
+    motions(prepared, at, z, k)
     friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(balls[at]))
     left = (np.empty(at.size), np.empty((at.size, 4)), np.empty((at.size, 4, 4)))
-    left_on_balls(given, at, z, tuple(map(np.ascontiguousarray, friction)), left)
+    left_on_balls(prepared, at, z, tuple(map(np.ascontiguousarray, friction)), left)
     return left
 
 

@@ -169,7 +169,7 @@ def _evaluation(laws: Sequence[TractionLaw], first: TractionLaw) -> Evaluate:
     return one_by_one
 
 
-def law_gradient(law: TractionLaw, place: Array, motion: Array) -> tuple[Array, Array]:
+def law_gradient(law: TractionLaw, conditions: Array, motion: Array) -> tuple[Array, Array]:
     """Minus the forces and moments on the ball by a law, and their slope by sliding and spin; the
     entrainment is that of the rolling speed.
 
@@ -177,7 +177,7 @@ def law_gradient(law: TractionLaw, place: Array, motion: Array) -> tuple[Array, 
     ----------
     law : TractionLaw
         of the contact
-    place : Array
+    conditions : Array
         load [N], entrainment speed [m/s], rolling radius [m], shape (3,)
     motion : Array
         sliding along and across [m/s], spin and rolling [rad/s], shape (4,)
@@ -189,7 +189,7 @@ def law_gradient(law: TractionLaw, place: Array, motion: Array) -> tuple[Array, 
     slope
         shape (4, 4) [N s/m]
     """
-    load, speed, radius = (float(value) for value in place)
+    load, speed, radius = (float(value) for value in conditions)
     here = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4])
     slope = np.zeros((4, 4))
     for j, step in enumerate((STEP * speed, STEP * speed, STEP * speed / radius)):

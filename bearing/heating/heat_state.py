@@ -230,7 +230,7 @@ class FilmsHeat:
     ends: bool = True  # whether the ends of conductances are wanted
     last: BalancedFriction | None = field(default=None)
     # the last equilibrium, its oil and its heat
-    known: tuple[QuasistaticSolution, Lubricant, FrictionHeat] | None = field(default=None)
+    last_heat: tuple[QuasistaticSolution, Lubricant, FrictionHeat] | None = field(default=None)
 
     def heat(
         self,
@@ -268,8 +268,8 @@ class FilmsHeat:
         UndrivenBallsError
             If the balls find no balance.
         """
-        if self.known is not None:
-            before, same, heat = self.known
+        if self.last_heat is not None:
+            before, same, heat = self.last_heat
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
@@ -300,7 +300,7 @@ class FilmsHeat:
             conductance=conductances,
             loaded=loaded_half(solution),
         )
-        self.known = (solution, oil, found)
+        self.last_heat = (solution, oil, found)
         return found
 
 

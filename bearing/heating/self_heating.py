@@ -311,33 +311,33 @@ def _by_viscosity(problem: SelfHeatingProblem, state: HeatState, coldest: float)
     return float(scipy.optimize.brentq(surplus, low, high, xtol=0.1 * NEAR))
 
 
-def _root(known: list[tuple[float, float]]) -> float | None:
+def _root(states: list[tuple[float, float]]) -> float | None:
     """Temperature [K] at which nothing is found above it, by the polynomial of temperatures over
     what was found at the last ones; None where that does not fall from one to the next.
     """
-    whole = _crossing(known)
-    return _crossing(known[-2:]) if whole is None else whole
+    whole = _crossing(states)
+    return _crossing(states[-2:]) if whole is None else whole
 
 
-def _step(known: list[tuple[float, float]]) -> float:
+def _step(states: list[tuple[float, float]]) -> float:
     """Twice the last step, or what is found above the last temperature if that is more, toward the
     balance: it lies beyond where what is found above does not fall [K].
     """
-    (before, _), (at, excess) = known[-2:]
+    (before, _), (at, excess) = states[-2:]
     return float(np.copysign(max(2.0 * abs(at - before), abs(excess)), excess))
 
 
-def _extrapolated_root(known: list[tuple[float, float]], tolerance: float) -> float | None:
+def _extrapolated_root(states: list[tuple[float, float]], tolerance: float) -> float | None:
     """The root by a parabola where that by a line through its last two states, which is less
     exact, is not more than a part of `tolerance` from it; None elsewhere [K].
     """
-    if len(known) < LAST_STATES:
+    if len(states) < LAST_STATES:
         return None
-    parabola = _crossing(known)
-    line = _crossing(known[-2:])
+    parabola = _crossing(states)
+    line = _crossing(states[-2:])
     if parabola is None or line is None or abs(parabola - line) > EXTRAPOLATION_ERROR * tolerance:
         return None
-    return parabola if abs(parabola - known[-1][0]) <= EXTRAPOLATION_REACH else None
+    return parabola if abs(parabola - states[-1][0]) <= EXTRAPOLATION_REACH else None
 
 
 def _crossing(states: list[tuple[float, float]]) -> float | None:

@@ -350,7 +350,7 @@ def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
         _geometry(designation, outside),
         _values(row),
     )
-    entry["skf_series"] = skf_series(designation)
+    entry["skf_series"] = friction_series(designation)
     source = f"boundary dimensions: ISO 15, dimension series {designation.dimension_series}"
     sources = [source, *([MAKER] if row else ["no ratings read"]), entry["source"]]
     if row.get("inner_shoulder_mm"):
@@ -360,7 +360,7 @@ def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
     return {**entry, "source": "; ".join(sources)}
 
 
-def skf_series(designation: Designation) -> str:
+def friction_series(designation: Designation) -> str:
     """Series of SKF's friction constants that a designation belongs to.
 
     Parameters
@@ -446,7 +446,7 @@ def estimated_entry(
     size: tuple[float, float, float],
     contact_angle: float,
     geometry: Geometry,
-    known: dict[str, float],
+    published: dict[str, float],
 ) -> dict[str, Any]:
     """Keys of a case's [bearing] table for an estimated geometry.
 
@@ -458,7 +458,7 @@ def estimated_entry(
         nominal contact angle, zero for a deep groove bearing [deg]
     geometry : Geometry
         estimated internal geometry
-    known : dict[str, float]
+    published : dict[str, float]
         further keys, ratings and shoulders
 
     Returns
@@ -494,7 +494,7 @@ def estimated_entry(
     steel = dict.fromkeys(("ring_material", "ball_material"), "bearing steel")
     grooves = f"grooves: {inner:g} and {outer:g} of the ball, assumed"
     source = {"source": "; ".join((geometry.basis, play, grooves))}
-    values = {"type": kind, **values, **boundary, **known, **steel, **source}
+    values = {"type": kind, **values, **boundary, **published, **steel, **source}
     return {**values, "estimated": list(ranges), "range": ranges}
 
 

@@ -87,10 +87,10 @@ def attitude(outer, inner, gamma, code):
 
 
 @compiled
-def transmissible(load, part, sine, couple, diameter):
+def transmissible(load, fraction, sine, couple, diameter):
     """As `balls._transmissible_share` [-]."""
     asked = couple * sine * np.sign(sine.real)
-    return smooth(FRICTION_LIMIT * load, part * asked / diameter)
+    return smooth(FRICTION_LIMIT * load, fraction * asked / diameter)
 
 
 @compiled
@@ -171,14 +171,14 @@ def balance(u, w, lengths, sizes, speeds, hypothesis, prescribed, inner_series, 
 
 
 @compiled
-def differentiated(u, V, known, given, values, jacobian):
+def differentiated(u, V, prescribed, problem, values, jacobian):
     """Values (6,) of `balance` of a ball at u and V, (x, r) each [m], and by a complex step their
     derivatives (6, 4) by u_x, u_r, w_x, w_r; returns the sum of forces [N].
 
-    known: motion and friction where they are prescribed, (6,), else none; given: lengths, sizes,
+    prescribed: motion and friction where there are any, (6,), else none; problem: lengths, sizes,
     speeds, hypothesis, series of both races, force at the free contact angle.
     """
-    lengths, sizes, speeds, hypothesis, inner_series, outer_series, _ = given
+    lengths, sizes, speeds, hypothesis, inner_series, outer_series, _ = problem
     size = 0.0
     turned = np.zeros(4)
     for k in range(4):
@@ -187,7 +187,7 @@ def differentiated(u, V, known, given, values, jacobian):
         at = (complex(u[0], turned[0]), complex(u[1], turned[1]))
         reach = (complex(V[0] - u[0], turned[2]), complex(V[1] - u[1], turned[3]))
         found, size = balance(
-            at, reach, lengths, sizes, speeds, hypothesis, known, inner_series, outer_series
+            at, reach, lengths, sizes, speeds, hypothesis, prescribed, inner_series, outer_series
         )
         for f in range(6):
             jacobian[f, k] = found[f].imag / COMPLEX_STEP
@@ -234,14 +234,14 @@ def contact_load(pull, length, series):
 
 
 @compiled
-def elastic_step(u, V, values, given):
+def elastic_step(u, V, values, problem):
     """Step [m] with the Hertz stiffness alone, which always leads along the force.
 
     Each contact gives K (1.5 delta^0.5 n n + delta^1.5/l (1 - n n)), l the distance from its
     groove's centre; what changes body forces and friction with the angles is left out, and a trace
     of stiffness is added in their place.
     """
-    lengths, _, _, _, inner_series, outer_series, nominal = given
+    lengths, _, _, _, inner_series, outer_series, nominal = problem
     own = (u[0], u[1])
     outer, outer_distance = contact_load(own, lengths[1], outer_series)
     reach = (V[0] - u[0], V[1] - u[1])
@@ -270,7 +270,7 @@ def elastic_step(u, V, values, given):
 
 
 @compiled
-def newton_step(u, V, values, jacobian, given):
+def newton_step(u, V, values, jacobian, problem):
     """Newton step of a ball [m]; where it leads uphill in energy, that of springs in the two
     contacts; at most a part of the outer length long.
     """
@@ -284,13 +284,13 @@ def newton_step(u, V, values, jacobian, given):
         -values[1],
     )
     if not x * values[0] + r * values[1] > 0.0:
-        x, r = elastic_step(u, V, values, given)
-    shorter = min(1.0, LONGEST_STEP * given[0][1] / max(np.hypot(x, r), 1e-300))
+        x, r = elastic_step(u, V, values, problem)
+    shorter = min(1.0, LONGEST_STEP * problem[0][1] / max(np.hypot(x, r), 1e-300))
     return x * shorter, r * shorter
 
 
 @compiled
-def backtracked(u, V, known, given, step, size, trial):
+def backtracked(u, V, prescribed, problem, step, size, trial):
     """Shorten the step of a ball until its residual falls or the force no longer opposes it; the
     sum of forces there [N], below zero where it stays.
 
@@ -304,7 +304,7 @@ def backtracked(u, V, known, given, step, size, trial):
     for _ in range(MAX_HALVINGS):
         at[0] = u[0] + factor * step[0]
         at[1] = u[1] + factor * step[1]
-        forces = differentiated(at, V, known, given, values, jacobian)
+        forces = differentiated(at, V, prescribed, problem, values, jacobian)
         left = np.hypot(values[0], values[1])
         smaller = left < (1.0 - SUFFICIENT_DECREASE * factor) * norm
         along = values[0] * step[0] + values[1] * step[1] > 0.0
@@ -317,22 +317,24 @@ def backtracked(u, V, known, given, step, size, trial):
 
 
 @compiled
-def balanced(u, V, known, given, values, jacobian):
+def balanced(u, V, prescribed, problem, values, jacobian):
     """Balance of a ball begun at u (2,) [m], which it changes with values and derivatives as in
     `differentiated`; returns the sum of forces [N].
     """
-    size = differentiated(u, V, known, given, values, jacobian)
+    size = differentiated(u, V, prescribed, problem, values, jacobian)
     trial = (np.empty(2), np.empty(6), np.empty((6, 4)))
     for _ in range(MAX_BALL_STEPS):
         # 1. done at the target
-        if np.hypot(values[0], values[1]) <= max(BALL_TARGET * size, rounding(jacobian, given[0])):
+        if np.hypot(values[0], values[1]) <= max(
+            BALL_TARGET * size, rounding(jacobian, problem[0])
+        ):
             break
         # 2. Newton step, 3. shortened until the force left on the ball falls
-        step = newton_step(u, V, values, jacobian, given)
+        step = newton_step(u, V, values, jacobian, problem)
         if step[0] == 0.0 and step[1] == 0.0:
             break
         copy(values, trial[1])
-        forces = backtracked(u, V, known, given, step, size, trial)
+        forces = backtracked(u, V, prescribed, problem, step, size, trial)
         if forces < 0.0:
             break
         size = forces
@@ -343,12 +345,12 @@ def balanced(u, V, known, given, values, jacobian):
 
 
 @compiled
-def balanced_balls(u, V, prescribed, given, out):
+def balanced_balls(u, V, prescribed, problem, out):
     """Of all balls, begun at u (2, Z) [m], which it changes, at V (2, Z) [m]: values (6, Z), du/dV
     (2, 2, Z), change of the forces on the ring with V (4, 2, Z), sums of forces and what rounding
     is worth (2, Z).
 
-    prescribed: (Z, 6) or (Z, 0); given: as in `differentiated`.
+    prescribed: (Z, 6) or (Z, 0); problem: as in `differentiated`.
     """
     values, du_dV, ring_dV, sizes = out
     own = np.empty(6)
@@ -358,8 +360,8 @@ def balanced_balls(u, V, prescribed, given, out):
     for z in range(u.shape[1]):
         copy(u[:, z], at)
         copy(V[:, z], reach)
-        sizes[0, z] = balanced(at, reach, prescribed[z], given, own, jacobian)
-        sizes[1, z] = rounding(jacobian, given[0])
+        sizes[0, z] = balanced(at, reach, prescribed[z], problem, own, jacobian)
+        sizes[1, z] = rounding(jacobian, problem[0])
         copy(at, u[:, z])
         copy(own, values[:, z])
         j = jacobian

@@ -44,7 +44,7 @@ X_XTOL = 1e-300  # [m]: with interference a small thrust stands at an angle as s
 X_STEPS = 2000  # halvings down to that
 X_RTOL = 4.0 * 2.0**-52  # the least that `brentq` takes [-]
 
-# The next constants, and those of `ball_equilibrium`, were measured on 60 random bearings at 0.3
+# The next constants, and those of `balls`, were measured on 60 random bearings at 0.3
 # to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
 # largest, and the number of steps, 268, between 264 and 284.
 RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]

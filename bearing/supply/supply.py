@@ -186,7 +186,7 @@ class Supply:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class InletFilm:
+class PrescribedInlet:
     """Layer of oil that every contact finds at its inlet."""
 
     layer: float  # thickness on both surfaces together, at ambient density [m]
@@ -197,11 +197,11 @@ class InletFilm:
             raise ValueError(f"layer must be zero or positive and finite, got {self.layer!r} m")
 
 
-AMPLE = InletFilm(layer=1.0)  # floods every contact
+AMPLE = PrescribedInlet(layer=1.0)  # floods every contact
 
 
 def supplied_shares(
-    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
+    contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet, balls: int
 ) -> StarvationFactors:
     """Fractions of the flooded films and of the rolling moment of a contact that a supply leaves.
 
@@ -211,7 +211,7 @@ def supplied_shares(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : Supply | InletFilm
+    supply : Supply | PrescribedInlet
         a layer that is ample leaves the film as it was, to the last digit
     balls : int
         in one row [-]
@@ -229,7 +229,7 @@ def supplied_shares(
 
 
 def inlet_layer(
-    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
+    contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet, balls: int
 ) -> float:
     """Layer of oil at the inlet of a contact in the steady state.
 
@@ -239,7 +239,7 @@ def inlet_layer(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : Supply | InletFilm
+    supply : Supply | PrescribedInlet
         oil at the inlets
     balls : int
         in one row [-]
@@ -249,7 +249,7 @@ def inlet_layer(
     float
         thickness [m]; zero of a flow where no oil is entrained
     """
-    if isinstance(supply, InletFilm):
+    if isinstance(supply, PrescribedInlet):
         return supply.layer
     if contact.conditions is None or contact.hertz is None:
         return 0.0
@@ -258,7 +258,7 @@ def inlet_layer(
 
 
 def contact_track(
-    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm | None = None
+    contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet | None = None
 ) -> tuple[Track, float]:
     """Change of the layer that a contact finds in one pass, and the layer that counts as 1 there,
     the
@@ -270,7 +270,7 @@ def contact_track(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : Supply | InletFilm | None, optional
+    supply : Supply | PrescribedInlet | None, optional
         gives loss and exponent
 
     Returns
@@ -292,7 +292,7 @@ def contact_track(
     law = starvation_law(contact.conditions, unit)
     exponent = None if supply is None else supply.exponent
     track = Track(
-        share=lambda ratio: law(ratio).central.value,
+        film_fraction=lambda ratio: law(ratio).central.value,
         passing=partial(
             starved_film_factor,
             exponent=exponent or starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x),

@@ -59,7 +59,7 @@ DRY = 1.0e-4  # of the mean layer: a place with less counts as having so much [-
 class Track:
     """What one pass of a ball does to the layer of a track; layers over rho_c h_cff [-]."""
 
-    share: Law  # R(r), film over the flooded one
+    film_fraction: Law  # R(r), film over the flooded one
     passing: Law  # K(r), layer that passes; rises, K <= r and K <= 1
     side_flow: float = 0.0  # d, r_left^-2 - r^-2 at the least of the film
     loss: float = 0.0  # l, of the layer between two balls
@@ -187,7 +187,7 @@ def steady_share(track: Track, added: float) -> float:
     """
     if added >= FLOODED_RATIO:
         return 1.0
-    return track.share(steady_layer(track, added)) if added > 0.0 else 0.0
+    return track.film_fraction(steady_layer(track, added)) if added > 0.0 else 0.0
 
 
 def added_layer(flow: float, width: float, speed: float, balls: int) -> float:
@@ -239,7 +239,7 @@ class SolvedPass:
         return self.solution.supply.inlet_ratio
 
     @property
-    def share(self) -> float:
+    def film_fraction(self) -> float:
         """Central film over the flooded one of the same box [-]."""
         supply = self.solution.supply
         assert supply is not None
@@ -251,7 +251,7 @@ class SolvedPass:
         return float(self.outlet.max() / self.outlet[abs(self.solution.Y).argmin()])
 
     @property
-    def kept(self) -> float:
+    def remaining(self) -> float:
         """Oil that leaves over oil that enters, over the whole width of the box [-]."""
         return float(np.trapezoid(self.outlet) / np.trapezoid(self.inlet))
 

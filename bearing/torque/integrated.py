@@ -458,7 +458,7 @@ def _tractions(
 def _flooded_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    whole: Films,
+    films: Films,
     sheared: ShearedFilms,
     resistance: Resistance,
     initial_guess: BalancedFriction,
@@ -466,7 +466,7 @@ def _flooded_torque(
     """With the whole rolling moment of flooded, isothermal films [N m], in its own balance, begun
     at one nearby.
     """
-    law = law_of_films(contacts, whole, sheared)
+    law = law_of_films(contacts, films, sheared)
     balance = balance_balls(
         solution,
         contacts,
@@ -489,11 +489,10 @@ def law_torque(
     contacts: Sequence[BearingContact],
     law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
-    whole: ContactFriction | None = None,
+    flooded_law: ContactFriction | None = None,
 ) -> SolvedShear:
     """Torque by the friction of all contacts under the hypothesis and in balance; the rings turn
-    against
-    each other.
+    against each other.
 
     Parameters
     ----------
@@ -505,7 +504,7 @@ def law_torque(
         friction of the contacts
     resistance : Resistance, default NO_RESISTANCE
         what holds the balls back beside the races
-    whole : ContactFriction | None, optional
+    flooded_law : ContactFriction | None, optional
         the law with the rolling moment of flooded, isothermal films, where it is another
 
     Returns
@@ -530,9 +529,11 @@ def law_torque(
     torque = _balanced_law(solution, kinematics, law, balance)
     shear = _balanced_shear(solution, hypothesis, torque, balance)
     flooded = shear.balanced
-    if whole is not None:
-        other = balance_driven_balls(solution, contacts, whole, resistance)
-        flooded = _balanced_law(solution, kinematics, whole, other) if other.converged else None
+    if flooded_law is not None:
+        other = balance_driven_balls(solution, contacts, flooded_law, resistance)
+        flooded = (
+            _balanced_law(solution, kinematics, flooded_law, other) if other.converged else None
+        )
     return replace(shear, missing_components=missing, flooded=flooded)
 
 
@@ -769,10 +770,10 @@ def _ratio(traction: ContactTraction) -> float:
     return k.rolling + 0.5 * k.curvature_difference * k.sliding_x
 
 
-def _notes(known: Sequence[tuple[BearingContact, RollingMoment]]) -> list[str]:
+def _notes(moments: Sequence[tuple[BearingContact, RollingMoment]]) -> list[str]:
     """Each note once, with the contacts it holds for."""
     places: dict[str, list[str]] = {}
-    for contact, moment in known:
+    for contact, moment in moments:
         if moment.note:
             places.setdefault(moment.note, []).append(f"{contact.ball} {contact.race.value}")
     return [f"ball {', '.join(balls)}: {note}" for note, balls in places.items()]

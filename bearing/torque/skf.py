@@ -21,7 +21,7 @@ import numpy as np
 from oilfilm.ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si
 
 from ..geometry import Bearing
-from ..library.catalogue import skf_series as designation_series
+from ..library.catalogue import friction_series
 from ..library.designation import read_designation
 from ..library.plugins import library_data
 
@@ -175,7 +175,7 @@ def series_of(name: str) -> str | None:
     """
     designation = read_designation(name)
     if designation is not None:
-        return designation_series(designation)
+        return friction_series(designation)
     match = re.match(rf"({'|'.join(OTHER_SERIES)})\d\d(?!\d)", name.strip())
     return None if match is None else match.group(1)
 
