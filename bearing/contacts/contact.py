@@ -31,7 +31,7 @@ class BearingContact:
     ball: int  # number of the ball, from 1, counted through all rows
     azimuth: float  # [rad]
     race: Race
-    # what the film solver needs; None where the contact is unloaded or nothing entrains oil
+    # input of the film solver; None where the contact is unloaded or nothing entrains oil
     conditions: ContactConditions | None
     hertz: HertzContact | None  # the dry contact; None where unloaded
     load: float  # [N]
@@ -48,7 +48,7 @@ class BearingContact:
 
     @property
     def loaded(self) -> bool:
-        """Whether the film of this contact can be solved."""
+        """The film of this contact can be solved."""
         return self.conditions is not None
 
 

@@ -184,7 +184,7 @@ def with_oil(
 
 
 class _Motion(NamedTuple):
-    """Of ball against race at a contact, x along the entrainment."""
+    """Motion of ball against race at a contact, x along the entrainment."""
 
     speed: float  # entrainment along e_t [m/s]
     rolling: float  # magnitude [rad/s]
@@ -312,7 +312,7 @@ def _conditions(
 
 
 def _floats(conditions: ContactConditions) -> bool:
-    """Whether the film is so thick that the gap is no paraboloid, by a formula that gives 1.2
+    """The film is so thick that the gap is no paraboloid, by a formula that gives 1.2
     times the solved film there.
     """
     film = film_nijenbanning_central(conditions)

@@ -155,14 +155,40 @@ class BearingContacts(tuple[BearingContact, ...]):
     def of(
         cls, solution: QuasistaticSolution, contacts: Iterable[BearingContact]
     ) -> "BearingContacts":
-        """Contacts of an equilibrium, speeds in [rad/s]."""
+        """Contacts of an equilibrium.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+        contacts : Iterable[BearingContact]
+            its contacts
+
+        Returns
+        -------
+        BearingContacts
+            the contacts, with bearing and speeds of its rings
+        """
         made = cls(contacts)
         made.bearing = solution.bearing
         made.ring_speeds = (solution.operation.inner_speed, solution.operation.outer_speed)
         return made
 
     def moves_as(self, bearing: Bearing, ring_speeds: tuple[float, float]) -> bool:
-        """Whether the contacts are those of a bearing with its rings at these speeds [rad/s]."""
+        """Check whether the contacts are those of a bearing with its rings at these speeds.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            the bearing
+        ring_speeds : tuple[float, float]
+            of the inner and the outer ring [rad/s]
+
+        Returns
+        -------
+        bool
+            true if they are
+        """
         return self.bearing is bearing and self.ring_speeds == ring_speeds
 
     @cached_property
@@ -174,7 +200,7 @@ class BearingContacts(tuple[BearingContact, ...]):
 def _motion_map(
     bearing: Bearing, ring_speeds: tuple[float, float], contacts: Sequence[BearingContact]
 ) -> MotionMap:
-    """As `motion_map`, at speeds of the inner and the outer ring [rad/s]."""
+    """The map of `motion_map`, at speeds of the inner and the outer ring [rad/s]."""
     inner = np.array([contact.race is Race.INNER for contact in contacts], dtype=np.bool_)
     angle = np.array([contact.contact_angle for contact in contacts])
     ball = np.array([contact.ball - 1 for contact in contacts], dtype=np.int64)
@@ -227,7 +253,7 @@ def _map_of_axes(
     axle: Array,
     ball: NDArray[np.int64],
 ) -> MotionMap:
-    """As `motion_map_of_axes`, at speeds of the inner and the outer ring [rad/s]."""
+    """The map of `motion_map_of_axes`, at speeds of the inner and the outer ring [rad/s]."""
     radius = 0.5 * bearing.ball_diameter
     side = np.where(inner, -1.0, 1.0)
     track = 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(angle))

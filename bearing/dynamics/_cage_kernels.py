@@ -33,11 +33,11 @@ from .arrays import (
     WORK,
 )
 
-# of the film around a ball: cosine and sine of the angle of its places [-]; 8 of them hold shear
+# angles of the places of the film around a ball [rad], with cosine and sine [-]; 8 hold shear
 # and squeeze to 0.4 % up to an eccentricity of 0.9, to 4 % at 0.98
 POCKET_FILM_ANGLES = 0.25 * np.pi * (np.arange(8) + 0.5)
 POCKET_FILM_DIRECTIONS = np.stack((np.cos(POCKET_FILM_ANGLES), np.sin(POCKET_FILM_ANGLES)))
-# of `pocket_films`: gap that a matrix is of [m], 0 for none; steps between two; the matrix
+# columns of `pocket_films`: gap of a matrix [m], 0 for none; steps between two; the matrix
 GAP, INTERVAL, MATRIX = range(3)
 GAP_CHANGE = 0.2  # of the gap, up to which a matrix holds [-]
 
@@ -164,8 +164,8 @@ def film_matrix(c, frame, play, position, velocity, film):
 
 @compiled
 def straight_place(matrix, normal, pull, push, radius):
-    """What one place adds to a film's matrix of motions in the middle plane, y and z, and of turns
-    about the axis.
+    """Contribution of one place to a film's matrix of motions in the middle plane, y and z, and
+    turns about the axis.
     """
     n_x, n_y, n_z = normal
     arm = radius * pull
@@ -182,7 +182,7 @@ def straight_place(matrix, normal, pull, push, radius):
 
 @compiled
 def film_matrix_is_valid(c, film, gap):
-    """Whether a matrix is there, of about a gap."""
+    """There is a matrix, of about this gap."""
     change = abs(max(gap, c.film_least) - film[GAP])
     return film[GAP] > 0.0 and change <= GAP_CHANGE * film[GAP]
 
@@ -236,7 +236,7 @@ def pocket_frame(c, body, direction, turned):
 
 @compiled
 def pocket_motion(c, body, frame, position):
-    """Where a ball stands in its pocket: normal and distance from the middle, and its place around
+    """Position of a ball in its pocket: normal and distance from the middle, and its place around
     and along the axis.
     """
     outward, around, axis = frame

@@ -50,7 +50,7 @@ def sliding_rate(p, ball):
 
 @compiled
 def friction_is_stiff(p, balls):
-    """Whether a step cannot resolve the sliding of some ball."""
+    """A step cannot resolve the sliding of some ball."""
     h = p.implicit_step[0]
     for j in range(p.constants.balls):
         ball = balls[j]

@@ -276,7 +276,7 @@ def ball_of(balls, index):
 
 @compiled
 def balls_act_alone(c):
-    """Whether no ball acts on another but through ring and cage, and each stands for itself."""
+    """No ball acts on another but through ring and cage, and each stands for itself."""
     return c.symmetric_copies == 1 and c.cage_mass > 0.0
 
 
@@ -412,7 +412,7 @@ def duration(law, mass, speed):
 
 @compiled
 def contact_state(c, law, approach, speed, age, before):
-    """Whether a ball is separated from a race, in contact, or in an impact: within the duration of
+    """State of a ball: separated from a race, in contact, or in an impact, within the duration of
     an elastic one of the speed at which the contact began. Impact turns to contact, not back.
     """
     if approach <= 0.0:
@@ -550,7 +550,7 @@ def trial_step(t, y, step, data, control, scale, k, trial, counters):
 
 @inlined
 def accept_step(t, y, step, data, k, renewed, history, counters):
-    """State, attitudes, impact_speeds of impacts and work of films after a step that ends at t."""
+    """State, attitudes, speeds of impacts and work of films after a step that ends at t."""
     turn_balls(data.balls, data.full_state, step, history.attitude)
     copy(k[STATE_7], y)
     if renewed:
@@ -609,7 +609,7 @@ def advance(t, y, end, h, data, control, scale, k, trial, history, counters):
 
 @compiled
 def count_stiff(value, counters):
-    """Whether the problem looked stiff in fifteen steps with fewer than six that did not."""
+    """The problem looked stiff in fifteen steps with fewer than six that did not."""
     if value > STIFF_BOUND:
         counters[SOFT_SEEN] = 0
         counters[STIFF_SEEN] += 1

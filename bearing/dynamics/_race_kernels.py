@@ -50,10 +50,11 @@ from .arrays import (
     RaceMotion,
 )
 
-# of the film of a land; beyond it its forces stay and the solid contact takes over [-]
+# largest eccentricity of the film of a land; beyond, its forces stay and the solid contact counts
+# [-]
 ECCENTRICITY_LIMIT = 0.95
 
-# of the axes of a table: rows, and columns
+# rows and columns of the axes of a table
 LOAD, SPEED = range(2)
 FIRST, DENSITY, NODES = range(3)
 NEWTON_STEPS = 40
@@ -65,7 +66,7 @@ MOTIONS = 3  # slide_x, slide_y, spin
 STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
 # load over that of the slopes, either way, up to which they hold [-]
 LOAD_CHANGE = 2.0
-# of the differences that slopes are taken from: over the entrainment [-], and at least [m/s]
+# differences that slopes are taken from: over the entrainment [-], and at least [m/s]
 DIFFERENCE = 1.0e-6
 LEAST_DIFFERENCE = 1.0e-9
 SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that of the ball [-]
@@ -295,14 +296,14 @@ def friction_law(mirrored, coefficient, table, load, speed, motions, friction):
 
 @compiled
 def load_changed(linear, load):
-    """Whether there are no slopes of about this load."""
+    """There are no slopes of about this load."""
     base = linear[LINEAR.load]
     return not base <= LOAD_CHANGE * load or load > LOAD_CHANGE * base or base <= 0.0
 
 
 @compiled
 def slopes_hold(linear, load, motion):
-    """Whether slopes are there, of about this load, and of rolling the same way round."""
+    """Slopes are there, of about this load, and of rolling the same way round."""
     if load_changed(linear, load):
         return False
     return dot(motion.x_axis, vector(linear, LINEAR.x_axis)) > 0.0

@@ -335,8 +335,18 @@ class EquationData(NamedTuple):
 
 
 def equation_data(**fields: Any) -> EquationData:
-    """`EquationData` of given fields: those of fixed size are copied into the two structured
-    arrays, the others are the arrays given.
+    """`EquationData` of fields: those of fixed size are copied into the two structured arrays, the
+    others are the arrays themselves.
+
+    Parameters
+    ----------
+    **fields : Any
+        the fields of `EquationData` but `kernel`
+
+    Returns
+    -------
+    EquationData
+        the data
     """
     bearing = np.zeros(1, BEARING)
     balls = np.zeros(len(fields["pocket_angle"]), BALL)
@@ -354,7 +364,20 @@ def equation_data(**fields: Any) -> EquationData:
 
 
 def changed_data(data: EquationData, **fields: Any) -> EquationData:
-    """`EquationData` with other values of some fields, in structured arrays of its own."""
+    """`EquationData` with other values of some fields, in structured arrays of its own.
+
+    Parameters
+    ----------
+    data : EquationData
+        data of a simulation
+    **fields : Any
+        fields of `EquationData` that change
+
+    Returns
+    -------
+    EquationData
+        the changed data
+    """
     return equation_data(**data._asdict() | fields)
 
 

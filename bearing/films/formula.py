@@ -78,15 +78,15 @@ SLOPE = (0.843, -0.250)
 START = (0.884, -0.330)
 WIDTH = 0.06
 
-# of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (R_x/R_y
+# factor of Nijenbanning's formula, fitted to solved films of wide ellipses, M = 1 to 6 (R_x/R_y
 # 0.02 to 0.1: 0.823 to 0.846) [-]
 LIGHT_CONTACT = 0.83
 DIGITS = 10  # of conditions and axes in which contacts are alike
 FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
-# of formulas scaled to the atlas, per unit of ln A, ln L and z beyond its range [-]
+# error of formulas scaled to the atlas, per unit of ln A, ln L and z beyond its range [-]
 BEYOND_ERROR = 0.1
 
-# of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
+# error of a scaled film per unit of the logarithm of the speed [-]: from 3000 to 40 r/min solved
 # films of a 6208 fall by 0.05 of that more slowly or faster than the formula
 WAY_ERROR = 0.05
 # Inlets are about H^(2/3) semi-axes long, H the film in units of a^2/Rx. Cells that they have at
@@ -179,7 +179,7 @@ def heavy_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x:
 
 
 class FormulaValues(NamedTuple):
-    """Of a flooded, isothermal contact whose film is not solved."""
+    """Film and moment of a flooded, isothermal contact whose film is not solved."""
 
     central: float  # [m]
     ratio: float | None  # minimum over central film [-]; None: not known
@@ -237,7 +237,7 @@ def formula_values_of(
 def _kinds(
     contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
 ) -> list[tuple[Any, ...]]:
-    """What contacts have in common that are alike: numbers to `DIGITS`, the rest the very same."""
+    """Keys that equal contacts share: numbers to `DIGITS`, the rest the very same objects."""
     numbers = np.array(
         [
             (c.load, c.radius_x, c.radius_y, c.entrainment_speed, abs(c.rotation), *axes)
@@ -299,7 +299,7 @@ def _numbers(
 def _of_atlas(
     atlas: AtlasFilms, conditions: ContactConditions, axes: tuple[float, float]
 ) -> FormulaValues:
-    """Of a contact that the atlas covers, with the moment of the formulas where it has none."""
+    """Values of a contact that the atlas covers, the moment by formulas where it has none."""
     found = _as_numbers(atlas, 0.0)
     if atlas.rolling_moment is not None:
         return found
@@ -321,7 +321,7 @@ def _as_numbers(atlas: AtlasFilms, distance: float) -> FormulaValues:
 
 
 def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> FormulaValues:
-    """Of a contact that the atlas does not cover, by its nearest one that it does."""
+    """Values of a contact that the atlas does not cover, by the nearest one that it does."""
     own = _by_formulas(conditions, axes)
     near, distance = nearest_covered(conditions)
     if near is None or not distance:  # its film is too thick
@@ -335,7 +335,7 @@ def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> F
 
 
 def _beyond(atlas: FormulaValues, here: FormulaValues, there: FormulaValues) -> FormulaValues:
-    """Those of the atlas at the nearest contact times what the formulas change from there."""
+    """Values of the atlas at the nearest contact times the change of the formulas from there."""
     ratio = atlas.ratio
     if ratio is not None and here.ratio is not None and there.ratio is not None:
         ratio *= here.ratio / there.ratio
@@ -347,7 +347,7 @@ def _beyond(atlas: FormulaValues, here: FormulaValues, there: FormulaValues) -> 
 
 
 def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FormulaValues:
-    """Those of the formulas alone."""
+    """Values of the formulas alone."""
     central = formula_central(conditions)
     counted = min(central, MAX_FILM_OVER_RADIUS * conditions.radius_x)
     return FormulaValues(
@@ -654,7 +654,7 @@ def film_scale(contact: ScaledContact) -> float:
 
 
 def too_thick(conditions: ContactConditions) -> bool:
-    """Whether no film is given, the contact being too light for its speed.
+    """Check whether no film is given, the contact being too light for its speed.
 
     Parameters
     ----------

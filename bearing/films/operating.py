@@ -136,7 +136,7 @@ def _length(film: float | None) -> float:
 
 
 def _layer_fractions(solution: ContactSolution) -> SupplyFractions:
-    """What the layer that a film was solved behind leaves of the flooded one."""
+    """Fractions of the flooded film that the layer leaves which a film was solved behind."""
     layer = solution.supply
     if layer is None:
         return FLOODED
@@ -294,7 +294,7 @@ def _heated(film: FilmThickness, heat: ThermalReduction) -> FilmThickness:
 
 
 def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) -> ContactFilm:
-    """What a supply leaves of a flooded film, or makes of one behind a layer of another supply, by
+    """Film that a supply leaves of a flooded one, or of one behind a layer of another supply, by
     what the flooded film of that was.
     """
     before = film.supply

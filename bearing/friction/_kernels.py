@@ -21,7 +21,7 @@ from oilfilm.ehl.oil._kernels import (
 )
 from oilfilm.ehl.traction._kernels import hertz_friction, table_lookup
 
-# of the stress of oil at ambient pressure, up to which it counts as proportional to the rate [-]:
+# error of the stress of oil at ambient pressure, up to which it counts as proportional [-]:
 # it makes some 1e-3 of the friction of a film
 PROPORTIONAL = 1.0e-6
 # slope of the sliding at a line of pure rolling, over its largest one, below which it counts as
@@ -65,8 +65,8 @@ def table_gradients(table, places, motion, step, gradient, slope):
 
 @compiled
 def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
-    """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5)
-    a contact each.
+    """Gradients as in `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and
+    shapes (n, 5) a contact each.
     """
     out = np.empty(8)
     m = np.empty(3)
@@ -223,7 +223,7 @@ def thin_friction(thin, motion, gradient, slope):
 
 @compiled
 def proportional(thin, motion, code, stress, breadth):
-    """Whether the stress of oil at ambient pressure is that of a Newtonian to `PROPORTIONAL`
+    """The stress of oil at ambient pressure is that of a Newtonian to `PROPORTIONAL`
     wherever a film has some, at a motion (4,).
     """
     most = thin[0] * (abs(motion[0]) + abs(motion[1])) + thin[1] * abs(motion[2])
@@ -240,9 +240,9 @@ def proportional(thin, motion, code, stress, breadth):
 
 @compiled
 def thin_sums(nodes, out):
-    """Of nodes as in `film_frictions` (7, m): largest viscosity over gap, times |x| + |y|, times
-    the height of the surface, least limiting stress; then of A eta/gap the sums over K_i K_j, i <=
-    j, that are not zero or that of another: 00, 02, 03, 12, 22, 23, 33.
+    """Sums of nodes as in `film_frictions` (7, m): largest viscosity over gap, times |x| + |y|,
+    times the height of the surface, least limiting stress; then of A eta/gap the sums over K_i
+    K_j, i <= j, that are not zero or that of another: 00, 02, 03, 12, 22, 23, 33.
     """
     out[:] = 0.0
     out[3] = np.inf
@@ -265,7 +265,7 @@ def thin_sums(nodes, out):
 
 @compiled
 def line_sums(ellipses, motion, power, gradient, slope):
-    """As `coulomb_sums` of narrow ellipses, by the lines of pure rolling u = y/a, the roots of
+    """Sums as in `coulomb_sums` of narrow ellipses, by the lines of pure rolling u = y/a, roots of
     omega a^2/(2R) u^2 + Omega a u = S_x.
     """
     moments = np.empty(3)

@@ -52,7 +52,18 @@ class Ellipses(NamedTuple):
     rounding: Array
 
     def take(self, indices: NDArray[np.int64]) -> "Ellipses":
-        """Those with these indices [-]."""
+        """Some of the ellipses.
+
+        Parameters
+        ----------
+        indices : NDArray[np.int64]
+            numbers of the contacts, shape (n,) [-]
+
+        Returns
+        -------
+        Ellipses
+            ellipses of these contacts
+        """
         return Ellipses(*(values[indices] for values in self))
 
     @property
@@ -64,45 +75,94 @@ class Ellipses(NamedTuple):
 
 
 def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
-    """Friction of narrow ellipses [W]: exact integrals between the lines of pure rolling, the
-    roots of s_x; motion (N, 4): S_x, S_y [m/s], Omega and omega [rad/s], S_y does not count.
+    """Friction of narrow ellipses: exact integrals between the lines of pure rolling, the roots of
+    s_x.
+
+    Parameters
+    ----------
+    motion : Array
+        S_x, S_y [m/s], Omega and omega [rad/s], shape (N, 4); S_y does not count
+    ellipses : Ellipses
+        ellipses of the contacts
+
+    Returns
+    -------
+    Dissipation
+        power with its gradient and slope [W]
     """
     return _line_sums(motion, ellipses.numbers)
 
 
 def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
-    """Friction over the whole ellipse, both directions of sliding, by quadrature; motion as in
-    `line_dissipation`.
+    """Friction over the whole ellipse, both directions of sliding, by quadrature.
 
     |s| is rounded to sqrt(s^2 + e^2) [m/s]. Hertz's pressure is taken into the weights.
+
+    Parameters
+    ----------
+    motion : Array
+        S_x, S_y [m/s], Omega and omega [rad/s], shape (N, 4)
+    ellipses : Ellipses
+        ellipses of the contacts
+
+    Returns
+    -------
+    Dissipation
+        power with its gradient and slope [W]
     """
     return ellipse_sums(motion, ellipses.numbers)
 
 
 def ellipse_sums(motion: Array, numbers: Array) -> Dissipation:
-    """As `coulomb_dissipation`, by `Ellipses.numbers` [W]."""
+    """Friction of `coulomb_dissipation` by the numbers that kernels take.
+
+    Parameters
+    ----------
+    motion : Array
+        S_x, S_y [m/s], Omega and omega [rad/s], shape (N, 4)
+    numbers : Array
+        `Ellipses.numbers`, shape (N, 5)
+
+    Returns
+    -------
+    Dissipation
+        power with its gradient and slope [W]
+    """
     result = _empty(len(motion))
     _kernels.coulomb_sums(ellipse_nodes(EllipseRule.BALANCE), numbers, motion, *result)
     return result
 
 
 def _line_sums(motion: Array, numbers: Array) -> Dissipation:
-    """As `line_dissipation`."""
+    """Friction of `line_dissipation`, by `Ellipses.numbers` [W]."""
     result = _empty(len(motion))
     _kernels.line_sums(numbers, motion, *result)
     return result
 
 
 def _empty(count: int) -> Dissipation:
-    """Of so many contacts, to be filled."""
+    """Dissipation of so many contacts, to be filled."""
     return Dissipation(np.empty(count), np.empty((count, 4)), np.empty((count, 4, 4)))
 
 
 def contact_ellipses(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
 ) -> Ellipses:
-    """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded by
-    `ROUNDING`.
+    """The ellipses of all contacts under Coulomb's friction, rounded by `ROUNDING`.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    friction : float | Array
+        Coulomb's mu, one value or one a contact [-]
+
+    Returns
+    -------
+    Ellipses
+        ellipses, lengths in [m]
     """
     load, semi_axis_x, semi_axis_y, radius = dry_contacts(solution.bearing, contacts)
     return Ellipses(
@@ -118,7 +178,22 @@ def contact_ellipses(
 def coulomb_law(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
 ) -> ContactFriction:
-    """Coulomb's mu [-] over the ellipses of all contacts, one value or one a contact."""
+    """Coulomb's friction over the ellipses of all contacts.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    friction : float | Array
+        Coulomb's mu, one value or one a contact [-]
+
+    Returns
+    -------
+    ContactFriction
+        law of the contacts
+    """
     ellipses = contact_ellipses(solution, contacts, friction)
     return _law(ellipses, ellipse_sums)
 
@@ -126,7 +201,22 @@ def coulomb_law(
 def line_law(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
 ) -> ContactFriction:
-    """As `coulomb_law` by lines of pure rolling: without sliding across the rolling direction."""
+    """Coulomb's friction by lines of pure rolling: without sliding across the rolling direction.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    friction : float | Array
+        Coulomb's mu, one value or one a contact [-]
+
+    Returns
+    -------
+    ContactFriction
+        law of the contacts
+    """
     ellipses = contact_ellipses(solution, contacts, friction)
     return _law(ellipses, _line_sums, longitudinal_only=True)
 
@@ -157,12 +247,27 @@ def balanced_friction(
     gyroscopic: bool = True,
     initial_guess: BalancedFriction | None = None,
 ) -> BalancedFriction:
-    """Motion of all balls in balance under Coulomb's mu [-], and what it costs; contacts inner
-    then outer, ball by ball.
+    """Motion of all balls in balance under Coulomb's friction, and its power.
 
-    `lines`: by lines of pure rolling, which cannot hold the gyroscopic couple: it is left out;
-    `gyroscopic`: whether the contacts have to hold it; `initial_guess`: of a similar law, where the search
-    begins.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    friction : float | Array
+        Coulomb's mu, one value or one a contact [-]
+    lines : bool, default False
+        by lines of pure rolling, which cannot hold the gyroscopic couple: it is left out
+    gyroscopic : bool, default True
+        the contacts have to hold the gyroscopic couple
+    initial_guess : BalancedFriction | None, optional
+        balance of a similar law, where the search begins
+
+    Returns
+    -------
+    BalancedFriction
+        balance of the balls
     """
     law = (line_law if lines else coulomb_law)(solution, contacts, friction)
     return balance_balls(

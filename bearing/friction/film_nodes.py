@@ -187,7 +187,7 @@ def _laws(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
 def _solved_nodes(
     sheared: FilmOnSurface, rheology: Rheology, temperature: float | None
 ) -> FilmBlock:
-    """Those of a solved film; sums of `integrate_traction`."""
+    """Nodes of a solved film; sums of `integrate_traction`."""
     solved = sheared.film.operating_field
     assert solved is not None
     rheology = solution_rheology(solved, rheology)

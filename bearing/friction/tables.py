@@ -41,7 +41,7 @@ from .law import REFERENCE_TRACTION, ContactFriction, Dissipation
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 
-# of slides over u, and spin over u/R_x, for difference quotients [-]; half and double of it change
+# slides over u, and spin over u/R_x, of difference quotients [-]; half and double of it change
 # loads and speeds of eight random bearings in traction equilibrium by 5e-12 at most
 STEP = 1.0e-5
 

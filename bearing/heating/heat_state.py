@@ -154,7 +154,7 @@ def _of_solved(
 
 
 def _scales(error: float) -> Ends:
-    """Of the film by its relative error, value and both ends of the conductance [-]."""
+    """Factors of the film by its relative error, value and both ends of the conductance [-]."""
     return 1.0, 1.0 + error, 1.0 / (1.0 + error)
 
 
@@ -164,7 +164,7 @@ def _of_flat(
     temperature: float,
     count_ends: int,
 ) -> Array:
-    """As `_of_solved`, of flat films of one race and one oil at once, equal ones once, shape
+    """Conductances of flat films of one race and one oil at once, equal ones once, shape
     (films, 3), or (films, 1) without ends.
     """
     numbers = [
@@ -212,7 +212,7 @@ def _hertz_pressures() -> tuple[Array, Array]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperatingState:
-    """What is computed of one state of a bearing; None where it is not."""
+    """Results computed of one state of a bearing; None where they are not."""
 
     films: Films | None = None  # operating films of the contacts
     balance: BalancedFriction | None = None  # of the balls on these films
@@ -460,8 +460,8 @@ class HeatState:
 
     @property
     def weights(self) -> Array:
-        """Of the nodes in the film temperature [-]: half the balls, a quarter each ring, the outer
-        one by the loads in its halves.
+        """Weights of the nodes in the film temperature [-]: half the balls, a quarter each ring,
+        the outer one by the loads in its halves.
         """
         halves = self.friction.loaded @ self.friction.contact[:, 1]
         total = float(self.friction.contact[:, 1].sum())
@@ -586,7 +586,7 @@ def _equilibrium(
     operation: Operation,
     initial_guess: QuasistaticSolution | None,
 ) -> QuasistaticSolution:
-    """That of the bearing, SI: its loads do not depend on the oil, so that one at another
+    """Equilibrium of the bearing, SI: its loads do not depend on the oil, so that one at another
     temperature is the same.
     """
     if initial_guess is None or not initial_guess.converged:

@@ -43,7 +43,7 @@ def unit(sine, cosine):
 
 @compiled
 def stiffness(series, cosine):
-    """As `stiffness_at`, by Clenshaw's recurrence [N/m^1.5]."""
+    """Stiffness of `kinematics.stiffness_at`, by Clenshaw's recurrence [N/m^1.5]."""
     c = min(max(cosine.real, 0.0), 1.0)
     x = 2.0 * c - 1.0
     a = b = a_1 = b_1 = 0.0
@@ -57,7 +57,7 @@ def stiffness(series, cosine):
 
 @compiled
 def smooth(value, full):
-    """As `balls._smooth_step` [-]."""
+    """Smooth step of `balls._smooth_step` [-]."""
     if not value.real < full.real:
         return complex(1.0, 0.0)
     if not value.real > 0.0:
@@ -78,7 +78,7 @@ def pressed_load(series, distance, length, cosine):
 
 @compiled
 def attitude(outer, inner, gamma, code):
-    """As `kinematics.attitude` [-]."""
+    """Attitude of `kinematics.attitude` [-]."""
     if code == OUTER_CONTROL:
         return unit(outer[0], outer[1] + gamma)
     if code == INNER_CONTROL:
@@ -88,7 +88,7 @@ def attitude(outer, inner, gamma, code):
 
 @compiled
 def transmissible(load, fraction, sine, couple, diameter):
-    """As `balls._transmissible_share` [-]."""
+    """Fraction of `balls._transmissible_fraction` [-]."""
     asked = couple * sine * np.sign(sine.real)
     return smooth(FRICTION_LIMIT * load, fraction * asked / diameter)
 
@@ -144,8 +144,9 @@ def body_forces(outer, inner, loads, sizes, speeds, hypothesis, prescribed):
 
 @compiled
 def balance(u, w, lengths, sizes, speeds, hypothesis, prescribed, inner_series, outer_series):
-    """What `balls.ball_balance` gives of one ball at u and w, (x, r) each [m], and the sum of its
-    loads and its centrifugal force [N]; lengths: of the arms, and radius of the inner groove [m].
+    """State of one ball at u and w, (x, r) each [m], as `balls.ball_state` has it, and the sum of
+    its loads and its centrifugal force [N]; lengths: of the arms, and radius of the inner groove
+    [m].
     """
     inner_length, outer_length, groove = lengths
     distance = root(u[0] * u[0] + u[1] * u[1])
@@ -346,9 +347,9 @@ def balanced(u, V, prescribed, problem, values, jacobian):
 
 @compiled
 def balanced_balls(u, V, prescribed, problem, out):
-    """Of all balls, begun at u (2, Z) [m], which it changes, at V (2, Z) [m]: values (6, Z), du/dV
-    (2, 2, Z), change of the forces on the ring with V (4, 2, Z), sums of forces and what rounding
-    is worth (2, Z).
+    """Balance of all balls, begun at u (2, Z) [m], changed here, at V (2, Z) [m]: values (6, Z),
+    du/dV (2, 2, Z), change of the forces on the ring with V (4, 2, Z), sums of forces and what
+    rounding is worth (2, Z).
 
     prescribed: (Z, 6) or (Z, 0); problem: as in `differentiated`.
     """

@@ -466,7 +466,7 @@ class OilBalance:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GrooveOil:
-    """What the balance says of a flow through a bearing."""
+    """Result of the oil balance of a flow through a bearing."""
 
     area: float  # of both grooves, wetted [m^2]
     layer: float  # that a contact finds [m]
@@ -560,8 +560,8 @@ def groove_area(bearing: Bearing) -> float:
 
 
 def _area(radius: float, height: float, bottom: float, side: float) -> float:
-    """Of one groove [m^2]: arc of a radius and a height [m] turned about the axis, `bottom` its
-    radius about that [m], `side` 1 where it grows towards the shoulders, -1 where it falls.
+    """Area of one groove [m^2]: arc of a radius and a height [m] turned about the axis, `bottom`
+    its radius about that [m], `side` 1 where it grows towards the shoulders, -1 where it falls.
     """
     half = acos(min(max(1.0 - height / radius, -1.0), 1.0))
     # int (bottom + side radius (1 - cos t)) radius dt over the arc

@@ -57,7 +57,7 @@ DRY = 1.0e-4  # of the mean layer: a place with less counts as having so much [-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Track:
-    """What one pass of a ball does to the layer of a track; layers over rho_c h_cff [-]."""
+    """Effect of one pass of a ball on the layer of a track; layers over rho_c h_cff [-]."""
 
     film_fraction: Law  # R(r), film over the flooded one
     passing: Law  # K(r), layer that passes; rises, K <= r and K <= 1

@@ -42,7 +42,7 @@ from .skf import InletFactors
 # rings' power less heat and drag over the heat up to which balls count as balanced [-]
 POWER_TOLERANCE = 1.0e-6
 
-# why a law of friction lacks parts of the torque
+# reasons why a law of friction lacks parts of the torque
 ONE_MOMENT = (
     "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
 )
@@ -69,10 +69,10 @@ class IntegratedTorque:
     shaft_power: float  # what the two rings feed into the contacts [W]
     heat: float  # what the contacts turn into heat [W]
     per_ball: Array  # (balls,) torque by ball [N m]
-    # of asperities that touch [N m]; the oil's shear is then the rest. None where the friction has
-    # no share of them
+    # torque of asperities that touch [N m]; the oil's shear is then the rest. None where friction
+    # has no share of them
     asperity: float | None = 0.0
-    # what goes into the oil around the balls, their pockets and the cage's land [W]
+    # power that goes into the oil around the balls, their pockets and the cage's land [W]
     resistance: ResistedPower = NOTHING_RESISTED
     speed: float = 0.0  # of the rings against each other [rad/s]
 
@@ -89,7 +89,7 @@ class IntegratedTorque:
 
     @property
     def parts(self) -> dict[str, float]:
-        """Those of the contacts, cage with its pockets, and drag of the balls [N m]."""
+        """Parts of the contacts, cage with its pockets, and drag of the balls [N m]."""
         if self.speed == 0.0:
             return self.contacts
         cage = self.cage_power / self.speed
@@ -102,12 +102,12 @@ class IntegratedTorque:
 
     @property
     def rings_power(self) -> float:
-        """What the rings feed into contacts and the cage's land [W]."""
+        """Power that the rings feed into contacts and the cage's land [W]."""
         return self.shaft_power + self.resistance.guiding
 
     @property
     def resisted(self) -> float:
-        """What the balls give beside the contacts [W]."""
+        """Power that the balls give beside the contacts [W]."""
         return self.resistance.of_balls
 
     @property
@@ -133,14 +133,14 @@ class SolvedShear:
     hypothesis: IntegratedTorque  # at the motion that the equilibrium of the loads assumed
     # in traction equilibrium; None where it was not sought or not found
     balanced: IntegratedTorque | None = None
-    # of the same films, flooded and isothermal, in traction equilibrium; None as `balanced`
+    # torque of the same films, flooded and isothermal, in traction equilibrium; None as `balanced`
     flooded: IntegratedTorque | None = None
     # part of the sum of all loads on asperities [-]; None without roughness
     asperity_share: float | None = None
     # numbers of balls, from 1, loaded at the inner race, which cannot drive them, so that the cage
     # does
     cage_driven: tuple[int, ...] = ()
-    # of every contact with a solved film, at the motion of `torque`
+    # tractions of every contact with a solved film, at the motion of `torque`
     tractions: tuple[ContactTraction, ...] = ()
     films: Films = ()  # operating ones of all contacts; empty where a friction law has none
     # contacts of all lubricated ones whose film is that of a formula [-]
@@ -152,7 +152,7 @@ class SolvedShear:
     orbit_lag: float | None = None
     balance: BalancedFriction | None = None  # of `balanced`, where films shear
     note: str = ""  # why there is no balanced one, or why it does not count as one
-    # why parts of the torque are None, by name
+    # reasons why parts of the torque are None, by name
     missing_components: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -162,7 +162,7 @@ class SolvedShear:
 
     @property
     def closed(self) -> bool:
-        """Whether the balls are balanced: their motion was found, and there the rings' power is
+        """The balls are balanced: their motion was found, and there the rings' power is
         heat and drag [-].
         """
         return self.balanced is not None and abs(self.balanced.imbalance) <= POWER_TOLERANCE
@@ -426,7 +426,7 @@ def _torque_in_balance(
     films: ShearedFilms,
     balance: BalancedFriction,
 ) -> IntegratedTorque:
-    """Of films at the motion and forces of balls in balance [N m]."""
+    """Torque of films at the motion and forces of balls in balance [N m]."""
     motion, forces = (part.reshape(-1, 4) for part in (balance.kinematics, balance.forces))
     return integrated_torque(solution, kinematics, films, motion, forces)
 
@@ -760,7 +760,7 @@ def rolling_extent(
 
 
 def _layer(film: ContactSolution) -> float:
-    """Of the lubricant of a film [m]."""
+    """Flooded layer of the lubricant of a film [m]."""
     return film.conditions.lubricant.flooded_layer
 
 

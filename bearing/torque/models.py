@@ -39,7 +39,7 @@ COMPUTED_RATING = "static rating computed from the geometry, as of steel; none w
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FrictionInput:
-    """What the friction models ask beyond the loads, SI; None leaves out what needs it, or is
+    """Input of the friction models beyond the loads, SI; None leaves out what needs it, or is
     filled in as said.
     """
 
@@ -70,7 +70,7 @@ class FrictionInput:
     # flow of oil and what is assumed of it, or the layer at the inlets
     supply: Supply | PrescribedInlet | None = None
     flooded: bool = False  # the total stays that of flooded films although a supply is given
-    # what films that were solved behind layers stand behind; None: `supply`
+    # supply of films that were solved behind layers; None: `supply`
     solved_supply: Supply | PrescribedInlet | None = None
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
@@ -84,7 +84,7 @@ class FrictionInput:
 
     @property
     def asperities(self) -> Asperities | None:
-        """What asperities that touch need [m], [-]; None without a roughness."""
+        """Input of asperities that touch [m], [-]; None without a roughness."""
         if self.roughness is None:
             return None
         inner, outer = self.roughness

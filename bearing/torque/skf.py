@@ -26,7 +26,7 @@ from ..library.designation import read_designation
 from ..library.plugins import library_data
 
 SKF_DATA = "skf_friction.toml"
-# of deep groove bearings beside those of the catalogue, longer names first
+# series of deep groove bearings beside those of the catalogue, longer names first
 OTHER_SERIES = ("617", "628", "637", "638", "639", "622", "623", "630", "160", "161", "42", "43")
 BOUNDARY_FRICTION = 0.12  # mu_bl of a running bearing, 2018 edition; 0.15 at the start
 
@@ -97,7 +97,7 @@ class SkfConstants:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SkfBearing:
-    """What the model asks of a bearing."""
+    """Input of the model from a bearing."""
 
     constants: SkfConstants
     bore: float  # d [m]
@@ -492,11 +492,11 @@ def drag_factor(level: float) -> float:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InletFactors:
-    """Of the rolling moment of flooded, isothermal films [-], and where they are from."""
+    """Factors of the rolling moment of flooded, isothermal films [-], and their sources."""
 
     shear_heating: float = 1.0
     replenishment: float = 1.0
-    # of films not solved with heat, where others are and have their loss of their own
+    # factor of films not solved with heat, where others are and have a loss of their own
     unheated: float = 1.0
     heating_source: str = ""
     replenishment_source: str = ""

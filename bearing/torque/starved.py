@@ -56,7 +56,7 @@ class StarvedTorque:
 
 
 class _OfFilms(NamedTuple):
-    """What the films make of the torque [N m]."""
+    """Parts of the torque by the films [N m]."""
 
     rolling: float
     film: float

@@ -211,7 +211,7 @@ def add_seat_and_sensor(c, q, v, force, power):
 
 @compiled
 def kinetic_energy(c, v):
-    """Of rings, sensor and balls [J]."""
+    """Kinetic energy of rings, sensor and balls [J]."""
     total = 0.0
     for k in range(BALLS):
         total += 0.5 * c.free[k] * c.mass[k] * v[k] * v[k]
