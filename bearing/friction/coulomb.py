@@ -16,7 +16,7 @@ laws: the full integral over the ellipse, and the one of narrow ellipses, which 
 (lines of pure rolling; Jones, 1959). Array axes: contacts first.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -74,47 +74,10 @@ class Ellipses(NamedTuple):
         return np.stack([friction, *axes, 0.5 / self.radius, self.rounding], axis=1)
 
 
-def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
-    """Friction of narrow ellipses: exact integrals between the lines of pure rolling, the roots of
-    s_x.
-
-    Parameters
-    ----------
-    motion : Array
-        S_x, S_y [m/s], Omega and omega [rad/s], shape (N, 4); S_y does not count
-    ellipses : Ellipses
-        ellipses of the contacts
-
-    Returns
-    -------
-    Dissipation
-        power with its gradient and slope [W]
-    """
-    return _line_sums(motion, ellipses.numbers)
-
-
-def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
+def ellipse_sums(motion: Array, numbers: Array) -> Dissipation:
     """Friction over the whole ellipse, both directions of sliding, by quadrature.
 
     |s| is rounded to sqrt(s^2 + e^2) [m/s]. Hertz's pressure is taken into the weights.
-
-    Parameters
-    ----------
-    motion : Array
-        S_x, S_y [m/s], Omega and omega [rad/s], shape (N, 4)
-    ellipses : Ellipses
-        ellipses of the contacts
-
-    Returns
-    -------
-    Dissipation
-        power with its gradient and slope [W]
-    """
-    return ellipse_sums(motion, ellipses.numbers)
-
-
-def ellipse_sums(motion: Array, numbers: Array) -> Dissipation:
-    """Friction of `coulomb_dissipation` by the numbers that kernels take.
 
     Parameters
     ----------
@@ -133,8 +96,22 @@ def ellipse_sums(motion: Array, numbers: Array) -> Dissipation:
     return result
 
 
-def _line_sums(motion: Array, numbers: Array) -> Dissipation:
-    """Friction of `line_dissipation`, by `Ellipses.numbers` [W]."""
+def line_sums(motion: Array, numbers: Array) -> Dissipation:
+    """Friction of narrow ellipses: exact integrals between the lines of pure rolling, the roots of
+    s_x.
+
+    Parameters
+    ----------
+    motion : Array
+        S_x, S_y [m/s], Omega and omega [rad/s], shape (N, 4); S_y does not count
+    numbers : Array
+        `Ellipses.numbers`, shape (N, 5)
+
+    Returns
+    -------
+    Dissipation
+        power with its gradient and slope [W]
+    """
     result = _empty(len(motion))
     _kernels.line_sums(numbers, motion, *result)
     return result
@@ -176,63 +153,37 @@ def contact_ellipses(
 
 
 def coulomb_law(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
-) -> ContactFriction:
-    """Coulomb's friction over the ellipses of all contacts.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        equilibrium of the bearing
-    contacts : Sequence[BearingContact]
-        all of its contacts, inner then outer, ball by ball
-    friction : float | Array
-        Coulomb's mu, one value or one a contact [-]
-
-    Returns
-    -------
-    ContactFriction
-        law of the contacts
-    """
-    ellipses = contact_ellipses(solution, contacts, friction)
-    return _law(ellipses, ellipse_sums)
-
-
-def line_law(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
-) -> ContactFriction:
-    """Coulomb's friction by lines of pure rolling: without sliding across the rolling direction.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        equilibrium of the bearing
-    contacts : Sequence[BearingContact]
-        all of its contacts, inner then outer, ball by ball
-    friction : float | Array
-        Coulomb's mu, one value or one a contact [-]
-
-    Returns
-    -------
-    ContactFriction
-        law of the contacts
-    """
-    ellipses = contact_ellipses(solution, contacts, friction)
-    return _law(ellipses, _line_sums, longitudinal_only=True)
-
-
-def _law(
-    ellipses: Ellipses,
-    dissipation: Callable[[Array, Array], Dissipation],
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    friction: float | Array,
     *,
-    longitudinal_only: bool = False,
+    lines: bool = False,
 ) -> ContactFriction:
-    """A dissipation over ellipses as the law of their contacts; no rolling resistance."""
+    """Coulomb's friction over the ellipses of all contacts; no rolling resistance.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    friction : float | Array
+        Coulomb's mu, one value or one a contact [-]
+    lines : bool, default False
+        by lines of pure rolling: without sliding across the rolling direction
+
+    Returns
+    -------
+    ContactFriction
+        law of the contacts
+    """
+    ellipses = contact_ellipses(solution, contacts, friction)
     numbers = ellipses.numbers
+    sums = line_sums if lines else ellipse_sums
     return ContactFriction(
-        evaluate=lambda motion, indices: dissipation(motion, numbers[indices]),
+        evaluate=lambda motion, indices: sums(motion, numbers[indices]),
         reference_force=ellipses.friction * ellipses.load,
-        longitudinal_only=longitudinal_only,
+        longitudinal_only=lines,
         has_rolling_resistance=False,
         kinds=np.stack(ellipses, axis=1),
     )
@@ -269,7 +220,7 @@ def balanced_friction(
     BalancedFriction
         balance of the balls
     """
-    law = (line_law if lines else coulomb_law)(solution, contacts, friction)
+    law = coulomb_law(solution, contacts, friction, lines=lines)
     return balance_balls(
         solution, contacts, law, gyroscopic=gyroscopic, initial_guess=initial_guess
     )

@@ -13,8 +13,9 @@ layer that the lubricant states; `RollingExtent` has its uncertainty, what the s
 would give, and what twice the layer adds, at the same motion.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -31,7 +32,7 @@ from ..films.operating import OilAtInlets, operating_films, with_formulas
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
 from ..friction.film_nodes import film_nodes
-from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
+from ..friction.films import ShearedFilms, sheared_films
 from ..friction.law import ContactFriction
 from ..friction.resistance import NO_RESISTANCE, NOTHING_RESISTED, Resistance, ResistedPower
 from ..operation import BallKinematics
@@ -122,6 +123,10 @@ class IntegratedTorque:
         spent = self.total * abs(self.speed)
         largest = max(abs(spent), abs(self.rings_power))
         return abs(spent - self.rings_power) / largest if largest > 0.0 else 0.0
+
+
+# torque of motion and forces of the contacts, shape (contacts, 4) each [m/s], [N]
+TorqueParts = Callable[[Array, Array], IntegratedTorque]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -292,35 +297,54 @@ def solved_shear(
         whole = [film and film.flooded() for film in films]
     nodes = film_nodes(solution, contacts, (films, whole or ()), rheology)
     sheared = sheared_films(solution, contacts, films, rheology, nodes[0])
-    law = law_of_films(contacts, films, sheared)
     kinematics = motion_map(solution, contacts)
-    motion = kinematics.motion(*ball_speeds(solution))
-    forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
-    hypothesis = replace(
-        integrated_torque(solution, kinematics, sheared, motion, forces),
-        resistance=resisted_power(solution, resistance),
+    parts = partial(integrated_torque, solution, kinematics, sheared)
+    law = sheared.law()
+    balance = balance_driven_balls(solution, contacts, law, resistance)
+    shear = replace(
+        _shear(solution, kinematics, law, parts, balance, resistance),
+        asperity_share=_asperity_share(contacts, films),
     )
-    mean = _asperity_share(contacts, films)
-    balance = film_law_balance(solution, contacts, law, resistance)
     if not balance.converged:
-        return SolvedShear(
-            hypothesis=hypothesis,
-            asperity_share=mean,
-            tractions=_tractions(solution, contacts, films, rheology),
-            note=no_balance_message(balance),
-        )
-    torque = _torque_in_balance(solution, kinematics, sheared, balance)
-    shear = _balanced_shear(solution, hypothesis, torque, balance)
-    flooded = shear.balanced
-    if not bound:
-        flooded = None
-    elif whole is not None:
+        return replace(shear, tractions=_tractions(solution, contacts, films, rheology))
+    flooded = shear.balanced if bound else None
+    if whole is not None:
         sheared = sheared_films(solution, contacts, whole, rheology, nodes[1])
-        flooded = _flooded_torque(solution, contacts, whole, sheared, resistance, balance)
+        flooded = _flooded_torque(solution, contacts, sheared, resistance, balance)
     tractions = _tractions(solution, contacts, films, rheology, balance)
-    return replace(
-        shear, asperity_share=mean, tractions=tractions, flooded=flooded, balance=balance
+    return replace(shear, tractions=tractions, flooded=flooded, balance=balance)
+
+
+def _shear(
+    solution: QuasistaticSolution,
+    kinematics: MotionMap,
+    law: ContactFriction,
+    parts: TorqueParts,
+    balance: BalancedFriction,
+    resistance: Resistance,
+) -> SolvedShear:
+    """Torque of a law under the hypothesis of the motion, and in balance where one was found."""
+    motion = kinematics.motion(*ball_speeds(solution))
+    forces = -law.evaluate(motion, np.arange(len(motion))).gradient
+    hypothesis = replace(parts(motion, forces), resistance=resisted_power(solution, resistance))
+    if not balance.converged:
+        return SolvedShear(hypothesis=hypothesis, note=no_balance_message(balance))
+    if solution.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        hypothesis = replace(hypothesis, resistance=balance.resisted)
+    balanced = _balanced(parts, balance)
+    return SolvedShear(
+        hypothesis=hypothesis,
+        balanced=balanced,
+        cage_driven=cage_driven_balls(solution, balance),
+        orbit_lag=orbit_lag(solution, balance),
+        note=imbalance_message(balanced),
     )
+
+
+def _balanced(parts: TorqueParts, balance: BalancedFriction) -> IntegratedTorque:
+    """Torque at the motion and forces of balls in balance [N m]."""
+    torque = parts(balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4))
+    return replace(torque, shaft_power=balance.shaft_power, resistance=balance.resisted)
 
 
 def bearing_films(
@@ -420,17 +444,6 @@ def _asperity_share(contacts: Sequence[BearingContact], films: Films) -> float:
     return sum(film.asperity_load * c.load for c, film in pairs) / loads if loads > 0.0 else 0.0
 
 
-def _torque_in_balance(
-    solution: QuasistaticSolution,
-    kinematics: MotionMap,
-    films: ShearedFilms,
-    balance: BalancedFriction,
-) -> IntegratedTorque:
-    """Torque of films at the motion and forces of balls in balance [N m]."""
-    motion, forces = (part.reshape(-1, 4) for part in (balance.kinematics, balance.forces))
-    return integrated_torque(solution, kinematics, films, motion, forces)
-
-
 def _tractions(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
@@ -458,7 +471,6 @@ def _tractions(
 def _flooded_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Films,
     sheared: ShearedFilms,
     resistance: Resistance,
     initial_guess: BalancedFriction,
@@ -466,7 +478,7 @@ def _flooded_torque(
     """With the whole rolling moment of flooded, isothermal films [N m], in its own balance, begun
     at one nearby.
     """
-    law = law_of_films(contacts, films, sheared)
+    law = sheared.law()
     balance = balance_balls(
         solution,
         contacts,
@@ -476,12 +488,11 @@ def _flooded_torque(
         resistance=resistance,
     )
     if not balance.converged:
-        balance = film_law_balance(solution, contacts, law, resistance)
+        balance = balance_driven_balls(solution, contacts, law, resistance)
     if not balance.converged:
         return None
     kinematics = motion_map(solution, contacts)
-    torque = _torque_in_balance(solution, kinematics, sheared, balance)
-    return _as_balanced(torque, balance)
+    return _balanced(partial(integrated_torque, solution, kinematics, sheared), balance)
 
 
 def law_torque(
@@ -513,69 +524,18 @@ def law_torque(
         torques [N m]
     """
     kinematics = motion_map(solution, contacts)
-    motion = kinematics.motion(*ball_speeds(solution))
-    forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
-    hypothesis = replace(
-        _law_torque(solution, kinematics, law, motion, forces),
-        resistance=resisted_power(solution, resistance),
-    )
-    missing = {"rolling": NO_ROLLING_RESISTANCE, "asperity": NO_ASPERITIES}
-    if law.has_rolling_resistance:
-        missing = {"curvature": ONE_MOMENT, "asperity": NO_ASPERITIES}
+    parts = partial(_law_torque, solution, kinematics, law)
     balance = balance_driven_balls(solution, contacts, law, resistance)
-    if not balance.converged:
-        note = no_balance_message(balance)
-        return SolvedShear(hypothesis=hypothesis, note=note, missing_components=missing)
-    torque = _balanced_law(solution, kinematics, law, balance)
-    shear = _balanced_shear(solution, hypothesis, torque, balance)
+    shear = _shear(solution, kinematics, law, parts, balance, resistance)
     flooded = shear.balanced
-    if flooded_law is not None:
+    if flooded_law is not None and balance.converged:
         other = balance_driven_balls(solution, contacts, flooded_law, resistance)
-        flooded = (
-            _balanced_law(solution, kinematics, flooded_law, other) if other.converged else None
-        )
-    return replace(shear, missing_components=missing, flooded=flooded)
-
-
-def _balanced_law(
-    solution: QuasistaticSolution,
-    kinematics: MotionMap,
-    law: ContactFriction,
-    balance: BalancedFriction,
-) -> IntegratedTorque:
-    """Torque of a law at the motion that balances it [N m]."""
-    motion = balance.kinematics.reshape(-1, 4)
-    forces = balance.forces.reshape(-1, 4)
-    torque = _law_torque(solution, kinematics, law, motion, forces)
-    return _as_balanced(torque, balance)
-
-
-def _balanced_shear(
-    solution: QuasistaticSolution,
-    hypothesis: IntegratedTorque,
-    torque: IntegratedTorque,
-    balance: BalancedFriction,
-) -> SolvedShear:
-    """Both torques, with what the drag takes from the balls in balance; so does the hypothesis
-    where it is that balance, as only it knows what presses the pockets.
-    """
-    balanced = _as_balanced(torque, balance)
-    if solution.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        hypothesis = replace(hypothesis, resistance=balance.resisted)
-    return SolvedShear(
-        hypothesis=hypothesis,
-        balanced=balanced,
-        cage_driven=cage_driven_balls(solution, balance),
-        orbit_lag=orbit_lag(solution, balance),
-        note=imbalance_message(balanced),
-    )
-
-
-def _as_balanced(torque: IntegratedTorque, balance: BalancedFriction) -> IntegratedTorque:
-    """With the rings' power of the balance itself [W]: the force of a node of a film on a line of
-    pure rolling is another one at a motion a rounding away.
-    """
-    return replace(torque, shaft_power=balance.shaft_power, resistance=balance.resisted)
+        parts = partial(_law_torque, solution, kinematics, flooded_law)
+        flooded = _balanced(parts, other) if other.converged else None
+    missing = "curvature" if law.has_rolling_resistance else "rolling"
+    reasons = {"curvature": ONE_MOMENT, "rolling": NO_ROLLING_RESISTANCE}
+    missing_components = {missing: reasons[missing], "asperity": NO_ASPERITIES}
+    return replace(shear, missing_components=missing_components, flooded=flooded)
 
 
 def _law_torque(
