@@ -27,7 +27,7 @@ from oilfilm.bearing.library.bearings import named_designation
 from oilfilm.bearing.library.catalogue import nearest_series
 from oilfilm.bearing.library.lubricants import limiting_coefficient, lubricant_data
 from oilfilm.bearing.operation import BallKinematics
-from oilfilm.bearing.supply.supply import CAPTURED, InletFilm, Supply
+from oilfilm.bearing.supply.supply import CAPTURED, PrescribedInlet, Supply
 from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.bearing.torque.skf import InletFactors, Lubrication, series_of
 from oilfilm.ehl import Lubricant
@@ -399,10 +399,10 @@ def _series(bearing: BearingTable, *, angular: bool) -> str | None:
     return series
 
 
-def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | InletFilm | None:
+def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | PrescribedInlet | None:
     """Layer of oil at the inlets [m], or flow [m^3/s] and what is assumed of it; None: flooded."""
     if lubricant.inlet_film_um is not None:
-        return InletFilm(layer=lubricant.si()["inlet_film"])
+        return PrescribedInlet(layer=lubricant.si()["inlet_film"])
     si = table.si()
     if si["supply"] is None:
         return None

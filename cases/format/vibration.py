@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 import numpy as np
 
-from oilfilm.bearing.vibration.form import Defect, DefectKind, Place, SurfaceForm, Wave
+from oilfilm.bearing.vibration.form import Defect, DefectKind, FormBody, SurfaceForm, Wave
 from oilfilm.bearing.vibration.inputs import (
     ContactLaw,
     Direction,
@@ -72,7 +72,7 @@ class BallWaveTable(WaveTable):
 class DefectTable(Table):
     """A hollow of one track."""
 
-    place: Annotated[str, OneOf(Place)] = described("body it is on", ...)
+    place: Annotated[str, OneOf(FormBody)] = described("body it is on", ...)
     kind: Annotated[str, OneOf(DefectKind)] = described(
         "spall: flat, sharp edges; pit: round bottom; dent: no edges", ...
     )
@@ -296,14 +296,14 @@ def surface_form(table: FormTable) -> SurfaceForm:
         If a profile cannot be read.
     """
     waves = {
-        Place.INNER: tuple(wave.build(Wave) for wave in table.inner_waviness),
-        Place.OUTER: tuple(wave.build(Wave) for wave in table.outer_waviness),
-        Place.BALL: tuple(wave.build(Wave) for wave in table.ball_waviness),
+        FormBody.INNER: tuple(wave.build(Wave) for wave in table.inner_waviness),
+        FormBody.OUTER: tuple(wave.build(Wave) for wave in table.outer_waviness),
+        FormBody.BALL: tuple(wave.build(Wave) for wave in table.ball_waviness),
     }
     files = {
-        Place.INNER: ("inner_profile", table.inner_profile),
-        Place.OUTER: ("outer_profile", table.outer_profile),
-        Place.BALL: ("ball_profile", table.ball_profile),
+        FormBody.INNER: ("inner_profile", table.inner_profile),
+        FormBody.OUTER: ("outer_profile", table.outer_profile),
+        FormBody.BALL: ("ball_profile", table.ball_profile),
     }
     profiles = {place: _profile(*given) for place, given in files.items() if given[1]}
     return SurfaceForm(

@@ -21,12 +21,11 @@ from oilfilm.bearing.films.formula import formula_film
 from oilfilm.bearing.films.operating import OilAtInlets, solved_films, supplied_films
 from oilfilm.bearing.friction.laws import FilmTraction, LawTraction
 from oilfilm.bearing.operation import BallKinematics
-from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution, bearing_frequencies
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
-from oilfilm.bearing.rating.frequencies import bearing_frequencies
 from oilfilm.bearing.rating.life import bearing_life
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
-from oilfilm.bearing.supply.supply import AMPLE, GrooveOil, InletFilm, Supply, groove_oil
+from oilfilm.bearing.supply.supply import AMPLE, GrooveOil, PrescribedInlet, Supply, groove_oil
 from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, friction_torque
 from oilfilm.bearing.torque.integrated import (
     SolvedShear,
@@ -236,7 +235,7 @@ def _total_at(
         return lambda supply: None
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
 
-    def total(supply: Supply | InletFilm) -> float:
+    def total(supply: Supply | PrescribedInlet) -> float:
         if supply == friction.scarce:
             return known
         at = friction.at_supply(supply, state.bearing)

@@ -16,9 +16,8 @@ from oilfilm.bearing.fits.clearance import ClearanceBudget
 from oilfilm.bearing.fits.ring_strength import Strength
 from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
-from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.quasistatic.solution import Frequencies, QuasistaticSolution
 from oilfilm.bearing.rating.duty_cycle import DutyCycle
-from oilfilm.bearing.rating.frequencies import Frequencies
 from oilfilm.bearing.rating.life import LifeRating
 from oilfilm.bearing.supply.supply import GrooveOil
 from oilfilm.bearing.torque.breakdown import TorqueBreakdown

@@ -22,7 +22,7 @@ from oilfilm.bearing.dynamics.statistics import (
     angle_by_load,
     spin_speeds,
 )
-from oilfilm.bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
+from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
 from oilfilm.ehl.units import to_si
 
 from ..plot_style import (
