@@ -1,16 +1,10 @@
-"""Traction tables that points of a batch share: which points, over which loads and speeds, made
-before the points.
+"""Results that points of a batch share: traction tables, contacts, films of tables under way.
 
 tables/NAME.zip     both races; NAME is a hash of the inputs of all points that share them
 
-Things that took long to compute, a file each, named after all that they depend on.
-
-A file holds a digest of its name and content, and arrays and objects of `ehl`, nothing else. It is
-read with care: it may come from anywhere, and be damaged.
-
-Solved contacts on disk, named after all they depend on: equal ones are solved once.
-
-Films of a traction table on disk while it grows, so that an interrupted one goes on.
+Each stands in a file of its own, named after all it depends on. The file of a contact or a film
+contains a digest of its name and content, and arrays and objects of `ehl`, nothing else; it is
+read with care, since it may come from anywhere, and be damaged.
 """
 
 import pickle
@@ -51,8 +45,16 @@ from .points import Point, Sweep
 from .store import TABLES, write_file
 
 DIGEST = 16  # bytes at the beginning of a file
-# what arrays are put together from, beside the classes of `ehl`
+# constructors of arrays, beside the classes of `ehl`
 ARRAY_CLASSES = frozenset(("_reconstruct", "_frombuffer", "scalar", "ndarray", "dtype"))
+
+SUFFIX = ".contact"
+MOST_BYTES = 4_000_000_000  # the contacts of a batch grow no further
+# written by this process between two looks at how large all of them are: the looks of a batch take
+# a time that grows with its contacts, not with their square [bytes]
+BETWEEN = MOST_BYTES // 40
+Solver = Callable[[ContactConditions, SolverOptions, FilmPhysics], ContactSolution]
+Place = tuple[float, float]
 
 
 class _Reader(pickle.Unpickler):
@@ -115,15 +117,6 @@ def _digest(path: Path, data: bytes) -> bytes:
     return blake2b(data, digest_size=DIGEST, key=path.name.encode()[:64]).digest()
 
 
-SUFFIX = ".contact"
-MOST_BYTES = 4_000_000_000  # the contacts of a batch grow no further
-# written by this process between two looks at how large all of them are: the looks of a batch take
-# a time that grows with its contacts, not with their square [bytes]
-BETWEEN = MOST_BYTES // 40
-
-Solver = Callable[[ContactConditions, SolverOptions, FilmPhysics], ContactSolution]
-
-
 class ContactCache:
     """The contacts of a folder: looked up there first, and left there when they are solved."""
 
@@ -169,9 +162,6 @@ class ContactCache:
         used = sum(file.stat().st_size for file in self.folder.glob(f"*{SUFFIX}"))
         self._free = BETWEEN if used < MOST_BYTES else 0
         return self._free > 0
-
-
-Place = tuple[float, float]
 
 
 def stored_film_sampler(

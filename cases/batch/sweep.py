@@ -1,6 +1,6 @@
 """A sweep file: read, expanded into points, checked as cases before anything runs.
 
-Shares of a batch that are computed apart, by programs that know nothing of each other.
+Shards are parts of a batch that are computed by programs which do not know of each other.
 """
 
 import random
@@ -54,6 +54,10 @@ CHECKED = 1000  # points of a large sweep that are checked before anything runs
 SEED = 70_241_903  # of their choice
 MOST_CHECKED = 100_000  # points of kinds that are checked one by one, 2 ms each
 EVERY_POINT = ("torque", "dynamics")  # kinds whose tables depend on all points: all are checked
+
+Checked = dict[int, tuple[str | None, Case | ContactCase]]
+MOST = 100_000  # shards
+DIGITS = 8  # of a point's name that tell its shard
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,9 +198,6 @@ def _film_model(case: Case | ContactCase) -> str:
 def _of_each_kind(block: Sequence[Variation]) -> Sequence[Variation]:
     """Variations of a block that name all its keys: one where all have the same."""
     return block[:1] if isinstance(block, Factorial | Sampled) else block
-
-
-Checked = dict[int, tuple[str | None, Case | ContactCase]]
 
 
 def _with_tables(
@@ -379,10 +380,6 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Ca
         wrong = "the case has several rows of balls"
     if wrong is not None:
         yield CaseProblem(("compute",), f"point {number}: {wrong}", 'allowed: "run"')
-
-
-MOST = 100_000  # shards
-DIGITS = 8  # of a point's name that tell its shard
 
 
 @dataclass(frozen=True, slots=True)

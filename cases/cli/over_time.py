@@ -1,9 +1,4 @@
-"""Command: dynamics.
-
-Command: vibration.
-
-Command: transient.
-"""
+"""Commands that compute over time: dynamics, vibration, transient."""
 
 from __future__ import annotations
 
@@ -45,6 +40,37 @@ from .terminal import (
     guarded,
     progress_bar,
 )
+
+if TYPE_CHECKING:
+    from oilfilm.bearing.dynamics.simulation import Simulation
+    from oilfilm.postprocess.contact.transient_summary import TransientResults
+    from oilfilm.postprocess.dynamics.results import DynamicsResults
+
+    from ..format.case import Case
+
+Restart = Annotated[
+    Path | None,
+    typer.Option(
+        "--restart", metavar="FILE", help="Go on from the restart file of an interrupted run."
+    ),
+]
+Tables = Annotated[
+    Path | None,
+    typer.Option(
+        "--table", metavar="FILE", help="Traction tables that 'oilfilm table' built for the case."
+    ),
+]
+Animation = Annotated[
+    Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, too.")
+]
+Window = Annotated[
+    str | None,
+    typer.Option(
+        "--window",
+        metavar="MS,MS",
+        help="Times that --animate shows; default: the last half turn of the cage.",
+    ),
+]
 
 
 @app.command()
@@ -97,39 +123,6 @@ def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool
     save_with(lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set)
     document = vibration_summary(results)
     return report(document, lambda: vibration_table(document), directory, as_json, quiet)
-
-
-if TYPE_CHECKING:
-    from oilfilm.bearing.dynamics.simulation import Simulation
-    from oilfilm.postprocess.dynamics.results import DynamicsResults
-
-    from ..format.case import Case
-
-Restart = Annotated[
-    Path | None,
-    typer.Option(
-        "--restart", metavar="FILE", help="Go on from the restart file of an interrupted run."
-    ),
-]
-Tables = Annotated[
-    Path | None,
-    typer.Option(
-        "--table", metavar="FILE", help="Traction tables that 'oilfilm table' built for the case."
-    ),
-]
-
-Animation = Annotated[
-    Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, too.")
-]
-
-Window = Annotated[
-    str | None,
-    typer.Option(
-        "--window",
-        metavar="MS,MS",
-        help="Times that --animate shows; default: the last half turn of the cage.",
-    ),
-]
 
 
 @app.command()
@@ -259,10 +252,6 @@ def _keep(
         save_restart(simulation, path, case_key(case))
         save_with(lambda target: write_dynamics(results, target, lambda: True), directory)
     print_message(f"history so far in {directory}; go on with --restart {path}")
-
-
-if TYPE_CHECKING:
-    from oilfilm.postprocess.contact.transient_summary import TransientResults
 
 
 @app.command()

@@ -1,7 +1,4 @@
-"""[contact] of a single contact; [ehl] of both kinds of case.
-
-Grid and physics of the films of a case; apart from the tables, whose check needs no solver.
-"""
+"""[contact] of a single contact; [ehl] of both kinds of case: grid and physics of the films."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -59,6 +56,10 @@ from .rules import (
     shown,
 )
 
+ALIGNED = 1e-9  # sine of the entrainment's angle to x that counts as none [-]
+MOST_PASSES = 100  # of a track; each is a solve
+WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
+
 
 class FilmModel(Enum):
     """Physics of the films."""
@@ -114,8 +115,6 @@ class GridTable(Table):
         return {**table, "tolerance": TOLERANCE}
 
 
-ALIGNED = 1e-9  # sine of the entrainment's angle to x that counts as none [-]
-MOST_PASSES = 100  # of a track; each is a solve
 Frequency = Annotated[float, Field(gt=0.0, le=1e9, allow_inf_nan=False)]
 
 
@@ -363,7 +362,7 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
                 ("contact", VELOCITIES[0]), str(problem), "allowed: a mean above zero"
             )
     if values.given("ehl", "track_passes"):
-        # what leaves a contact is known where its film is solved behind its layer
+        # the layer that leaves a contact is known where its film is solved behind its layer
         needed = {"starvation": Starvation.SOLVED.value, "film_model": FilmModel.NEWTONIAN.value}
         for name, wanted in needed.items():
             if (found := values.get("ehl", name)) not in (None, wanted):
@@ -453,9 +452,6 @@ def contact_defaults(table: ContactTable) -> dict[str, float]:
     if table.moes_M is not None:
         return {"radius_ratio": 1.0}
     return {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}
-
-
-WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,6 +1,6 @@
-"""[friction], the shear law of the oil, and what heats the bearing.
+"""[friction], the shear law of the oil, and the heat sources of the bearing.
 
-[friction] traction: friction of balls on races, from films, a law, or tables in a file.
+`friction.traction` takes the friction of balls on races from films, a law, or tables in a file.
 """
 
 import warnings
@@ -59,6 +59,18 @@ from .shipped import table_path
 CONSTANTS = [(name, c) for name, law in COEFFICIENTS.items() for c in law.constants]
 
 LAWS = ("films", "table", *COEFFICIENTS, "coulomb")
+
+# tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
+LIMITING_COEFFICIENT = 0.047
+SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
+# ways of lubrication whose oil balls have to push aside
+WITH_LEVEL = (Lubrication.OIL_BATH.value, Lubrication.OIL_JET.value)
+# along x of the films that traction is taken from, at most [-]; friction of the inner race of a
+# 6208 at 500 N and 2 % slide is 0.2 % from that of 257 (65: 1.4 %)
+FILM_POINTS = 129
+SAME_RTOL = 1.0e-6  # relative difference up to which a table is for this bearing [-]
+# the same of rolling radii, which 15 degrees of contact angle change by 4 % in shipped cases
+SAME_RADIUS_RTOL = 0.05
 
 
 def _with_constants(table: type[Table]) -> type[Table]:
@@ -171,17 +183,11 @@ HEATED = Where("friction.heat_transfer_W_K")
 SUPPLIED = Where("friction.supply_mL_min")
 STARVED = Where("friction.heating_torque", "starved", also=(HEATED, Where("lubricant")))
 WITH_STARVED = 'with heating_torque = "starved"'
-# tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
-LIMITING_COEFFICIENT = 0.047
 # keys that are fields of `FrictionInput`, but for their units
 SAME_NAME_FIELDS = (
     *("coefficient", "oil", "oil_fraction", "oil_level_mm", "drag_factor", "as_printed"),
     "seal_diameter_mm",
 )
-SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
-
-# ways of lubrication whose oil balls have to push aside
-WITH_LEVEL = (Lubrication.OIL_BATH.value, Lubrication.OIL_JET.value)
 
 
 def _only_with(where: Where, *names: str) -> Iterator[Relation]:
@@ -466,11 +472,6 @@ def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
     return Rheology(law=law, **constants)
 
 
-# along x of the films that traction is taken from, at most [-]; friction of the inner race of a
-# 6208 at 500 N and 2 % slide is 0.2 % from that of 257 (65: 1.4 %)
-FILM_POINTS = 129
-
-
 def ball_traction(
     table: FrictionTable,
     friction: FrictionInput,
@@ -593,11 +594,6 @@ def _films(friction: FrictionInput, films: CaseFilms) -> FilmTraction:
     assert rheology is not None  # of every bearing case
     solve = replace(films, options=options)
     return FilmTraction(solve=solve, rheology=rheology, asperities=friction.asperities)
-
-
-SAME_RTOL = 1.0e-6  # relative difference up to which a table is for this bearing [-]
-# of the rolling radius, which 15 degrees of contact angle change by 4 % in shipped cases [-]
-SAME_RADIUS_RTOL = 0.05
 
 
 def read_race_tables(

@@ -1,7 +1,4 @@
-"""An optimisation file read: keys that vary, goals, constraints, scatter.
-
-Designs and their numbers, from the points of the batch.
-"""
+"""An optimisation: its file, and its designs with their numbers from the points of the batch."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

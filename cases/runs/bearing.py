@@ -1,9 +1,7 @@
 """Run a case: equilibrium of the bearing, then the film of every distinct contact.
 
-States of a duty cycle: equilibrium, life and friction torque of each.
-
-Effects of the oil supply beside the torque: torque with other supplies, films after the supply
-stops.
+Beside it states of a duty cycle (equilibrium, life and friction torque of each), and effects of
+the oil supply: torque with other supplies, films after the supply stops.
 """
 
 from collections.abc import Callable, Sequence
@@ -79,6 +77,11 @@ HALF_AND_HALF = (
     "its balls are taken as half and half in place of traction equilibrium, which loads hardly "
     "depend on"
 )
+
+OnFilmsSolved = Callable[[BearingResults], None]
+WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
+ROUGH_POINTS = 129  # of films with heat in the first round [-]
+STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
 
 def solve_load_cases(
@@ -248,13 +251,6 @@ def _total_at(
     return total
 
 
-OnFilmsSolved = Callable[[BearingResults], None]
-
-WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
-ROUGH_POINTS = 129  # of films with heat in the first round [-]
-STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
-
-
 class Interrupted(Exception):  # noqa: N818
     """The user stopped the run; `results` holds the finished parts, or is None."""
 
@@ -284,7 +280,7 @@ def run_case(
     solve : Solve | None, optional
         Solver of one film in place of the film model's own: a batch reads what it has solved
         before.
-    filmed : OnFilmsSolved | None, optional
+    on_films_solved : OnFilmsSolved | None, optional
         Called with the results up to the films, before friction; not where the torque decides the
         temperature, and with it the films.
     equilibria : Equilibria | None, optional

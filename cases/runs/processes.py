@@ -1,7 +1,4 @@
-"""How worker processes of all commands begin, what they do before they work, and how they end.
-
-Pictures and VTK of a run, made by processes while the numbers are written.
-"""
+"""Worker processes of all commands, and those that draw pictures while the numbers are written."""
 
 import gc
 import os
@@ -50,6 +47,13 @@ THREADS = (
 COLLECTED = 50_000
 POINTS = ("oilfilm.cases.batch.compute",)  # what computes the points of a batch
 FORK_SERVER = "forkserver"  # loads the libraries once for all processes, where there is one
+
+# each holds all fields; the dozen pictures of a bearing, of 0.3 s each, gain little by more
+MOST_PROCESSES = 4
+EXTRAS = "VTK and plots"
+LOOK = 0.1  # from one look for an interrupt to the next [s]
+TERMINATION = 0.3  # for processes to end that were told to [s]
+LOADED = ["oilfilm.cases.runs.processes", "oilfilm.postprocess.writer.run"]
 
 
 def one_thread() -> None:
@@ -172,14 +176,6 @@ def end_workers(others: Set[BaseProcess]) -> None:
         process.terminate()
     for process in ended:
         process.join(PATIENCE)
-
-
-# each holds all fields; the dozen pictures of a bearing, of 0.3 s each, gain little by more
-MOST_PROCESSES = 4
-EXTRAS = "VTK and plots"
-LOOK = 0.1  # from one look for an interrupt to the next [s]
-TERMINATION = 0.3  # for processes to end that were told to [s]
-LOADED = ["oilfilm.cases.runs.processes", "oilfilm.postprocess.writer.run"]
 
 
 @dataclass(slots=True)
