@@ -24,8 +24,9 @@ if TYPE_CHECKING:
 
     from ..format.case import Case, ContactCase
     from ..format.dynamics import DynamicsTable
+    from ..runs.drawing import Drawing
     from ..runs.films import Progress
-    from ..runs.processes import Drawing
+
 
 LONG = 5.0  # work that takes less is not announced [s]
 # processor time of a film on 257 nodes, which grows with their square; measured on one core of

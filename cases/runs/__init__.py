@@ -14,7 +14,9 @@
 | dynamics | time simulation |
 | vibration | vibration of a bearing |
 | transient | a contact over time |
-| processes | worker processes, pictures and VTK made by them |
+| processes | how worker processes begin, what they do first, and how they end |
+| drawing | pictures and VTK, made by processes |
+| export | meshes of results for other programs |
 | output_directory | folders of results: complete or not there; locks, digests |
 | interrupt | messages, and work that an interrupt lets finish |
 | kernel_cache | folders of compiled kernels |
