@@ -135,7 +135,7 @@ def _torque(case: Case, path: Path | None, equilibria: Equilibria | None) -> Com
         case = replace(case, film_maps="none")
         return summary(run_case(case, 1, equilibria=equilibria)), {}
     assert case.rheology is not None  # of every bearing case
-    tables = tables_once(str(path))(case.lubricant, case.rheology)
+    tables = tables_once(str(path))(case.lubricant)
     results, notes = torque_by_tables(case, tables, equilibria)
     document = summary(results)
     warnings = [

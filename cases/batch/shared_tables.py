@@ -28,7 +28,6 @@ from oilfilm.bearing.friction.tables import (
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
 from oilfilm.ehl.multigrid.threads import cores
-from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.traction_table.build import TableOptions, build_table
 from oilfilm.ehl.traction_table.film import FilmSample, film_sample
 from oilfilm.ehl.traction_table.table import TableContact, TableRange
@@ -340,7 +339,9 @@ def foreign_points(
         assert case.rheology is not None  # of every bearing case
         oil = (case.lubricant, case.rheology)
         try:
-            require_fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
+            require_fitting_tables(
+                tables(case.lubricant), path.name, case.bearing, *oil, case.films.solids
+            )
         except ValueError as problem:
             numbers = [number for number, name in sharing.items() if name == common]
             wrong.setdefault(str(problem).replace(str(path), path.name), []).extend(numbers)
@@ -494,7 +495,7 @@ def _without_films(case: Case) -> Case:
 
 
 @lru_cache(maxsize=2)
-def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
+def tables_once(path: str) -> Callable[[Lubricant], Tables]:
     """Tables of both races of a file, which each worker reads once.
 
     Parameters
@@ -504,7 +505,7 @@ def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
 
     Returns
     -------
-    Callable[[Lubricant, Rheology], Tables]
-        Function of an oil and its shear law that gives the tables.
+    Callable[[Lubricant], Tables]
+        Function of an oil that gives the tables.
     """
     return tables_of_file(Path(path))

@@ -87,9 +87,7 @@ class Table(BaseModel):
         return kind(**values | given)
 
 
-def validated(
-    model: type[T], document: Mapping[str, Any], context: Any = None
-) -> tuple[T | None, list[CaseProblem]]:
+def validated(model: type[T], document: Mapping[str, Any]) -> tuple[T | None, list[CaseProblem]]:
     """Check a document against its tables.
 
     Parameters
@@ -98,8 +96,6 @@ def validated(
         The tables of the file.
     document : mapping
         Values by key, as parsed.
-    context : Any, optional
-        Context of the validation.
 
     Returns
     -------
@@ -109,7 +105,7 @@ def validated(
         All values that are wrong.
     """
     try:
-        return model.model_validate(document, context=context), []
+        return model.model_validate(document), []
     except ValidationError as error:
         return None, schema_faults(error.errors(include_url=False), schema_of(model))
 

@@ -624,11 +624,11 @@ def read_race_tables(
     ValueError
         If the file is damaged, or of another bearing or oil.
     """
-    tables = tables_of_file(path)(oil, rheology)
+    tables = tables_of_file(path)(oil)
     return require_fitting_tables(tables, str(path), bearing, oil, rheology, solids)
 
 
-def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
+def tables_of_file(path: Path) -> Callable[[Lubricant], Tables]:
     """Read a file of traction tables once.
 
     Parameters
@@ -638,8 +638,8 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
 
     Returns
     -------
-    Callable[[Lubricant, Rheology], Tables]
-        Function of an oil and its shear law that gives the tables; ValueError for another oil.
+    Callable[[Lubricant], Tables]
+        Function of an oil that gives the tables; ValueError for another oil.
 
     Raises
     ------
@@ -651,25 +651,22 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
     except OSError as error:
         raise ValueError(f"{path} cannot be read: {error.strerror or error}") from None
 
-    def tables_at(oil: Lubricant, rheology: Rheology) -> Tables:
+    def tables_at(oil: Lubricant) -> Tables:
         try:
-            return {race: _at(table, oil, rheology) for race, table in read.items()}
+            return {race: _at(table, oil) for race, table in read.items()}
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from error
 
     return tables_at
 
 
-def _at(
-    stored: TractionTable | TemperatureTable, oil: Lubricant, rheology: Rheology
-) -> TractionTable:
-    """The table at the temperature of an oil, with its rheology where that is the tables' own."""
+def _at(stored: TractionTable | TemperatureTable, oil: Lubricant) -> TractionTable:
+    """The table at the temperature of an oil."""
     if isinstance(stored, TractionTable):
         return stored
     if oil.temperature is None:
         raise ValueError("has tables at several temperatures, and the lubricant has none")
-    table = stored.at(oil.temperature, oil)
-    return table
+    return stored.at(oil.temperature, oil)
 
 
 def require_fitting_tables(

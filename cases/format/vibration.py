@@ -33,7 +33,7 @@ from .rules import (
 from .transient import read_columns
 
 DEFECTS_MAXIMUM = 20
-WAVES_MAXIMUM = 2000
+WAVES = {"strict": False, "max_length": 2000}
 BALLS_MAXIMUM = 1000
 REFERENCE = 1e-6  # of levels of acceleration, ISO 1683 [m/s^2]
 END_TIME = 0.5  # [s]
@@ -86,13 +86,13 @@ class FormTable(Table):
     """Form of the surfaces: what they differ by from circles; `oilfilm vibration`."""
 
     inner_waviness: tuple[WaveTable, ...] = described(
-        "[[form.inner_waviness]], orders of the inner race", (), strict=False, max_length=2000
+        "[[form.inner_waviness]], orders of the inner race", (), **WAVES
     )
     outer_waviness: tuple[WaveTable, ...] = described(
-        "[[form.outer_waviness]], orders of the outer race", (), strict=False, max_length=2000
+        "[[form.outer_waviness]], orders of the outer race", (), **WAVES
     )
     ball_waviness: tuple[BallWaveTable, ...] = described(
-        "[[form.ball_waviness]], orders of the balls", (), strict=False, max_length=2000
+        "[[form.ball_waviness]], orders of the balls", (), **WAVES
     )
     inner_profile: str | None = described(
         "text file with columns of angle [deg] and height [um] over a turn of the inner race",
