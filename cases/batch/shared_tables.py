@@ -8,7 +8,6 @@ read with care, since it may come from anywhere, and be damaged.
 """
 
 import pickle
-import shutil
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
@@ -195,17 +194,6 @@ def stored_film_sampler(
     return sample
 
 
-def remove_films(folder: Path) -> None:
-    """Remove the films of a table that is complete.
-
-    Parameters
-    ----------
-    folder : Path
-        Folder of the films.
-    """
-    shutil.rmtree(folder, ignore_errors=True)
-
-
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
     """Tell whether a point uses shared tables; torque does unless the case names a law.
 
@@ -276,7 +264,8 @@ def with_table_names(
     points: Sequence[Point],
     sharing: Sequence[str | None],
     documents: Sequence[dict[str, Any]],
-    made_of: tuple[str | None, int],
+    given: str | None,
+    nodes: int,
 ) -> tuple[Point, ...]:
     """The points with the names of their tables, which their own names then depend on, too.
 
@@ -288,10 +277,11 @@ def with_table_names(
         What the tables of each must have in common; None of those that need none.
     documents : sequence of dict
         Of each, as run.
-    made_of : (str or None, int)
-        Hash of the tables that the sweep file names; nodes of the films of tables to be made [-].
+    given : str or None
+        Hash of the tables that the sweep file names.
+    nodes : int
+        Nodes of the films of tables to be made [-].
     """
-    given, nodes = made_of
     texts: dict[str, set[str]] = {}
     for common, document in zip(sharing, documents, strict=True):
         if common is not None:

@@ -213,7 +213,7 @@ def _with_tables(
     named = {p.number: name for p, name in zip(points, sharing, strict=True) if name is not None}
     table = _table_file(file, named, examples, source)
     given = None if table is None else digest(table.read_bytes())
-    return table, with_table_names(points, sharing, documents, (given, file.table_points))
+    return table, with_table_names(points, sharing, documents, given, file.table_points)
 
 
 def _table_file(

@@ -396,28 +396,19 @@ def contact(
     ContactConditions | MoesConditions
         Load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-].
     """
-    si = table.si()
     if table.moes_M is not None and table.moes_L is not None:
-        return MoesConditions(
-            load_parameter=table.moes_M,
-            lubricant_parameter=table.moes_L,
-            radius_ratio=table.radius_ratio or 1.0,
-            lubricant=oil,
-            entrainment_angle=si["entrainment_angle"],
-        )
-    modulus = si["reduced_modulus"]
+        groups = {"load_parameter": table.moes_M, "lubricant_parameter": table.moes_L}
+        return table.build(MoesConditions, lubricant=oil, **groups)
+    modulus = table.si()["reduced_modulus"]
     if modulus is None:
         assert table.material_1 and table.material_2  # checked before
         modulus = reduced_modulus(materials[table.material_1], materials[table.material_2])
-    given = table.si(*DIMENSIONS, *KINEMATICS, "entrainment_angle_deg")
+    motion: dict[str, Any] = {}
     if table.velocity_1_m_s is not None and table.velocity_2_m_s is not None:
-        motion = surface_motion(table.velocity_1_m_s, table.velocity_2_m_s)
-        given |= motion._asdict()
-    return ContactConditions(
-        reduced_modulus=modulus,
-        lubricant=oil,
-        coating=_coating(table, materials),
-        **{name: value for name, value in given.items() if value is not None},
+        motion = surface_motion(table.velocity_1_m_s, table.velocity_2_m_s)._asdict()
+    coating = _coating(table, materials)
+    return table.build(
+        ContactConditions, reduced_modulus=modulus, lubricant=oil, coating=coating, **motion
     )
 
 
@@ -427,8 +418,9 @@ def _coating(table: ContactTable, materials: Mapping[str, Material]) -> Coating 
         return None
     assert table.material_1 and table.substrate_material  # checked before
     coating, substrate = materials[table.material_1], materials[table.substrate_material]
-    return Coating(
-        thickness=table.si()["coating_thickness"],
+    return table.build(
+        Coating,
+        "coating",
         youngs_modulus=coating.youngs_modulus,
         poisson_ratio=coating.poisson_ratio,
         substrate_youngs_modulus=substrate.youngs_modulus,

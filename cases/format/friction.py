@@ -183,11 +183,6 @@ HEATED = Where("friction.heat_transfer_W_K")
 SUPPLIED = Where("friction.supply_mL_min")
 STARVED = Where("friction.heating_torque", "starved", also=(HEATED, Where("lubricant")))
 WITH_STARVED = 'with heating_torque = "starved"'
-# keys that are fields of `FrictionInput`, but for their units
-SAME_NAME_FIELDS = (
-    *("coefficient", "oil", "oil_fraction", "oil_level_mm", "drag_factor", "as_printed"),
-    "seal_diameter_mm",
-)
 
 
 def _only_with(where: Where, *names: str) -> Iterator[Relation]:
@@ -359,10 +354,10 @@ def friction(
             f"friction.oil_level_mm: {text}, SKF's model leaves the churning of the oil out",
             stacklevel=2,
         )
-    return FrictionInput(
-        **table.si(*SAME_NAME_FIELDS),
+    return table.build(
+        FrictionInput,
+        "palmgren",
         sealed=_sealed(table, bearing),
-        lubrication=Lubrication(table.lubrication),
         series=_series(bearing, angular=angular),
         static_rating=si["basic_static_rating"],
         dynamic_rating=si["basic_dynamic_rating"],
@@ -371,8 +366,6 @@ def friction(
         cage=cage,
         boundary=table.boundary_coefficient,
         full_film=table.full_film_coefficient,
-        viscous_factor=table.palmgren_viscous_factor,
-        load_factor=table.palmgren_load_factor,
         roughness=roughness(surface),
         sharing=LoadSharing.ZHOU_HOEPRICH
         if surface is None
@@ -412,10 +405,10 @@ def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | InletFi
     si = table.si()
     if si["supply"] is None:
         return None
-    return Supply(
+    return table.build(
+        Supply,
+        "supply",
         flow=si["supply"],
-        track_share=si["supply_track_share"],
-        loss=si["supply_loss"],
         residence_time=si["supply_residence"],
         captured=(si["supply_track_share_least"], si["supply_track_share_most"]),
     )

@@ -245,7 +245,8 @@ def vibration(
     form: FormTable | None,
     support: SupportTable | None,
     table: VibrationTable | None,
-    speeds: tuple[float, float | None],
+    speed: float,
+    end_time: float | None,
 ) -> VibrationModel:
     """Model of the vibration.
 
@@ -257,8 +258,10 @@ def vibration(
         The checked table [support], where there is one.
     table : VibrationTable | None
         The checked table [vibration], where there is one.
-    speeds : tuple[float, float | None]
-        Speed of the inner ring [rad/s], and end time of [dynamics] [s].
+    speed : float
+        Speed of the inner ring [rad/s].
+    end_time : float | None
+        End time of [dynamics] [s], where there is one.
 
     Returns
     -------
@@ -273,7 +276,7 @@ def vibration(
     return VibrationModel(
         form=SurfaceForm() if form is None else surface_form(form),
         support=Support() if support is None else _support(support),
-        options=_options(table or VibrationTable(), *speeds),
+        options=_options(table or VibrationTable(), speed, end_time),
     )
 
 
@@ -315,16 +318,9 @@ def surface_form(table: FormTable) -> SurfaceForm:
 
 
 def _support(table: SupportTable) -> Support:
-    si = table.si()
-    sensor = None
-    if table.sensor_mass_kg is not None:
-        sensor = Sensor(
-            mass=si["sensor_mass"],
-            frequency=si["sensor_frequency"],
-            damping_ratio=si["sensor_damping_ratio"],
-        )
+    sensor = None if table.sensor_mass_kg is None else table.build(Sensor, "sensor")
     fixed = table.inner_ring == "held"
-    outer_mass = si["outer_ring_mass"]
+    outer_mass = table.outer_ring_mass_kg
     return table.build(Support, inner_ring_fixed=fixed, outer_mass=outer_mass, sensor=sensor)
 
 

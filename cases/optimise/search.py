@@ -226,7 +226,7 @@ def next_designs(observations: Observations, count: int, seed: int) -> Array:
             positions = np.vstack([positions, designs])
         met = np.concatenate([observations.feasible[complete], np.ones(len(designs), dtype=bool)])
         designs.append(
-            _best_candidate(fitted(positions, value, noise), limits, (positions, met), rng)
+            _best_candidate(fitted(positions, value, noise), limits, positions, met, rng)
         )
     return np.array(designs)
 
@@ -262,11 +262,11 @@ def scalar_goal(goals: Array, noise: Array, rng: np.random.Generator) -> tuple[A
 def _best_candidate(
     model: Surrogate,
     limits: list[Surrogate],
-    before: tuple[Array, Booleans],
+    positions: Array,
+    met: Booleans,
     rng: np.random.Generator,
 ) -> Array:
     """Place of the largest expected improvement times the probability that constraints are met."""
-    positions, met = before
     means = model.predict(positions)[0]
     order = np.argsort(np.where(met, means, np.inf))[:4]
     keys = positions.shape[1]
