@@ -89,7 +89,7 @@ def block_settings(table: dict[str, Any], where: KeyPath) -> list[Setting]:
     ----------
     table : dict[str, Any]
         The block as parsed.
-    where : Path
+    where : KeyPath
         Path of the block in the file.
 
     Returns

@@ -239,7 +239,7 @@ def sampled_block(
         Keys and options as parsed.
     options : Options
         The checked options.
-    where : Path
+    where : KeyPath
         Path of the block in the file.
 
     Returns

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path as FilePath
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from oilfilm.postprocess.batch.results import Design
@@ -56,7 +56,7 @@ MOST_CHECKED = 100_000  # points of kinds that are checked one by one, 2 ms each
 EVERY_POINT = ("torque", "dynamics")  # kinds whose tables depend on all points: all are checked
 
 Checked = dict[int, tuple[str | None, Case | ContactCase]]
-MOST = 100_000  # shards
+MOST_SHARDS = 100_000
 DIGITS = 8  # of a point's name that tell its shard
 
 
@@ -66,19 +66,19 @@ class _Source:
 
     text: str
     name: str
-    folder: FilePath
+    folder: Path
 
     def error(self, faults: Iterable[CaseProblem]) -> CaseError:
         """The faults with their lines."""
         return faults_error(faults, self.name, self.text)
 
 
-def read_sweep(name_or_path: str | FilePath) -> Sweep:
+def read_sweep(name_or_path: str | Path) -> Sweep:
     """Read a sweep file, or a shipped one by its name, and check each of its points as a case.
 
     Parameters
     ----------
-    name_or_path : str | FilePath
+    name_or_path : str | Path
         The file or its name.
 
     Returns
@@ -105,7 +105,7 @@ def _sweep_tables(text: str, name: str) -> dict[str, Any]:
     return document
 
 
-def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Sweep:
+def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
     """The sweep that the text of a file describes.
 
     Parameters
@@ -114,7 +114,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         Content of the file.
     name : str
         Name of the file in messages.
-    folder : FilePath | None, optional
+    folder : Path | None, optional
         Folder in which the case is looked for first.
 
     Returns
@@ -127,7 +127,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     CaseError
         If something is wrong, with one line for every error.
     """
-    source = _Source(text, name, folder or FilePath())
+    source = _Source(text, name, folder or Path())
     file = _file(source)
     case_file = _case_file(file.case, source)
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
@@ -202,7 +202,7 @@ def _of_each_kind(block: Sequence[Variation]) -> Sequence[Variation]:
 
 def _with_tables(
     file: SweepFile, points: list[Point], checked: Checked, source: _Source
-) -> tuple[FilePath | None, tuple[Point, ...]]:
+) -> tuple[Path | None, tuple[Point, ...]]:
     """The file of traction tables that is given, and all points with the names of theirs."""
     examples: dict[str, Case] = {}
     for common, case in checked.values():
@@ -218,7 +218,7 @@ def _with_tables(
 
 def _table_file(
     file: SweepFile, common: dict[int, str], examples: dict[str, Case], source: _Source
-) -> FilePath | None:
+) -> Path | None:
     """The traction tables that the sweep file names, which must be those of its points."""
     if file.table is None:
         return None
@@ -256,7 +256,7 @@ def _title(case: str, keys: tuple[str, ...]) -> str:
     return f"{case}; varied: {', '.join(names[:4])}{' ...' if len(names) > 4 else ''}"
 
 
-def _case_file(case: str, source: _Source) -> FilePath:
+def _case_file(case: str, source: _Source) -> Path:
     """The case beside the sweep file if there is one, else as every command finds it."""
     try:
         return find_case(case, source.folder)
@@ -437,7 +437,7 @@ def shard_of(text: str) -> Shard:
     match = re.fullmatch(r"(\d+)/(\d+)", text.strip())
     if match:
         number, count = map(int, match.groups())
-        if 1 <= number <= count <= MOST:
+        if 1 <= number <= count <= MOST_SHARDS:
             return Shard(number, count)
     allowed = "allowed: I/N with I from 1 to N, as 3/8"
     raise CaseError(f"--shard {text}: names no share of the points; {allowed}")

@@ -270,8 +270,7 @@ def transient(
     from oilfilm.ehl.transient.run import StartError
 
     from ..format.case import ContactCase, load_case
-    from ..runs.transient import Interrupted as TransientInterrupted
-    from ..runs.transient import run_transient
+    from ..runs.transient import Interrupted, run_transient
 
     loaded = load_case(case)
     if not isinstance(loaded, ContactCase):
@@ -290,7 +289,7 @@ def transient(
     except StartError as problem:
         print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
         return NOT_CONVERGED
-    except TransientInterrupted as stop:
+    except Interrupted as stop:
         if stop.kept:
             print_message(
                 f"finished steps are kept in {folder}; the same command goes on with them"

@@ -3,7 +3,7 @@
 import tomllib
 from collections.abc import Iterator
 from itertools import chain, pairwise
-from pathlib import Path as FilePath
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -163,12 +163,12 @@ def _load_case_conflicts(values: CaseValues, known: list[CaseProblem]) -> Iterat
                 yield load_cases.load_case_problem(fault, index, own)
 
 
-def read_text(path: FilePath) -> str:
+def read_text(path: Path) -> str:
     """Read the text of a case file.
 
     Parameters
     ----------
-    path : FilePath
+    path : Path
         The file.
 
     Returns

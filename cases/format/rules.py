@@ -136,7 +136,7 @@ def dotted(path: KeyPath) -> str:
 
     Parameters
     ----------
-    path : Path
+    path : KeyPath
         Path of a key.
 
     Returns
@@ -309,7 +309,7 @@ def schema_node(schema: dict[str, Any], path: KeyPath) -> dict[str, Any]:
     ----------
     schema : dict[str, Any]
         The schema.
-    path : Path
+    path : KeyPath
         Path of the key.
 
     Returns
@@ -393,7 +393,7 @@ def find_line(lines: Mapping[KeyPath, int], path: KeyPath) -> int:
     ----------
     lines : Mapping[Path, int]
         Line by path of the key.
-    path : Path
+    path : KeyPath
         Path of the key.
 
     Returns
