@@ -1,9 +1,7 @@
 """Run a case: equilibrium of the bearing, then the film of every distinct contact.
 
-States of a duty cycle: equilibrium, life and friction torque of each.
-
-Effects of the oil supply beside the torque: torque with other supplies, films after the supply
-stops.
+Beside it states of a duty cycle (equilibrium, life and friction torque of each), and effects of
+the oil supply: torque with other supplies, films after the supply stops.
 """
 
 from collections.abc import Callable, Sequence
@@ -78,6 +76,11 @@ HALF_AND_HALF = (
     "its balls are taken as half and half in place of traction equilibrium, which loads hardly "
     "depend on"
 )
+
+OnFilmsSolved = Callable[[BearingResults], None]
+WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
+ROUGH_POINTS = 129  # of films with heat in the first round [-]
+STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
 
 def solve_load_cases(
@@ -245,13 +248,6 @@ def _total_at(
         return shear.torque.total + seal
 
     return total
-
-
-OnFilmsSolved = Callable[[BearingResults], None]
-
-WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
-ROUGH_POINTS = 129  # of films with heat in the first round [-]
-STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
 
 class Interrupted(Exception):  # noqa: N818
