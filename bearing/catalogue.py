@@ -35,7 +35,7 @@ def load_bearing(name: str) -> Bearing:
 
     Examples
     --------
-    >>> from bearing import load_bearing
+    >>> from oilfilm.bearing import load_bearing
     >>> bearing = load_bearing("6208")
     >>> bearing.balls, f"{1e3 * bearing.ball_diameter:.4g} mm"
     (9, '12 mm')

@@ -59,7 +59,7 @@ class Bearing:
     Examples
     --------
     >>> from dataclasses import replace
-    >>> from bearing import Bearing, load_material
+    >>> from oilfilm.bearing import Bearing, load_material
     >>> steel = load_material("bearing steel")
     >>> bearing = Bearing(
     ...     name="6208",

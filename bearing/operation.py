@@ -62,7 +62,7 @@ class Operation:
     Examples
     --------
     >>> from math import pi
-    >>> from bearing import Operation
+    >>> from oilfilm.bearing import Operation
     >>> operation = Operation(inner_speed=3000.0 * pi / 30.0, force=(0.0, 1000.0, 0.0))
     >>> f"{operation.shaft_speed:.1f} rad/s"
     '314.2 rad/s'

@@ -286,7 +286,7 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
 
     Examples
     --------
-    >>> from bearing import Operation, load_bearing
+    >>> from oilfilm.bearing import Operation, load_bearing
     >>> from oilfilm.bearing.dynamics.bodies import ring_body
     >>> from oilfilm.bearing.dynamics.friction import RaceFriction
     >>> from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions

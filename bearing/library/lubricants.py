@@ -195,7 +195,7 @@ def list_lubricants(name: str | None = None) -> tuple[str, ...]:
 
     Examples
     --------
-    >>> from bearing import list_lubricants
+    >>> from oilfilm.bearing import list_lubricants
     >>> "iso vg 32" in list_lubricants()
     True
     """
@@ -274,7 +274,7 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
 
     Examples
     --------
-    >>> from bearing import library_lubricant
+    >>> from oilfilm.bearing import library_lubricant
     >>> oil = library_lubricant("iso vg 32", 313.15)
     >>> f"{1e3 * oil.viscosity:.1f} mPa s"
     '27.6 mPa s'
@@ -670,7 +670,7 @@ def list_greases() -> tuple[str, ...]:
 
     Examples
     --------
-    >>> from bearing import list_greases, load_grease
+    >>> from oilfilm.bearing import list_greases, load_grease
     >>> load_grease(list_greases()[0]).name == list_greases()[0]
     True
     """

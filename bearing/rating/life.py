@@ -132,8 +132,8 @@ def bearing_life(
 
     Examples
     --------
-    >>> from bearing import Operation, RatingInput, bearing_life, library_lubricant
-    >>> from bearing import load_bearing, solve_quasistatic
+    >>> from oilfilm.bearing import Operation, RatingInput, bearing_life, library_lubricant
+    >>> from oilfilm.bearing import load_bearing, solve_quasistatic
     >>> operation = Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0))
     >>> solution = solve_quasistatic(load_bearing("6208"), operation)
     >>> oil = library_lubricant("iso vg 32", operation.temperature)

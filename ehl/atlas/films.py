@@ -377,7 +377,7 @@ def atlas_films(
 
     Examples
     --------
-    >>> from ehl import ContactConditions, Lubricant
+    >>> from oilfilm.ehl import ContactConditions, Lubricant
     >>> contact = ContactConditions(
     ...     load=60.0,
     ...     radius_x=0.01,

@@ -234,7 +234,7 @@ def integrate_traction(
 
     Examples
     --------
-    >>> from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+    >>> from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
     >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=18e-9)
     >>> contact = ContactConditions(
     ...     load=60.0,

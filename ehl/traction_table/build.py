@@ -413,7 +413,7 @@ def build_table(
     --------
     A coarse table of films from the atlas, for a look at its use; leave out the options.
 
-    >>> from ehl import Lubricant
+    >>> from oilfilm.ehl import Lubricant
     >>> from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
     >>> from oilfilm.ehl.traction_table.build import atlas_sampler
     >>> from oilfilm.ehl.traction_table.film import film_sample

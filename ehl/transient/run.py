@@ -651,7 +651,7 @@ def solve_transient(
 
     Examples
     --------
-    >>> from ehl import ContactConditions, Lubricant
+    >>> from oilfilm.ehl import ContactConditions, Lubricant
     >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=18e-9)
     >>> contact = ContactConditions(
     ...     load=60.0,
