@@ -26,7 +26,6 @@ from ..oil.lubricant import log_viscosity_ratio, oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import deflect
 from . import _reynolds_kernels
-from . import _reynolds_kernels as _relaxation_kernels
 from .far_field import edge_pressure, exterior_load
 from .levels import Damping, Level, Multigrid, TimeStep
 from .starved import (
@@ -215,7 +214,7 @@ def relax(state: Multigrid, index: int) -> None:
         state.threads.run(lines, range(colour, grid.ny - 1, 2), level.P.size)
     mesh = (grid.hx, grid.hy)
     changes = partial(
-        _relaxation_kernels.spread_changes,
+        _reynolds_kernels.spread_changes,
         level.P,
         level.node_types,
         level.scratch,
@@ -238,7 +237,7 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     if content is not None:
         layer = (content.residual, content.empty, content.fraction_along)
     return partial(
-        _relaxation_kernels.relax_lines,
+        _reynolds_kernels.relax_lines,
         level.P,
         level.H,
         level.eps,
