@@ -7,13 +7,13 @@ from pathlib import Path
 PACKAGES = ("ehl", "bearing")
 
 
-CONSTANTS = (  # modules from which kernels take constants, types and how they are compiled
+CONSTANTS = (  # modules of which kernels take constants, types, formulas and how they are compiled
     "bearing/dynamics/arrays.py",
     "bearing/quasistatic/kinematics.py",
     "bearing/vibration/assembly.py",
     "ehl/arrays.py",
     "ehl/compiled.py",
-    "ehl/traction/_heated_kernels.py",
+    "ehl/traction/coefficients.py",
 )
 
 

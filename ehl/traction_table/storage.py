@@ -59,10 +59,10 @@ TYPES: dict[str, Any] = {
     "ehl.rheology.laws:Rheology": Rheology,
     "ehl.rheology.laws:ShearLaw": ShearLaw,
     "ehl.thermal.solids:SolidThermal": SolidThermal,
-    "ehl.traction_table:FullSolve": FullSolve,
-    "ehl.traction_table:TableContact": TableContact,
-    "ehl.traction_table:TableError": TableError,
-    "ehl.traction_table:TableRange": TableRange,
+    "ehl.traction.table:FullSolve": FullSolve,
+    "ehl.traction.table:TableContact": TableContact,
+    "ehl.traction.table:TableError": TableError,
+    "ehl.traction.table:TableRange": TableRange,
 }
 NAMES = {kind: name for name, kind in TYPES.items()}
 

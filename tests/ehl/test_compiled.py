@@ -96,7 +96,7 @@ def test_all_that_kernels_import_is_among_the_sources():
 
 def test_the_digest_is_of_the_contents(monkeypatch, tmp_path):
     source = tmp_path / "_kernels.py"
-    monkeypatch.setattr("oilfilm.ehl.compiled.kernel_sources", lambda: [source])
+    monkeypatch.setattr("oilfilm.ehl.kernel_sources.kernel_sources", lambda: [source])
     source.write_text("one")
     first = kernel_digest.__wrapped__()
     os.utime(source, (1.0, 1.0))
