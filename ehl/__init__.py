@@ -8,6 +8,8 @@ conditions     - operating conditions of one lubricated contact
 finite_element - independent finite-element solution of the lubricated contact
 generalized    - generalized Reynolds equation of Yang and Wen (1990), with heat
 grid           - rectangular grids of the contact solver and their hierarchy
+kernel_sources - files that make up the compiled kernels of this program, and their contents as one
+                 number
 multigrid      - multigrid solution of the Reynolds and film equations
 oil            - the oil: density, viscosity, rheology and their numbers for compiled kernels
 options        - options of the contact solver

@@ -1,9 +1,5 @@
-"""Decorators that compile kernels, and the log and the cache of compiled kernels.
+"""Decorators that compile kernels, and the log and the cache of compiled kernels."""
 
-Which files make up the compiled kernels of this program, and what they hold as one number.
-"""
-
-import hashlib
 import logging
 from collections.abc import Callable
 from contextlib import suppress
@@ -14,32 +10,7 @@ from typing import Any
 from numba import njit
 from numba.core import event
 
-PACKAGES = ("ehl", "bearing")
-CONSTANTS = (  # modules from which kernels take constants, types and how they are compiled
-    "bearing/dynamics/arrays.py",
-    "bearing/dynamics/arrays.py",
-    "bearing/quasistatic/kinematics.py",
-    "bearing/vibration/assembly.py",
-    "ehl/arrays.py",
-    "ehl/compiled.py",
-    "ehl/traction/_heated_kernels.py",
-)
-
-
-def kernel_sources() -> list[Path]:
-    """Files whose contents end up in compiled code."""
-    root = Path(__file__).parents[1]
-    kernels = [path for package in PACKAGES for path in (root / package).rglob("*_kernels.py")]
-    return sorted([*kernels, *(root / name for name in CONSTANTS)])
-
-
-@cache
-def kernel_digest() -> str:
-    """Hexadecimal digest of the contents of all sources, 16 digits."""
-    digest = hashlib.sha256()
-    for path in kernel_sources():
-        digest.update(path.read_bytes())
-    return digest.hexdigest()[:16]
+from .kernel_sources import kernel_digest
 
 
 def compiled(function: Callable[..., Any]) -> Any:

@@ -459,7 +459,7 @@ def _drag(bearing: SkfBearing, operation: SkfOperation, n: float, nu: float) -> 
     geometry = bearing.constants.geometry
     mean = 0.5 * (d + outside)
     level = min(operation.oil_level / MILLIMETRE, 1.2 * mean)
-    balls = bearing.geometry * geometry * (d + outside) / (outside - d) * 1e-12
+    balls = bearing.rows * geometry * (d + outside) / (outside - d) * 1e-12
     angle = 2.0 * acos(max(min((0.6 * mean - level) / (0.6 * mean), 1.0), -1.0))
     wetted = sin(0.5 * angle) if angle <= pi else 1.0
     slenderness = (outside + d) / (outside - d)

@@ -33,7 +33,7 @@ from oilfilm.bearing.friction.tables import (
 )
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
-from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.film import FilmSample, film_sample

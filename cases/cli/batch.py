@@ -219,7 +219,7 @@ def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
 
 def _report_cost(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) -> None:
     """Announce the time that the points of one shard will take, estimated from the first point."""
-    from oilfilm.ehl.multigrid.starved import cores
+    from oilfilm.ehl.multigrid.threads import cores
 
     from ..format.case import case_of_document
 
@@ -266,7 +266,7 @@ def report_stored_points(directory: Path | None) -> Iterator[None]:
 
 def _pool(plan: Sweep, wanted: _Wanted) -> Callable[[], Pool]:
     def start() -> Pool:
-        from oilfilm.ehl.multigrid.starved import cores
+        from oilfilm.ehl.multigrid.threads import cores
 
         from ..batch.pools import ClusterPool, LocalPool, Pool, executor_factory
         from ..runs.kernel_cache import compiled_stamp

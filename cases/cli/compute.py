@@ -59,12 +59,12 @@ def run(
 ) -> int:
     """Run a bearing case: loads, film maps, pictures, VTK."""
     enter_context(compiled_ahead("bearing"))
-    from ..runs.processes import drawing_processes
+    from ..runs.drawing import drawing_processes
 
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
         loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'", heated=False)
         directory = results_directory(case, output, as_json)
-        from oilfilm.ehl.multigrid.starved import cores
+        from oilfilm.ehl.multigrid.threads import cores
         from oilfilm.postprocess import summary
         from oilfilm.postprocess.bearing.write import bearing_table
 
@@ -97,7 +97,7 @@ def contact(
     quiet: Quiet = False,
 ) -> int:
     """Solve one lubricated contact from a [contact] table."""
-    from ..runs.processes import drawing_processes
+    from ..runs.drawing import drawing_processes
 
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
         from ..format.case import ContactCase, load_case
@@ -106,7 +106,7 @@ def contact(
         if not isinstance(loaded, ContactCase):
             raise CaseError(f"{case}: is a bearing; run it with 'oilfilm run {case}'")
         directory = results_directory(case, output, as_json)
-        from oilfilm.ehl.multigrid.starved import cores
+        from oilfilm.ehl.multigrid.threads import cores
         from oilfilm.postprocess import summary
         from oilfilm.postprocess.contact.write import contact_table
 
@@ -157,7 +157,7 @@ def slip(
     """Map gross slip of the balls after Hirano, and the minimum preload, from a [slip] table."""
     loaded = load_bearing(case, "slip maps need a bearing")
     directory = results_directory(case, output, as_json)
-    from oilfilm.ehl.multigrid.starved import cores
+    from oilfilm.ehl.multigrid.threads import cores
 
     from ..runs.stiffness import run_slip
 
@@ -303,7 +303,7 @@ def table(
         )
     if path is not None:
         lock_output_file(path)
-    from oilfilm.ehl.multigrid.starved import cores
+    from oilfilm.ehl.multigrid.threads import cores
 
     from ..runs import traction_table as runs
 

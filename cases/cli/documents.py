@@ -226,7 +226,7 @@ def _write_document(directory: Path, file: Path, kind: str) -> tuple[Path, ...]:
 
 
 def _write_meshes(directory: Path, file: Path) -> tuple[Path, ...]:
-    from ..runs.output_directory import export_meshes
+    from ..runs.export import export_meshes
 
     return export_meshes(directory, file)
 

@@ -65,7 +65,7 @@ def _found(
     study: Study, directory: Path, workers: int | None, *, resume: bool, quiet: bool
 ) -> OptimisationResult:
     """Search with workers that stay until the end."""
-    from oilfilm.ehl.multigrid.starved import cores
+    from oilfilm.ehl.multigrid.threads import cores
 
     from ..optimise.search import PersistentPool, search_designs
     from ..runs.kernel_cache import compiled_stamp

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from oilfilm.postprocess.contact.summary import ContactResults
 
     from ..format.case import Case
+    from ..runs.drawing import Drawing
     from ..runs.films import Progress
-    from ..runs.processes import Drawing
 
 
 def load_bearing(name: str, needed: str, *, heated: bool = True, own_table: bool = True) -> Case:

@@ -28,7 +28,9 @@
 atlas            - films of a case by the film atlas, without a film solve
 bearing          - run a case
 contact          - run of a single contact
+drawing          - pictures and VTK of a run, made by processes while the numbers are written
 dynamics         - run the time simulation of a case
+export           - films of results as meshes for other programs
 films            - films of the contacts of a bearing, equal ones solved once, in parallel
 heating          - A case that warms itself
 interrupt        - messages on standard error, work that an interrupt gives up at once, and work

@@ -23,7 +23,7 @@ from oilfilm.bearing.fits.ring_strength import Strength, ring_strengths, strengt
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.bearing.supply.supply import Supply, inlet_layer
 from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
-from oilfilm.ehl.multigrid.starved import cores, film_threads
+from oilfilm.ehl.multigrid.threads import cores, film_threads
 from oilfilm.ehl.oil.lubricant import InletLayer
 
 from ..format.case import Case

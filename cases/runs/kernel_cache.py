@@ -13,7 +13,7 @@ from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
-from oilfilm.ehl.compiled import kernel_digest
+from oilfilm.ehl.kernel_sources import kernel_digest
 
 from ..version import version
 from .processes import THREADS, own_packages

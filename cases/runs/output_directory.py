@@ -6,8 +6,6 @@ One writer at a time in a folder of results, and an end to what killed ones have
 
 A writer holds the lock of `.NAME.lock` beside the folder, which the system takes from a process
 that ends, however it ends. What else is there of the name's temporary folders is then nobody's.
-
-Meshes of results, with the finite elements that their case asks for.
 """
 
 import atexit
@@ -25,12 +23,7 @@ from pathlib import Path
 from time import time
 
 from oilfilm.bearing.files import PARTIAL, umask, write_bytes
-from oilfilm.ehl import ContactConditions
-from oilfilm.ehl.solid.layered import Coating
-from oilfilm.postprocess.netcdf_read import open_results
-from oilfilm.postprocess.scene.export import export_results
 
-from ..format.case import ContactCase, case_of_document
 from ..format.rules import CaseError
 
 DIGESTS = ".oilfilm-digests.json"
@@ -433,34 +426,3 @@ def _remove_empty(file: Path, directory: Path) -> None:
         if folder == directory or not folder.is_dir() or any(folder.iterdir()):
             return
         folder.rmdir()
-
-
-def export_meshes(directory: Path, file: Path) -> tuple[Path, ...]:
-    """Write films as a mesh, and the elements of a coating beside it.
-
-    Parameters
-    ----------
-    directory : Path
-        Folder of the results.
-    file : Path
-        File of the mesh.
-
-    Returns
-    -------
-    tuple[Path, ...]
-        The files written.
-    """
-    return export_results(directory, file, _coating(directory))
-
-
-def _coating(directory: Path) -> Coating | None:
-    """The coating of a single contact, from the case that its results hold."""
-    with open_results(directory) as tree:
-        document = json.loads(tree.attrs["case"])
-    try:
-        case = case_of_document(document) if "contact" in document else None
-    except CaseError:  # a case of an earlier version
-        return None
-    if isinstance(case, ContactCase) and isinstance(case.conditions, ContactConditions):
-        return case.conditions.coating
-    return None

@@ -26,7 +26,7 @@ from oilfilm.bearing.studies.slip import (
     minimum_radial_load_skf,
     slip_surface,
 )
-from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.postprocess.slip.results import MinimumLoads, SlipResults
 from oilfilm.postprocess.stiffness.results import StiffnessResults
 

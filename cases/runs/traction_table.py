@@ -13,7 +13,7 @@ from oilfilm.bearing.friction.tables import (
     race_progress,
 )
 from oilfilm.ehl import Lubricant, SolverOptions
-from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.traction_table.build import FilmSampler, TableOptions, atlas_sampler
 from oilfilm.ehl.traction_table.film import film_sample

@@ -24,7 +24,7 @@ from oilfilm.ehl import (
 )
 from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients, hertz_contact
 from oilfilm.ehl.grid import Grid
-from oilfilm.ehl.multigrid.starved import cores, film_threads
+from oilfilm.ehl.multigrid.threads import cores, film_threads
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solid.deformation import deflect, deflection_kernel
 

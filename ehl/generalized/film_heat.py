@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..conditions import ContactConditions
-from ..grid import Grid
-from ..multigrid.starved import interpolate_linear
+from ..grid import Grid, interpolate_linear
 from ..oil.lubricant import oil_numbers, viscosity
 from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact

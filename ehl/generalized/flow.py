@@ -30,10 +30,9 @@ import numpy as np
 
 from ..arrays import Array
 from ..conditions import ContactConditions, contact_kinematics
-from ..grid import Grid
+from ..grid import Grid, interpolate_linear
 from ..multigrid.cycle import log_viscosity
 from ..multigrid.levels import FlowFactors, entrainment_factors
-from ..multigrid.starved import interpolate_linear
 from ..oil.lubricant import log_viscosity_ratio, oil_numbers, viscosity
 from ..oil.rheology import Rheology, divide_stresses, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact

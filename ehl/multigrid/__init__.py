@@ -12,4 +12,6 @@ levels            - levels of one contact: their grids, fields and workspace
 newton            - Newton's method on the finest level: certificate and last resort
 starved           - conservation of mass where the oil does not fill the gap
 supply            - what a layer of oil at the inlet leaves of a flooded contact
+threads           - threads that share the lines of a grid, and threads that solve several films at
+                    a time
 """

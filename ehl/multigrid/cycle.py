@@ -19,7 +19,7 @@ from math import inf
 import numpy as np
 
 from ..arrays import Array
-from ..grid import Grid
+from ..grid import Grid, full_weighting, inject, interpolate_cubic, interpolate_linear
 from ..oil import _kernels as properties
 from ..oil.lubricant import log_viscosity_ratio, oil_numbers
 from ..scaling import ScaledContact
@@ -31,10 +31,6 @@ from .levels import Damping, Level, Multigrid, TimeStep
 from .starved import (
     Fields,
     flux_operator,
-    full_weighting,
-    inject,
-    interpolate_cubic,
-    interpolate_linear,
     march_all_film_content,
     march_film_content,
     oil_imbalance,

@@ -23,7 +23,7 @@ from scipy.optimize import brentq
 
 from ..arrays import Array
 from ..closed_form.hertz import hertz_deflection
-from ..grid import grid_hierarchy
+from ..grid import grid_hierarchy, interpolate_cubic, interpolate_linear
 from ..options import SolverOptions
 from ..scaling import ScaledContact
 from ..solution import Certificate, FilmValue
@@ -39,7 +39,7 @@ from .far_field import FarField, deflection_outside, far_field, load_outside
 from .history import CONVERGED, FILMS, RESOLVED, LevelHistory, central_film, start_history
 from .levels import Damping, FlowModel, Multigrid, make_multigrid
 from .newton import MAX_NODES, certify
-from .starved import Threads, interpolate_cubic, interpolate_linear
+from .threads import Threads
 
 DEPTH = 6  # cycles in the combination
 CONDITION = 1e-8  # relative singular value below which a direction is dropped

@@ -26,11 +26,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
-from ..grid import Grid
+from ..grid import Grid, inject
 from ..scaling import ScaledContact
 from ..solid.deformation import DeflectionKernel, deflection_kernel
 from .far_field import EdgeField, FarField, edge_field
-from .starved import FilmContent, Threads, inject, make_film_content
+from .starved import FilmContent, make_film_content
+from .threads import Threads
 
 NOTHING: Array = np.empty((0, 0))  # in place of a field, for kernels
 

@@ -16,11 +16,6 @@ line all F follow from P, H and f in one pass downstream. With flow across the l
 not full has two outgoing faces: its oil leaves in the ratio of the velocities, that of a nearly
 full one in the ratio of the full gaps.
 
-Threads that share the lines of a grid, and threads that solve several films at a time: the
-compiled kernels release the interpreter's lock.
-
-Transfers between a grid and the one with doubled mesh size; arrays of shape (ny, nx).
-
 Derivative of the flux behind a layer of oil, at a solution with its empty nodes.
 
 The march of `starved` along the lines, differentiated, with C' the change of the oil that a node
@@ -39,204 +34,18 @@ What lies behind i + 1/2 belongs to node i + 1 and is taken off; kept, it makes 
 with the mesh, not with its square.
 """
 
-import os
-from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
-from ..grid import Grid
+from ..grid import Grid, inject
 from ..oil.lubricant import InletLayer
 from . import _starved_kernels
-
-# nodes of the smallest grid that is shared: below, the hand-over costs more than it saves
-SHARED_NODES = 2**15
-
-
-def cores() -> int:
-    """Cores this process may use [-]."""
-    affinity = hasattr(os, "sched_getaffinity")
-    return len(os.sched_getaffinity(0)) if affinity else os.cpu_count() or 1
-
-
-class Threads:
-    """A number of threads, the calling one included; results do not depend on the number."""
-
-    def __init__(self, number: int = 1) -> None:
-        self.number = number
-        self._pool = ThreadPoolExecutor(number - 1) if number > 1 else None
-
-    def number_for(self, nodes: int) -> int:
-        """Choose the number of threads for a grid.
-
-        Parameters
-        ----------
-        nodes : int
-            nodes of the grid [-]
-
-        Returns
-        -------
-        int
-            number of threads [-]
-        """
-        return self.number if nodes >= SHARED_NODES else 1
-
-    def run(self, kernel: Callable[[int, int], None], lines: range, nodes: int) -> None:
-        """Run a kernel on equal parts of the lines of a grid at the same time.
-
-        Parameters
-        ----------
-        kernel : Callable[[int, int], None]
-            takes the first line of a part and its end, half-open
-        lines : range
-            numbers of the lines; each part begins with one of them
-        nodes : int
-            nodes of the grid [-]
-        """
-        number = self.number_for(nodes)
-        if number == 1:
-            if lines:
-                kernel(lines[0], lines[-1] + 1)
-            return
-        cuts = [k * len(lines) // number for k in range(number + 1)]
-        parts = [(lines[a], lines[b - 1] + 1) for a, b in pairwise(cuts) if b > a]
-        assert self._pool is not None  # of more than one thread
-        jobs = [self._pool.submit(kernel, *part) for part in parts[1:]]
-        for part in parts[: len(parts) - len(jobs)]:
-            kernel(*part)
-        for job in jobs:
-            job.result()
-
-
-@contextmanager
-def film_threads(number: int) -> Iterator[ThreadPoolExecutor]:
-    """Open a pool of threads for films; after an interrupt no further film is begun.
-
-    A film under way cannot be stopped: a program that is to end at once ends by `os._exit`.
-
-    Parameters
-    ----------
-    number : int
-        number of threads [-]
-
-    Yields
-    ------
-    Iterator[ThreadPoolExecutor]
-        pool of threads
-    """
-    pool = ThreadPoolExecutor(max_workers=max(1, number))
-    waits = True
-    try:
-        yield pool
-    except KeyboardInterrupt:
-        waits = False
-        raise
-    finally:
-        pool.shutdown(wait=waits, cancel_futures=True)
-
-
-def inject(fine: Array) -> Array:
-    """Restrict a field by injection at the shared nodes.
-
-    Parameters
-    ----------
-    fine : Array
-        field of the finer grid, shape (2 ny - 1, 2 nx - 1) [-]
-
-    Returns
-    -------
-    Array
-        field of the coarser grid, shape (ny, nx) [-]
-    """
-    return fine[::2, ::2].copy()
-
-
-def full_weighting(fine: Array, symmetric: bool) -> Array:
-    """Restrict a field by the adjoint of bilinear interpolation over four, [1 2 1]/4 both ways.
-
-    Parameters
-    ----------
-    fine : Array
-        field of the finer grid, shape (2 ny - 1, 2 nx - 1) [-]
-    symmetric : bool
-        whether the first line is one of symmetry
-
-    Returns
-    -------
-    Array
-        field of the coarser grid, shape (ny, nx), zero on the edge [-]
-    """
-    lines = np.zeros((fine.shape[0], (fine.shape[1] + 1) // 2))
-    lines[:, 1:-1] = 0.25 * (fine[:, 1:-2:2] + 2.0 * fine[:, 2:-1:2] + fine[:, 3::2])
-    coarse = np.zeros(((fine.shape[0] + 1) // 2, lines.shape[1]))
-    coarse[1:-1] = 0.25 * (lines[1:-2:2] + 2.0 * lines[2:-1:2] + lines[3::2])
-    if symmetric:
-        coarse[0] = 0.5 * (lines[0] + lines[1])
-    return coarse
-
-
-def interpolate_linear(coarse: Array) -> Array:
-    """Interpolate a field bilinearly, exact for bilinear functions.
-
-    Parameters
-    ----------
-    coarse : Array
-        field of the coarser grid, shape (ny, nx, ...) [-]
-
-    Returns
-    -------
-    Array
-        field of the finer grid, shape (2 ny - 1, 2 nx - 1, ...) [-]
-    """
-    lines = np.empty((coarse.shape[0], 2 * coarse.shape[1] - 1, *coarse.shape[2:]))
-    lines[:, ::2] = coarse
-    lines[:, 1::2] = 0.5 * (coarse[:, 1:] + coarse[:, :-1])
-    fine = np.empty((2 * coarse.shape[0] - 1, *lines.shape[1:]))
-    fine[::2] = lines
-    fine[1::2] = 0.5 * (lines[1:] + lines[:-1])
-    return fine
-
-
-def interpolate_cubic(coarse: Array, symmetric: bool) -> Array:
-    """Interpolate a field bicubically, to start the next finer grid; lower order beside the edge.
-
-    The mid-point formula (-1, 9, 9, -1)/16 is exact for cubics.
-
-    Parameters
-    ----------
-    coarse : Array
-        field of the coarser grid, shape (ny, nx) [-]
-    symmetric : bool
-        whether the first line is one of symmetry
-
-    Returns
-    -------
-    Array
-        field of the finer grid, shape (2 ny - 1, 2 nx - 1) [-]
-    """
-    lines = np.empty((coarse.shape[0], 2 * coarse.shape[1] - 1))
-    lines[:, ::2] = coarse
-    lines[:, 1::2] = _mid_points(coarse.T, False).T
-    fine = np.empty((2 * coarse.shape[0] - 1, lines.shape[1]))
-    fine[::2] = lines
-    fine[1::2] = _mid_points(lines, symmetric)
-    return fine
-
-
-def _mid_points(values: Array, symmetric: bool) -> Array:
-    """Values half way between the rows."""
-    middle = 0.5 * (values[1:] + values[:-1])
-    middle[1:-1] = (9.0 * (values[1:-2] + values[2:-1]) - values[:-3] - values[3:]) / 16.0
-    if symmetric:
-        middle[0] = (9.0 * (values[0] + values[1]) - values[1] - values[2]) / 16.0
-    return middle
+from .threads import Threads
 
 
 @dataclass(slots=True, kw_only=True)

@@ -26,7 +26,7 @@ from ..atlas.fields import ContactFields, contact_fields, require_fields
 from ..atlas.films import NotInAtlasError, atlas_films
 from ..closed_form.hertz import MEAN_PRESSURE_RATIO
 from ..conditions import ContactConditions
-from ..multigrid.starved import film_threads
+from ..multigrid.threads import film_threads
 from ..oil.rheology import ShearLaw, contact_rheology
 from ..scaling import scale_contact
 from ..traction._kernels import LARGEST_FORCE, LARGEST_SPIN, LOAD_POWER, STANDING

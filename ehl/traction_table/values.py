@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array, lagrange_weights
-from ..multigrid.starved import film_threads
+from ..multigrid.threads import film_threads
 from .film import FilmSample, relative_forces
 from .splines import SMALLEST, along_axis, spline_matrix, spline_weights
 from .table import (

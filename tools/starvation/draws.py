@@ -20,7 +20,7 @@ import numpy as np
 
 from oilfilm.ehl import InletLayer, SolverOptions, solve_contact
 from oilfilm.ehl.closed_form.film import film_nijenbanning_central
-from oilfilm.ehl.multigrid.starved import cores
+from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.ehl.oil.lubricant import density
 from oilfilm.ehl.scaling import scale_contact
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from importlib import resources
 from typing import Any, TypeVar
 
-from oilfilm.ehl.multigrid.starved import cores, film_threads
+from oilfilm.ehl.multigrid.threads import cores, film_threads
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")

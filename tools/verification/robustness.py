@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from oilfilm.ehl import ContactSolution, SolverOptions, solve_contact
-from oilfilm.ehl.multigrid.starved import cores, film_threads
+from oilfilm.ehl.multigrid.threads import cores, film_threads
 from oilfilm.ehl.scaling import scale_contact
 
 from .draws import Draw, draws

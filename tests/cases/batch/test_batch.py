@@ -29,7 +29,7 @@ from oilfilm.cases.batch.results import load_results, write_batch
 from oilfilm.cases.batch.shared_tables import ContactCache
 from oilfilm.cases.batch.store import finished_points, open_folder
 from oilfilm.cases.batch.sweep import read_sweep, sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.contact import NEWTONIAN
 from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 from oilfilm.postprocess.batch.store import PointStore, Record, StoredPoints, store_files

@@ -21,7 +21,7 @@ from oilfilm.cases.batch.points import Task
 from oilfilm.cases.batch.pools import ClusterPool, LocalPool
 from oilfilm.cases.batch.results import load_results, write_batch
 from oilfilm.cases.batch.sweep import sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.postprocess import summary
 from oilfilm.postprocess.batch.plots import quantities

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 from oilfilm.cases.batch.engine import PointSelection, run_batch
 from oilfilm.cases.batch.results import load_results
 from oilfilm.cases.batch.sweep import read_sweep
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.postprocess import open_results
 from oilfilm.postprocess.batch.store import read_batch
 

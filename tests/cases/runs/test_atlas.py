@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from oilfilm import ehl
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import load_case
 from oilfilm.cases.runs import atlas
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 import pytest
 
 from oilfilm.cases import load_case, run_case
-from oilfilm.cases.runs.processes import drawing_processes
+from oilfilm.cases.runs.drawing import drawing_processes
 from oilfilm.postprocess import write_results
 
 LEFT_OUT = "VTK and plots"

@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from oilfilm.ehl import Lubricant, MoesConditions, SolverOptions, solve_contact
-from oilfilm.ehl.multigrid.starved import SHARED_NODES, Threads
+from oilfilm.ehl.multigrid.threads import SHARED_NODES, Threads
 
 
 @pytest.mark.parametrize("threads", [1, 2, 3, 7])

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from oilfilm.ehl.grid import Grid, grid_hierarchy
+from oilfilm.ehl.grid import Grid, full_weighting, grid_hierarchy, inject, interpolate_cubic, interpolate_linear
 from oilfilm.ehl.multigrid.film_values import extrapolate, extrapolate_approach, second_order
 from oilfilm.ehl.multigrid.history import STALLED_CYCLES, LevelHistory, central_film, film_values
-from oilfilm.ehl.multigrid.starved import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 HIERARCHY = grid_hierarchy(65, (-4.0, 2.0, 3.0), 1.5, 3, True)
 

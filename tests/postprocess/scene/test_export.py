@@ -167,7 +167,7 @@ def test_elements_of_a_coating(contact_folder, tmp_path, suffix):
 def test_the_coating_is_that_of_the_case(contact_results, tmp_path):
     """Rebuilt from the case that the results hold; a bearing and a contact without one have none."""
     from oilfilm.cases import load_case
-    from oilfilm.cases.runs.output_directory import export_meshes
+    from oilfilm.cases.runs.export import export_meshes
 
     case = load_case("coated_steel")
     write_results(replace(contact_results, case=case.document), tmp_path / "run")
@@ -182,7 +182,7 @@ def test_the_coating_is_that_of_the_case(contact_results, tmp_path):
 def test_the_command(bearing_folder, tmp_path, monkeypatch):
     from typer.testing import CliRunner
 
-    from oilfilm.cases.cli.terminal import app
+    from oilfilm.cases.cli.main import app
 
     def oilfilm(*words):
         return CliRunner().invoke(app, ["export", *map(str, words)])
