@@ -1,4 +1,3 @@
-from .catalogue import load_bearing
 from .contacts.contact import BearingContact
 from .contacts.contacts import contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
@@ -15,6 +14,7 @@ from .geometry import (
     Row,
     clearance_to_contact_angle,
     contact_angle_to_clearance,
+    load_bearing,
     reduced_radii,
 )
 from .library.bearings import list_bearings, load_catalogue_entry
@@ -22,9 +22,13 @@ from .library.catalogue import typical_geometry
 from .library.lubricants import Grease, list_greases, list_lubricants, load_grease, load_lubricant
 from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
 from .operation import BallKinematics, Curvature, Operation, QuasistaticModel, RatingInput
-from .quasistatic.solution import QuasistaticSolution
+from .quasistatic.solution import (
+    Frequencies,
+    QuasistaticSolution,
+    bearing_frequencies,
+    kinematic_frequencies,
+)
 from .quasistatic.solver import solve_quasistatic
-from .rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
 from .rating.geometry_estimate import CatalogueData, estimate_bearing, estimate_geometry
 from .rating.life import LifeRating, bearing_life
 from .studies.preload import (

@@ -89,7 +89,7 @@ class OilSupply:
     # fraction of the gap that oil fills
     outlet_layer: Array | None = None
     filled: Array | None = None
-    # what the law gave, None: solved behind the layer; and the moment of the flooded pressure in
+    # factors of the law, None: solved behind the layer; and the moment of the flooded pressure in
     # the box, over p_h a^3, with what makes it that by the heat of its flow
     law: StarvationFactors | None = None
     flooded_moment: tuple[float, float] = (0.0, 0.0)

@@ -1,9 +1,6 @@
-"""Lubricants by name: viscosity, pressure-viscosity, density, thermal properties.
-
-Constants of an oil of the library under pressure: volume, viscosity, heat, shear.
-
-Greases by name: their base oil in the library, and the film with the grease over that of
-its base oil, by age.
+"""Lubricants by name: viscosity, pressure-viscosity, density, thermal properties, and the
+constants of an oil under pressure (volume, viscosity, heat, shear). Greases by name: their base
+oil, and the film with the grease over that of its base oil, by age.
 """
 
 import warnings
@@ -51,6 +48,17 @@ from .plugins import (
 )
 
 HEAT_DATA = "oil_heat.toml"
+
+OIL_DATA = "lubricants.toml"
+PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
+STEP = 0.5  # of the differences that give the temperature coefficients [K]
+MM2_S = UNITS["mm2_s"].si  # [m^2/s]
+MPA_S = UNITS["mPa_s"].si  # [Pa s]
+SCALED_VOLUME = "scaled volume"  # law of the viscosity that takes the volume of Tait's
+CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
+
+GREASE_DATA = "greases.toml"
+FACTOR = "film factor"  # table of the data file that is no grease
 
 
 def oil_constants(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
@@ -169,15 +177,6 @@ def limiting_coefficient(entry: dict[str, Any]) -> dict[str, Any] | None:
     """
     data: dict[str, Any] | None = entry.get("limiting_stress_coefficient")
     return data
-
-
-OIL_DATA = "lubricants.toml"
-PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
-STEP = 0.5  # of the differences that give the temperature coefficients [K]
-MM2_S = UNITS["mm2_s"].si  # [m^2/s]
-MPA_S = UNITS["mPa_s"].si  # [Pa s]
-SCALED_VOLUME = "scaled volume"  # law of the viscosity that takes the volume of Tait's
-CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 
 
 def list_lubricants(name: str | None = None) -> tuple[str, ...]:
@@ -641,10 +640,6 @@ def _interpolate(data: dict[str, Any], temperature: float) -> float:
     pairs = list(pairwise(points))
     (t0, v0), (t1, v1) = next((pair for pair in pairs if temperature <= pair[1][0]), pairs[-1])
     return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
-
-
-GREASE_DATA = "greases.toml"
-FACTOR = "film factor"  # table of the data file that is no grease
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -90,7 +90,7 @@ class TorqueBreakdown:
 
     @property
     def flooded_isothermal(self) -> float | None:
-        """Of the integrated model with the whole rolling moment of flooded films without inlet
+        """Torque of the integrated model with the rolling moment of flooded films without inlet
         heating, a bound [N m].
         """
         flooded = None if self.shear is None else self.shear.flooded

@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 from enum import StrEnum
 from functools import partial
 from pathlib import Path
+from shutil import rmtree
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -335,7 +336,7 @@ def _film_sampler(path: Path | None) -> Iterator[FilmSampler]:
     """Solves films and keeps them beside the table until that is complete."""
     from oilfilm.ehl.traction_table.film import film_sample
 
-    from ..batch.shared_tables import remove_films, stored_film_sampler
+    from ..batch.shared_tables import stored_film_sampler
 
     if path is None:
         yield film_sample
@@ -352,4 +353,4 @@ def _film_sampler(path: Path | None) -> Iterator[FilmSampler]:
                 f"finished films are kept in {folder}; {room}the same command goes on with them"
             )
         raise
-    remove_films(folder)
+    rmtree(folder, ignore_errors=True)

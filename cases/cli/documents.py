@@ -1,7 +1,4 @@
-"""Commands on results: report, compare, cut, interferogram, diagram, export.
-
-Commands that look at results: view.
-"""
+"""Commands on results: report, compare, cut, interferogram, diagram, export, view."""
 
 from dataclasses import replace
 from enum import StrEnum
@@ -30,7 +27,6 @@ Contact = Annotated[
     str | None,
     typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film."),
 ]
-
 
 DOCUMENTS = {"xlsx": "workbook", "pdf": "pages"}  # formats of `export` that are no meshes
 

@@ -81,12 +81,12 @@ class Case(AnyCase):
     inlet: InletFactors = NO_LOSS  # of the rolling moment of its films [-]
     heating: HeatingInput | None = None  # the heat balance, where the case has one
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
-    # where fits or temperatures change it; `bearing` has the operating one
+    # given where fits or temperatures change it; `bearing` has the operating one
     clearance: ClearanceBudget | None = None
     seats: fits.Seats  # of the rings, for their strength
     rows: tuple[Row, ...] | None = None  # None: a single one
     load_cases: tuple["LoadCaseInput", ...] = ()  # states of a duty cycle
-    # that films stand behind [m], or the flow that gives each contact its own; None: flooded
+    # layer that films stand behind [m], or the flow that gives each its own; None: flooded
     inlet_layer: InletLayer | Supply | None = None
 
 

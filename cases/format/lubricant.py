@@ -1,6 +1,6 @@
 """[lubricant] and [lubricants.NAME]: the oil at the temperature of operation.
 
-Constants of Tait, Doolittle and Yasutomi of an oil, and the coefficient that follows.
+The constants of Tait, Doolittle and Yasutomi give the pressure-viscosity coefficient.
 """
 
 import warnings
@@ -422,7 +422,7 @@ NUMBERS = {  # field of `Lubricant`: its key
     "flooded_layer": "flooded_layer_um",
 }
 LAWS = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
-# of an oil whose density is not given [kg/m^3]: the library's mineral oils have 854 to 874 at 40 C
+# density of an oil without one [kg/m^3]: the library's mineral oils have 854 to 874 at 40 C
 DENSITY = 870.0
 # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
 VISCOSITY_UNUSED = 1.0

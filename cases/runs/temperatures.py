@@ -83,7 +83,7 @@ def temperatures(
         if at.state is None or not at.converged:
             raise CaseError(f"{name}: no balance of heat at any speed tried: {at.note}")
         branch = balances_over_speed(
-            at_speed(problem, factor), at.state, _told(notify, 1, "balances over the speed, films")
+            at_speed(problem, factor), at.state, _by_film_temperature(notify)
         )
         stable = heating.stability
         if duration is None:
@@ -102,9 +102,10 @@ def temperatures(
     )
 
 
-def _told(notify: Progress, done: int, words: str) -> Callable[[float], None]:
+def _by_film_temperature(notify: Progress) -> Callable[[float], None]:
     """Progress by film temperatures [K]."""
-    return lambda kelvin: notify(done, 3, f"{words} at {from_si('temperature_C', kelvin):.0f} C")
+    text = "balances over the speed, films at"
+    return lambda kelvin: notify(1, 3, f"{text} {from_si('temperature_C', kelvin):.0f} C")
 
 
 def _nearest_balance(

@@ -4,9 +4,8 @@ and between them.
 Scales, films and forces between the temperatures are those of a polynomial through the nearest
 tables, up to four, in the logarithm of the oil's viscosity at the mean pressure of the largest
 load: traction follows that, and goes smoothly where the data of an oil have a bend over T. All
-tables have the same nodes, so that one at any temperature between
-is the weighted sum of their coefficients, computed once: a lookup in it costs what one in a
-table of a single temperature does.
+tables have the same nodes, so that one at any temperature between is the weighted sum of their
+coefficients, computed once: a lookup in it costs what one in a table of a single temperature does.
 """
 
 from collections.abc import Callable, Sequence

@@ -21,7 +21,7 @@ from oilfilm.bearing.films.formula import formula_films
 from oilfilm.bearing.films.operating import OilAtInlets, least_lambda, mean_fraction, of_driven_balls, supplied_films
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.bearing.supply.supply import InletFilm, Supply
+from oilfilm.bearing.supply.supply import PrescribedInlet, Supply
 from oilfilm.bearing.torque.breakdown import friction_torque
 from oilfilm.bearing.torque.integrated import bearing_films, solved_shear
 from oilfilm.cases import load_case
@@ -80,7 +80,7 @@ def supplied_case(speed: float, load: float) -> tuple[Case, QuasistaticSolution,
     return case, state, contacts, formula_films(contacts)
 
 
-def supplied(speed: float, load: float, supply: Supply | InletFilm, **changes: object) -> SupplyPoint:
+def supplied(speed: float, load: float, supply: Supply | PrescribedInlet, **changes: object) -> SupplyPoint:
     """The recommended torque at a supply, with changes of the case's friction."""
     case, state, contacts, films = supplied_case(speed, load)
     friction = replace(case.friction, supply=supply, **changes)

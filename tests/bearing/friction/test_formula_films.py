@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from oilfilm.bearing.contacts.contacts import hertz_contacts
+from oilfilm.bearing.contacts.contact import hertz_contacts
 from oilfilm.bearing.films.formula import formula_values
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases import load_case, run_case

@@ -221,16 +221,15 @@ def test_validate_shows_every_error_with_its_line(tmp_path):
 
 
 def test_validation_and_run_say_the_same_of_two_laws_of_friction(tmp_path):
-    """And of keys of an earlier version; `--quiet` and JSON have errors only."""
+    """`--quiet` and JSON have errors only."""
     text = find_case("7008_radial").read_text(encoding="utf-8")
-    law = text.replace("[friction]\n", '[friction]\ntraction = "four constants"\n')
-    text = law.replace("[dynamics]\n", '[dynamics]\nfriction = "coulomb"\nfriction_coefficient = 0.05\n')
+    law = text.replace("[friction]\n", '[friction]\ntraction = "four constants"\ncoefficient = 0.05\n')
+    text = law.replace("[dynamics]\n", '[dynamics]\nfriction = "coulomb"\n')
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
     answer = oilfilm("validate", "case.toml")
     assert answer.exit_code == 0
     notes = " ".join(answer.stderr.split())
     assert 'note: two laws of friction: friction.traction = "four constants" in traction equilibrium' in notes
-    assert "note: dynamics.friction_coefficient: is now friction.coefficient" in notes
     assert notes == " ".join(f"note: {note}" for note in load_case("case.toml").file.notes)
     assert oilfilm("validate", "case.toml", "--quiet").stderr == ""
     assert oilfilm("validate", "case.toml", "--json").stderr == ""

@@ -311,7 +311,7 @@ def test_types_keep_their_names_in_files(table, tmp_path):
     save_table(table, tmp_path / "table.npz")
     with np.load(tmp_path / "table.npz") as file:
         document = json.loads(str(file["document"]))
-    assert document["contact"]["type"] == "oilfilm.ehl.traction_table:TableContact"
+    assert document["contact"]["type"] == "ehl.traction_table:TableContact"
     assert document["contact"]["lubricant"]["viscosity_law"]["type"] == "ehl.lubricant:ViscosityLaw"
     assert document["contact"]["rheology"]["law"]["type"] == "ehl.rheology.laws:ShearLaw"
     assert inputs_digest(CIRCLE, LIMITS, 65) == DIGEST
