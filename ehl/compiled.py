@@ -20,7 +20,7 @@ CONSTANTS = (  # modules from which kernels take constants, types and how they a
     "bearing/vibration/assembly.py",
     "ehl/arrays.py",
     "ehl/compiled.py",
-    "ehl/traction/_heated_kernels.py",
+    "ehl/traction/coefficients.py",
 )
 
 
