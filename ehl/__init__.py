@@ -1,6 +1,6 @@
 """Lubricated contacts: Hertz, Reynolds, elastic deflection; no bearings here.
 
-arrays         - the type of the arrays of numbers
+arrays         - the type of the arrays of numbers, interpolation weights, equal rows
 atlas          - films of flooded contacts from a table of solved ones
 closed_form    - closed-form references: Hertz contact and stress, film formulas
 compiled       - how kernels are compiled, and when they count as out of date

@@ -1,4 +1,6 @@
-"""The type of the arrays of numbers, interpolation weights and groups of equal rows."""
+"""The type of the arrays of numbers, interpolation weights, terms of Gaussian processes and groups
+of equal rows.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +29,45 @@ def lagrange_weights(nodes: Array, point: Array | float) -> Array:
     away = np.asarray(point)[..., None, None] - nodes[..., None, :]
     same = apart == 0.0
     return np.asarray(np.prod(np.where(same, 1.0, away) / np.where(same, 1.0, apart), axis=-1))
+
+
+def trend_terms(x: Array) -> Array:
+    """Evaluate 1, x_j and x_j x_k.
+
+    Parameters
+    ----------
+    x : Array
+        positions, shape (m, d) [-]
+
+    Returns
+    -------
+    Array
+        terms, shape (m, 1 + d + d (d + 1)/2) [-]
+    """
+    first, second = np.triu_indices(x.shape[1])
+    return np.concatenate([np.ones((len(x), 1)), x, x[:, first] * x[:, second]], axis=1)
+
+
+def radial(x: Array, places: Array, scales: Array) -> Array:
+    """Evaluate Matern's radial functions of 5/2.
+
+    Parameters
+    ----------
+    x : Array
+        positions, shape (m, d) [-]
+    places : Array
+        centres of the functions, shape (n, d) [-]
+    scales : Array
+        scales along the axes, shape (d,) [-]
+
+    Returns
+    -------
+    Array
+        functions, shape (m, n) [-]
+    """
+    steps = (x[:, None, :] - places[None, :, :]) / scales
+    t = np.sqrt(5.0 * np.einsum("ijk,ijk->ij", steps, steps))
+    return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
 
 
 def unique_rows(rows: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

@@ -32,14 +32,14 @@ from typing import NamedTuple
 import numpy as np
 import scipy
 
-from ..arrays import Array, lagrange_weights
+from ..arrays import Array, lagrange_weights, radial, trend_terms
 from ..conditions import ContactConditions
 from ..oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
 from ..scaling import scale_contact
 from ..traction.film_quadrature import HIGH_PRESSURE, LINES, PANELS, line_quadrature
 from .films import NotInAtlasError, atlas_load, oil_numbers, require_covered, require_range, skewed
 from .oils import inlet_oil
-from .table import heavy_weight, oil_features, radial, trend_terms
+from .table import heavy_weight, oil_features
 
 FILE = Path(__file__).parent / "fields.npz"
 LIGHT_FILE = Path(__file__).parent / "fields_light.npz"  # of light contacts, for friction alone

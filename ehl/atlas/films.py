@@ -28,7 +28,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, radial
 from ..closed_form.film import MAX_FILM_OVER_RADIUS
 from ..closed_form.hertz import hertz_coefficients
 from ..conditions import ContactConditions, MoesConditions
@@ -37,7 +37,7 @@ from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution, FilmValue
 from ..traction.rolling_moment import circles_moment_loss
 from .oils import LIGHT_DENSITY, density_correction, density_excess, law_error, with_inlet_oil
-from .table import BASE_ALPHA, BASE_Z, LIGHT, error_bars, functions, radial
+from .table import BASE_ALPHA, BASE_Z, LIGHT, error_bars, functions
 
 FILE = Path(__file__).parent / "skewed.npz"
 # ranges of the contact along its principal direction of smaller radius, validated for entrainment

@@ -24,14 +24,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arrays import Array
+from ..arrays import Array, radial, trend_terms
 from ._kernels import near_functions
 
 FILE = Path(__file__).parent / "film_atlas.npz"
 BASE_Z = 0.68  # Roelands' z of the oil of the solves [-]
 BASE_ALPHA = 22e-9  # its alpha [1/Pa]
 OIL_UNITS = (0.2, 0.45)  # of z and ln alpha in the features of oils [-]
-PAIRS = np.triu_indices(3)
 NO_STEP = np.array([0.0, 1.0, 0.0, 1.0, 1.0, 1.0])  # of a patch without a step [-]
 
 
@@ -152,45 +151,6 @@ def slanted(x: Array, slant: Array) -> Array:
     _, root, ratio = x.T
     first = x[:, 0] + np.stack([ratio, ratio**2, root, root**2], axis=1) @ slant
     return np.column_stack([first, x[:, 1:]])
-
-
-def trend_terms(x: Array) -> Array:
-    """Evaluate 1, x_j and x_j x_k.
-
-    Parameters
-    ----------
-    x : Array
-        positions, shape (m, 3) [-]
-
-    Returns
-    -------
-    Array
-        terms, shape (m, 10) [-]
-    """
-    first, second = PAIRS
-    return np.concatenate([np.ones((len(x), 1)), x, x[:, first] * x[:, second]], axis=1)
-
-
-def radial(x: Array, places: Array, scales: Array) -> Array:
-    """Evaluate Matern's radial functions of 5/2.
-
-    Parameters
-    ----------
-    x : Array
-        positions, shape (m, 3) [-]
-    places : Array
-        centres of the functions, shape (n, 3) [-]
-    scales : Array
-        scales along the axes, shape (3,) [-]
-
-    Returns
-    -------
-    Array
-        functions, shape (m, n) [-]
-    """
-    steps = (x[:, None, :] - places[None, :, :]) / scales
-    t = np.sqrt(5.0 * np.einsum("ijk,ijk->ij", steps, steps))
-    return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
 
 
 def slanted_radial(x: Array, places: Array, scales: Array, step: Array) -> Array:

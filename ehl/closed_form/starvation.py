@@ -30,7 +30,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, radial, trend_terms
 from ..options import require_not_negative, require_positive
 from .film import moes_film_nijenbanning
 from .hertz import hertz_coefficients
@@ -42,7 +42,6 @@ NODES = 121  # of ln r, between which the functions of one contact are linear
 LEAST_RISE = 1e-6  # of ln R, ln R_min and s from node to node
 HALVINGS = 50
 LARGEST_LOG_EXPONENT = 5.0  # ln g
-PAIRS = np.triu_indices(4)
 
 EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
 WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
@@ -129,62 +128,6 @@ def contact_coordinates(load: float, lubricant: float, radius_ratio: float) -> A
     f = hertz_coefficients(radius_ratio)[0]
     film = moes_film_nijenbanning(load, lubricant, radius_ratio) / (f**2 * load ** (2.0 / 3.0))
     return np.array([log(film), log1p(lubricant / STRETCH), log(radius_ratio)])
-
-
-def trend_terms(x: Array) -> Array:
-    """Terms of the trend: 1, x_j and x_j x_k.
-
-    Parameters
-    ----------
-    x : Array
-        coordinates, shape (..., 4) [-]
-
-    Returns
-    -------
-    Array
-        terms, shape (..., 15) [-]
-    """
-    first, second = PAIRS
-    ones = np.ones((*x.shape[:-1], 1))
-    return np.concatenate([ones, x, x[..., first] * x[..., second]], axis=-1)
-
-
-def kernel(squared: Array) -> Array:
-    """Matern's kernel of 5/2 with unit variance.
-
-    Parameters
-    ----------
-    squared : Array
-        squared distances, any shape [-]
-
-    Returns
-    -------
-    Array
-        kernel, shape of `squared` [-]
-    """
-    t = np.sqrt(5.0 * squared)
-    return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
-
-
-def radial(x: Array, centres: Array, scales: Array) -> Array:
-    """Radial functions around the solved contacts.
-
-    Parameters
-    ----------
-    x : Array
-        coordinates, shape (m, 4) [-]
-    centres : Array
-        coordinates of the solved contacts, shape (n, 4) [-]
-    scales : Array
-        length of the kernel in each coordinate, shape (4,) [-]
-
-    Returns
-    -------
-    Array
-        values, shape (m, n) [-]
-    """
-    steps = (x[:, None, :] - centres[None, :, :]) / scales
-    return kernel(np.einsum("ijk,ijk->ij", steps, steps))
 
 
 @lru_cache(maxsize=1024)

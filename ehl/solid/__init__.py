@@ -1,8 +1,7 @@
 """The bodies: elastic deflection, coatings, heat conduction, stress below the contact.
 
-_kernels    - compiled march of the heat through films along lines of rolling; the NumPy twin is
-              `marched_flux_twin` of tests/reference
-bodies      - bodies of finite size: rings, by finite elements
+_kernels    - compiled march of the heat through films along lines of rolling
+bodies      - bodies of finite size: rings and balls
 compliance  - half-space compliance of bilinear pressures on a graded rectangular mesh
 deformation - elastic deflection of the half-space by convolution
 heat        - bodies as half-spaces that move past a source of heat

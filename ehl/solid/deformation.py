@@ -1,4 +1,6 @@
-"""Elastic deflection of the half space: Love's kernel by zero-padded FFT."""
+"""Elastic deflection of the half space: Love's kernel by zero-padded FFT, on small grids by the
+same transforms as matrices.
+"""
 
 from dataclasses import dataclass
 
@@ -12,6 +14,10 @@ from .layered import ScaledCoating, patch_compliance
 # part of the kernel that the line relaxation uses
 NEAR_LINES = 4
 NEAR_COLUMNS = 12
+# nodes up to which the transforms are products with matrices, in a fifth to a half of the time:
+# FFTs are as fast on 33 x 65 nodes, and on 65 x 129 of a symmetric grid
+MATRIX_NODES = 1100
+MATRIX_NODES_SYMMETRIC = 2200
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,6 +34,8 @@ class DeflectionKernel:
     # deflection at distance m hx in the same line and in the next ones, shape (NEAR_LINES,
     # NEAR_COLUMNS)
     near: Array
+    # transforms of small grids: along x, along y, back along y, back along x
+    matrices: tuple[Array, Array, Array, Array] | None
 
 
 def patch_corner(u: Array, v: Array) -> Array:
@@ -71,6 +79,7 @@ def deflection_kernel(
         kernel for `deflect`
     """
     quarter = deformation * unit_deflections(grid, coating)
+    most = MATRIX_NODES_SYMMETRIC if grid.symmetric else MATRIX_NODES
     # even in x and y: cosine transforms of the quarter are the real spectrum
     along = fft.dct(quarter, type=1, axis=1)
     far = np.zeros(grid.nx)
@@ -92,6 +101,26 @@ def deflection_kernel(
         spectrum=spectrum,
         far=far,
         near=quarter[:NEAR_LINES, :NEAR_COLUMNS].copy(),
+        matrices=_matrices(grid, length) if grid.nx * grid.ny <= most else None,
+    )
+
+
+def _matrices(grid: Grid, length: int) -> tuple[Array, Array, Array, Array]:
+    """The four transforms of `deflect`; rows along x hold real and imaginary parts in turn."""
+    length_x = 2 * (grid.nx - 1)
+    parts = np.eye(2 * grid.nx).view(np.complex128)
+    lines = np.eye(grid.ny)
+    if grid.symmetric:
+        across = fft.dct(lines, type=3, n=length, axis=0)
+        back_across = fft.dct(np.eye(length), type=2, axis=0)
+    else:
+        across = fft.fft(lines, n=length, axis=0)
+        back_across = fft.ifft(np.eye(length), axis=0)
+    return (
+        fft.rfft(np.eye(grid.nx), n=length_x, axis=1).view(np.float64),
+        across,
+        back_across[: grid.ny].copy(),
+        fft.irfft(parts, n=length_x, axis=1)[:, : grid.nx].copy(),
     )
 
 
@@ -157,6 +186,8 @@ def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Arra
     Array
         deflection, shape (ny, nx) [-]
     """
+    if kernel.matrices is not None:
+        return _deflect_by_matrices(kernel, kernel.matrices, pressure)
     rows = fft.rfft(pressure, n=kernel.length_x, axis=1, workers=threads)
     if not kernel.symmetric:
         columns = fft.fft(rows, n=len(kernel.spectrum), axis=0, workers=threads)
@@ -172,3 +203,18 @@ def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Arra
         rows[-1] += beyond
     deflection = fft.irfft(rows, n=kernel.length_x, axis=1, overwrite_x=True, workers=threads)
     return np.ascontiguousarray(deflection[:, : kernel.shape[1]])
+
+
+def _deflect_by_matrices(
+    kernel: DeflectionKernel, matrices: tuple[Array, Array, Array, Array], pressure: Array
+) -> Array:
+    along, across, back_across, back_along = matrices
+    rows = pressure @ along
+    if not kernel.symmetric:
+        rows = rows.view(np.complex128)
+    series = across @ rows
+    series *= kernel.spectrum
+    deflected = back_across @ series
+    if kernel.symmetric:
+        deflected[-1] += np.repeat(kernel.far, 2) * rows[-1]
+    return np.asarray(deflected.view(np.float64) @ back_along)

@@ -13,25 +13,14 @@ of a uniformly heated circle of radius a at rest, q a/k, as well as at speed (as
 
 Between the bodies each strip of the surfaces meets the other body for the time t = w(y)/u, w its
 length along rolling and u the rolling speed, through a film of the conductance H = k_f/h per area.
-Two half-spaces of effusivities e_1, e_2 that are brought together at t = 0 through H exchange, per
-area and kelvin,
+Each line is marched along rolling, by one-dimensional conduction in both bodies,
 
-.. math:: E(t) = \frac{H}{\beta^2} \left[ e^{\beta^2 t} \mathrm{erfc}(\beta \sqrt t) - 1
-          + 2 \beta \sqrt{t/\pi} \right], \qquad \beta = H (1/e_1 + 1/e_2)
-
-(one-dimensional conduction, Carslaw and Jaeger, 1959, section 2.9 for one body), so that a contact
-of semi-axes b along rolling and a across it conducts
-
-.. math:: G = u \int_{-a}^{a} E(w(y)/u)\, dy, \qquad w = 2 b \sqrt{1 - y^2/a^2}
+.. math:: q(x) = H(x) \left[ 1 - \frac{1/e_1 + 1/e_2}{\sqrt{\pi u}}
+          \int_{-\infty}^{x} \frac{q(x')\, dx'}{\sqrt{x - x'}} \right]
 
 It holds where the heat does not get far during the passage, u b/(2 kappa) >> 1. At slower motion u
 has a contribution of bodies at rest added that makes G of a contact at rest without a film the
 conductance of an isothermal spot, 1/G = (1/k_1 + 1/k_2) K(m)/(2 pi a), m = 1 - b^2/a^2.
-
-Over a film whose H varies, each line is marched along rolling,
-
-.. math:: q(x) = H(x) \left[ 1 - \frac{1/e_1 + 1/e_2}{\sqrt{\pi u}}
-          \int_{-\infty}^{x} \frac{q(x')\, dx'}{\sqrt{x - x'}} \right]
 """
 
 from dataclasses import dataclass
@@ -45,8 +34,6 @@ from ..arrays import Array
 from ..options import require_positive
 from ._kernels import marched_sums
 
-SERIES_BELOW = 1.0e-2  # of beta sqrt(t), where the closed form cancels [-]
-LINES = 32  # of Gauss and Legendre across the ellipse [-]; 64 change G by 1e-9
 # B(1/2, 5/4), from the integral of sqrt(w) across an ellipse [-]
 BETA = gamma(0.5) * gamma(1.25) / gamma(1.75)
 
@@ -121,36 +108,6 @@ def history_weights(count: int, mesh: float) -> Array:
     return 4.0 / 3.0 * np.sqrt(mesh) * weights
 
 
-def exchanged_heat(time: ArrayLike, film: float, first: float, second: float) -> Array:
-    """Heat E(t) that two half-spaces exchange through a film, per area and kelvin.
-
-    Parameters
-    ----------
-    time : ArrayLike
-        of the contact, any shape [s]
-    film : float
-        conductance H of the film [W/(m^2 K)]
-    first : float
-        effusivity of the first body [W s^0.5/(m^2 K)]
-    second : float
-        effusivity of the second body [W s^0.5/(m^2 K)]
-
-    Returns
-    -------
-    Array
-        E, shape of `time` [J/(m^2 K)]
-    """
-    joint = first * second / (first + second)
-    root = np.sqrt(np.asarray(time, dtype=np.float64))
-    z = film / joint * root
-    small = np.minimum(z, SERIES_BELOW)
-    # z^2 - 4 z^3/(3 sqrt(pi)) + z^4/2 - 8 z^5/(15 sqrt(pi)) of the bracket
-    cubic = 4.0 / (3.0 * np.sqrt(pi)) - 0.5 * small + 8.0 / (15.0 * np.sqrt(pi)) * small**2
-    series = small**2 * (1.0 - small * cubic)
-    closed = scipy.special.erfcx(z) - 1.0 + 2.0 * z / np.sqrt(pi)
-    return np.asarray(joint**2 / film * np.where(z < SERIES_BELOW, series, closed))
-
-
 def spot_conductance(
     along: float, across: float, first: SolidThermal, second: SolidThermal
 ) -> float:
@@ -176,69 +133,6 @@ def spot_conductance(
     resistance = 1.0 / first.conductivity + 1.0 / second.conductivity
     integral = float(scipy.special.ellipk(1.0 - (short / long) ** 2))
     return 2.0 * pi * long / (resistance * integral)
-
-
-def film_conductance(
-    speed: float,
-    semi_axes: tuple[float, float],
-    film: float,
-    first: SolidThermal,
-    second: SolidThermal,
-) -> float:
-    """Conductance G of a contact with an even film.
-
-    Parameters
-    ----------
-    speed : float
-        of rolling [m/s]
-    semi_axes : tuple[float, float]
-        along rolling and across it [m]
-    film : float
-        H = k_f/h [W/(m^2 K)]
-    first : SolidThermal
-        first body
-    second : SolidThermal
-        second body
-
-    Returns
-    -------
-    float
-        G [W/K]
-    """
-    along, across = semi_axes
-    u = moving_speed(speed, semi_axes, first, second)
-    nodes, weights = np.polynomial.legendre.leggauss(LINES)
-    angle = 0.5 * pi * nodes  # y = a sin(angle)
-    length = 2.0 * along * np.cos(angle)
-    exchanged = exchanged_heat(length / u, film, first.effusivity, second.effusivity)
-    dy = across * np.cos(angle) * 0.5 * pi * weights
-    return float(u * (exchanged @ dy))
-
-
-def bare_conductance(
-    speed: float, semi_axes: tuple[float, float], first: SolidThermal, second: SolidThermal
-) -> float:
-    """Conductance G without a film, 2 e sqrt(2 b u/pi) a B(1/2, 5/4) with e = e_1 e_2/(e_1 + e_2).
-
-    Parameters
-    ----------
-    speed : float
-        of rolling [m/s]
-    semi_axes : tuple[float, float]
-        b along rolling and a across it [m]
-    first : SolidThermal
-        first body
-    second : SolidThermal
-        second body
-
-    Returns
-    -------
-    float
-        G [W/K]
-    """
-    along, across = semi_axes
-    joint = _joint(first, second)
-    return float(2.0 * joint * np.sqrt(2.0 * along * abs(speed) / pi) * across * BETA)
 
 
 def moving_speed(

@@ -18,6 +18,7 @@ import numpy as np
 from contacts import LIGHT_FIELDS, places
 
 from oilfilm.ehl import SolverOptions
+from oilfilm.ehl.arrays import trend_terms
 from oilfilm.ehl.atlas.fields import (
     CELL_ROWS,
     CELLS,
@@ -36,7 +37,7 @@ from oilfilm.ehl.atlas.fields import (
     layout,
     sheared_area,
 )
-from oilfilm.ehl.atlas.table import oil_features, trend_terms
+from oilfilm.ehl.atlas.table import oil_features
 from oilfilm.ehl.closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_coefficients
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
 from oilfilm.ehl.scaling import scale_contact

@@ -11,6 +11,7 @@ import json
 import numpy as np
 from solves import LABELS, SOLVES
 
+from oilfilm.ehl.arrays import radial, trend_terms
 from oilfilm.ehl.atlas.table import (
     FILE,
     Patch,
@@ -18,10 +19,8 @@ from oilfilm.ehl.atlas.table import (
     functions,
     oil_features,
     patch_base,
-    radial,
     slanted,
     slanted_radial,
-    trend_terms,
     with_linear_terms,
 )
 from oilfilm.ehl.closed_form.hertz import hertz_coefficients

@@ -14,6 +14,7 @@ import numpy as np
 from fit import SOLVES, bar, in_order, limit, robust_weights, table
 from solves import SKEWED
 
+from oilfilm.ehl.arrays import radial
 from oilfilm.ehl.atlas.films import (
     ACROSS_CLASSES,
     FILE,
@@ -23,7 +24,7 @@ from oilfilm.ehl.atlas.films import (
     mixed_functions,
     mixed_oil_terms,
 )
-from oilfilm.ehl.atlas.table import functions, radial
+from oilfilm.ehl.atlas.table import functions
 
 COLUMNS = "kind number A L D angle alpha z central minimum approach".split()
 SCALES = (8.0, 6.0, 8.0, 1.0)  # of ln A, sqrt L, ln T/S, m: by the errors of contacts left out of the fit

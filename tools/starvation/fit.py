@@ -14,7 +14,8 @@ from scipy.linalg import cho_factor, cho_solve
 from scipy.optimize import minimize
 from solves import LARGEST_EXPONENT, SOLVES
 
-from oilfilm.ehl.closed_form.starvation import DAMPING_FILE, FILE, contact_coordinates, radial, trend_terms
+from oilfilm.ehl.arrays import radial, trend_terms
+from oilfilm.ehl.closed_form.starvation import DAMPING_FILE, FILE, contact_coordinates
 
 MOMENT = 0.44  # of the step of T/T_0 by its lever from the coarser mesh that is added: order 1.7
 LIGHT = 1.0  # Hc from which solves that want more points count, too

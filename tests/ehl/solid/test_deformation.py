@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -95,3 +97,14 @@ def test_hertz_pressure_flattens_the_gap(radius_ratio):
         errors.append(np.abs(gap[inside] - d / f**2).max())
     assert errors[0] < 1e-2
     assert errors[1] < errors[0] / 5.0
+
+
+@pytest.mark.parametrize("symmetric", [True, False])
+@pytest.mark.parametrize("shape", [(5, 9), (17, 33), (10, 24)])
+def test_matrices_of_small_grids_are_the_transforms(shape, symmetric):
+    ny, nx = shape
+    grid = Grid(x_in=-3.0, hx=0.21, hy=0.17, nx=nx, ny=ny, symmetric=symmetric)
+    kernel = deflection_kernel(grid, 0.7)
+    assert kernel.matrices is not None
+    P = np.random.default_rng(70529).random(shape)
+    assert_allclose(deflect(kernel, P), deflect(replace(kernel, matrices=None), P), rtol=1e-13)

@@ -8,18 +8,9 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from oilfilm.ehl.solid.heat import (
-    BETA,
-    SolidThermal,
-    bare_conductance,
-    exchanged_heat,
-    film_conductance,
-    marched_conductance,
-    marched_flux,
-    moving_speed,
-    spot_conductance,
-)
+from oilfilm.ehl.solid.heat import BETA, SolidThermal, marched_conductance, marched_flux, moving_speed, spot_conductance
 
+from ...reference.ehl.even_film import bare_conductance, exchanged_heat, film_conductance
 from ...reference.ehl.marched import marched_flux_twin
 
 STEEL = SolidThermal(conductivity=21.0, density=7850.0, specific_heat=460.0)

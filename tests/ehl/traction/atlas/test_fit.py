@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from fit import DEVIATION, NOISE, bar, labels, patch, robust_fit
 
-from oilfilm.ehl.atlas.table import radial, table, trend_terms
+from oilfilm.ehl.arrays import radial, trend_terms
+from oilfilm.ehl.atlas.table import table
 
 
 def test_a_fit_does_not_depend_on_the_order_of_its_labels():

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.testing import assert_allclose
 
-from oilfilm.ehl.atlas.table import NO_STEP, radial, slanted_radial, table, weighted_radial_sums
+from oilfilm.ehl.arrays import radial
+from oilfilm.ehl.atlas.table import NO_STEP, slanted_radial, table, weighted_radial_sums
 
 
 def test_sums_are_those_of_the_matrices():
