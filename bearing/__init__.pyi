@@ -1,6 +1,9 @@
 from .contacts.contact import BearingContact
 from .contacts.contacts import contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
+from .dynamics.simulation import simulate
+from .films.film import ContactFilm
+from .films.operating import contact_films
 from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
 from .friction.equilibrium import solve_traction_equilibrium
 from .friction.law import BallTraction
@@ -16,13 +19,7 @@ from .geometry import (
 )
 from .library.bearings import list_bearings, load_catalogue_entry
 from .library.catalogue import typical_geometry
-from .library.lubricants import (
-    Grease,
-    library_lubricant,
-    list_greases,
-    list_lubricants,
-    load_grease,
-)
+from .library.lubricants import Grease, list_greases, list_lubricants, load_grease, load_lubricant
 from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
 from .operation import BallKinematics, Curvature, Operation, QuasistaticModel, RatingInput
 from .quasistatic.solution import (
@@ -43,6 +40,7 @@ from .studies.preload import (
     stiffness_over_speed,
 )
 from .studies.slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
+from .torque.breakdown import TorqueBreakdown, friction_torque
 
 __all__ = [
     "Arrangement",
@@ -53,6 +51,7 @@ __all__ = [
     "BearingType",
     "CatalogueData",
     "ClearanceBudget",
+    "ContactFilm",
     "ContactStress",
     "Curvature",
     "Fit",
@@ -70,6 +69,7 @@ __all__ = [
     "SlipStudy",
     "StiffnessOverSpeed",
     "TemperatureRise",
+    "TorqueBreakdown",
     "Truncation",
     "bearing_frequencies",
     "bearing_life",
@@ -77,13 +77,14 @@ __all__ = [
     "clearance_to_contact_angle",
     "contact_angle_to_clearance",
     "contact_conditions",
+    "contact_films",
     "contact_stress",
     "critical_curves",
     "duplex",
     "estimate_bearing",
     "estimate_geometry",
+    "friction_torque",
     "kinematic_frequencies",
-    "library_lubricant",
     "list_bearings",
     "list_greases",
     "list_lubricants",
@@ -91,12 +92,14 @@ __all__ = [
     "load_bearing",
     "load_catalogue_entry",
     "load_grease",
+    "load_lubricant",
     "load_material",
     "minimum_preload",
     "preload_offset",
     "preloaded_row",
     "reduced_modulus",
     "reduced_radii",
+    "simulate",
     "slip_factors",
     "slip_surface",
     "solve_quasistatic",

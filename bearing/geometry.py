@@ -68,7 +68,7 @@ class Bearing:
     Examples
     --------
     >>> from dataclasses import replace
-    >>> from bearing import Bearing, load_material
+    >>> from oilfilm.bearing import Bearing, load_material
     >>> steel = load_material("bearing steel")
     >>> bearing = Bearing(
     ...     name="6208",
@@ -515,7 +515,7 @@ def load_bearing(name: str) -> Bearing:
 
     Examples
     --------
-    >>> from bearing import load_bearing
+    >>> from oilfilm.bearing import load_bearing
     >>> bearing = load_bearing("6208")
     >>> bearing.balls, f"{1e3 * bearing.ball_diameter:.4g} mm"
     (9, '12 mm')

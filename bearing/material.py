@@ -44,7 +44,7 @@ class Material:
 
     Examples
     --------
-    >>> from bearing import Material
+    >>> from oilfilm.bearing import Material
     >>> steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0)
     >>> steel.poisson_ratio
     0.3
@@ -96,7 +96,7 @@ def reduced_modulus(material_1: Material, material_2: Material) -> float:
 
     Examples
     --------
-    >>> from bearing import load_material, reduced_modulus
+    >>> from oilfilm.bearing import load_material, reduced_modulus
     >>> steel = load_material("bearing steel")
     >>> f"{reduced_modulus(steel, steel) / 1e9:.0f} GPa"
     '226 GPa'
@@ -117,7 +117,7 @@ def list_materials() -> tuple[str, ...]:
 
     Examples
     --------
-    >>> from bearing import list_materials
+    >>> from oilfilm.bearing import list_materials
     >>> "silicon nitride" in list_materials()
     True
     """
@@ -144,7 +144,7 @@ def load_material(name: str) -> Material:
 
     Examples
     --------
-    >>> from bearing import load_material
+    >>> from oilfilm.bearing import load_material
     >>> load_material("silicon nitride").density
     3250.0
     """

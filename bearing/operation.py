@@ -41,7 +41,16 @@ class Curvature(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class QuasistaticModel:
-    """Assumptions of the bearing model."""
+    """Assumptions of the bearing model.
+
+    Examples
+    --------
+    >>> from oilfilm import QuasistaticModel
+    >>> from oilfilm.bearing import BallKinematics
+    >>> model = QuasistaticModel(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
+    >>> model.rings is None
+    True
+    """
 
     ball_kinematics: BallKinematics = BallKinematics.HALF_AND_HALF
     curvature: Curvature = Curvature.OPERATING
@@ -62,7 +71,7 @@ class Operation:
     Examples
     --------
     >>> from math import pi
-    >>> from bearing import Operation
+    >>> from oilfilm.bearing import Operation
     >>> operation = Operation(inner_speed=3000.0 * pi / 30.0, force=(0.0, 1000.0, 0.0))
     >>> f"{operation.shaft_speed:.1f} rad/s"
     '314.2 rad/s'

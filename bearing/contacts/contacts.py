@@ -41,6 +41,18 @@ def contact_conditions(
     -------
     tuple of BearingContact
         `BearingContacts`: row by row and ball by ball, inner then outer, 2 Z entries a row.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> operation = oilfilm.Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0))
+    >>> state = oilfilm.solve_quasistatic(oilfilm.load_bearing("6208"), operation)
+    >>> oil = oilfilm.load_lubricant("iso vg 68", operation.temperature)
+    >>> contacts = oilfilm.contact_conditions(state, oil)
+    >>> loaded = [contact for contact in contacts if contact.hertz is not None]
+    >>> heaviest = max(loaded, key=lambda contact: contact.hertz.load)
+    >>> heaviest.race.value, f"{heaviest.hertz.load:.0f} N"
+    ('outer', '1572 N')
     """
     motions = _motions(solution)
     light = NEGLIGIBLE_LOAD * float(max(solution.inner_load.max(), solution.outer_load.max()))

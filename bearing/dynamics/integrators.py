@@ -88,7 +88,7 @@ class _Progress:
             return False
         step = (time - self.before) / LOOK
         self.before = time
-        return step < self.least
+        return step < self.shortest
 
 
 def advance_implicit(

@@ -297,7 +297,7 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
 
     Examples
     --------
-    >>> from bearing import Operation, load_bearing
+    >>> from oilfilm.bearing import Operation, load_bearing
     >>> from oilfilm.bearing.dynamics.bodies import ring_body
     >>> from oilfilm.bearing.dynamics.friction import RaceFriction
     >>> from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
@@ -317,6 +317,51 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
     data = assemble(bearing, operation, model, point)
     y = initial_state(bearing, data, point, model.options.start)
     return from_state(bearing, operation, model, (point, data, y))
+
+
+def simulate(
+    bearing: Bearing, operation: Operation, model: DynamicsModel
+) -> tuple[Simulation, Record]:
+    """Simulate a bearing from its start to the end time of the model.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds [rad/s] and loads [N], [N m] of the inner ring
+    model : DynamicsModel
+        cage, contact laws, schedule and options
+
+    Returns
+    -------
+    run : Simulation
+        the simulation at its end, or where a step failed: see `converged` and `messages`
+    record : Record
+        motion, forces and powers at the sample times, SI
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> from oilfilm.bearing.dynamics.bodies import ring_body
+    >>> from oilfilm.bearing.dynamics.friction import RaceFriction
+    >>> from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
+    >>> bearing = oilfilm.load_bearing("6208")
+    >>> model = DynamicsModel(
+    ...     options=DynamicsOptions(end_time=1e-4, sample_interval=1e-5),
+    ...     ring=ring_body(bearing),
+    ...     friction=RaceFriction(),
+    ... )
+    >>> operation = oilfilm.Operation(inner_speed=300.0, force=(1000.0, 0.0, 0.0))
+    >>> run, record = oilfilm.simulate(bearing, operation, model)
+    >>> run.converged, record.time.size
+    (True, 10)
+    """
+    run = simulation(bearing, operation, model)
+    record = empty_record(np.empty(0), bearing.balls)
+    for piece in run.pieces():
+        record = join(record, piece)
+    return run, record
 
 
 def from_state(

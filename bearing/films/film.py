@@ -81,6 +81,18 @@ class ContactFilm:
 
     Its rolling moment is that of the oil up to the meniscus; what the layer leaves of the moment
     in the box, which results report, is among the `supply` fractions.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> operation = oilfilm.Operation(inner_speed=300.0, force=(500.0, 0.0, 0.0))
+    >>> state = oilfilm.solve_quasistatic(oilfilm.load_bearing("7008AC"), operation)
+    >>> oil = oilfilm.load_lubricant("iso vg 68", operation.temperature)
+    >>> film = oilfilm.contact_films(oilfilm.contact_conditions(state, oil))[0]
+    >>> f"{film.central.value * 1e6:.2f} +- {film.central.error * 1e6:.2f} um", film.origin.value
+    ('0.68 +- 0.02 um', 'atlas')
+    >>> f"inlet shear heating leaves {film.heat.value:.2f} of the isothermal film"
+    'inlet shear heating leaves 0.90 of the isothermal film'
     """
 
     conditions: ContactConditions

@@ -240,6 +240,50 @@ def operating_films(
     )
 
 
+def contact_films(
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None] | None = None,
+    *,
+    supply: OilAtInlets | None = None,
+    asperities: Asperities | None = None,
+) -> tuple[ContactFilm | None, ...]:
+    """Operating films of the contacts of a bearing: oil supply, heat of the inlet and asperities
+    included.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        Contacts of a bearing, from `contact_conditions`.
+    solutions : sequence of ContactSolution or None, optional
+        Solved contacts, from `solve_contact`; the film atlas or a formula where there is none.
+    supply : OilAtInlets, optional
+        Oil that the contacts get; None: flooded.
+    asperities : Asperities, optional
+        Which carry part of the load where the films are thin; None: full films.
+
+    Returns
+    -------
+    tuple of ContactFilm or None
+        None where a contact carries no load or entrains no oil.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> operation = oilfilm.Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0))
+    >>> state = oilfilm.solve_quasistatic(oilfilm.load_bearing("6208"), operation)
+    >>> oil = oilfilm.load_lubricant("iso vg 68", operation.temperature)
+    >>> contacts = oilfilm.contact_conditions(state, oil)
+    >>> films = oilfilm.contact_films(contacts)
+    >>> thinnest = min((film for film in films if film), key=lambda film: film.central.value)
+    >>> f"{thinnest.central.value * 1e6:.2f} um by {thinnest.origin.value}"
+    '0.63 um by atlas'
+    """
+    computed = solved_films(contacts, solutions or (None,) * len(contacts))
+    return operating_films(
+        contacts, with_formulas(contacts, computed), supply=supply, asperities=asperities
+    )
+
+
 def _operating(
     film: ContactFilm,
     contact: BearingContact,

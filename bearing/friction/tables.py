@@ -24,7 +24,7 @@ from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.solid.heat import SolidThermal
 from oilfilm.ehl.traction.law import TractionLaw
 from oilfilm.ehl.traction.shear import EllipseLaw
-from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.storage import read_table, write_table
 from oilfilm.ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable
 from oilfilm.ehl.traction_table.temperature import TemperatureTable, build_temperature_table
@@ -334,7 +334,9 @@ def build_race_tables(
     chosen = limits(table_range(solution, lubricant))
     tables = {}
     for race, contact in table_contacts(solution, lubricant, rheology, solids=solids).items():
-        tables[race] = build_table(contact, chosen, options, race_progress(progress, race))
+        tables[race] = build_traction_table(
+            contact, chosen, options, race_progress(progress, race)
+        )
     return tables
 
 

@@ -46,7 +46,7 @@ def list_bearings() -> tuple[str, ...]:
 
     Examples
     --------
-    >>> from bearing import list_bearings
+    >>> from oilfilm.bearing import list_bearings
     >>> "6208" in list_bearings()
     True
     """
@@ -126,7 +126,7 @@ def load_catalogue_entry(name: str) -> dict[str, Any]:
 
     Examples
     --------
-    >>> from bearing import load_catalogue_entry
+    >>> from oilfilm.bearing import load_catalogue_entry
     >>> entry = load_catalogue_entry("6208")
     >>> entry["ball_diameter_mm"], entry["balls"]
     (12.0, 9)

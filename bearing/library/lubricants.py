@@ -190,11 +190,11 @@ def list_lubricants(name: str | None = None) -> tuple[str, ...]:
     Returns
     -------
     tuple[str, ...]
-        names for `library_lubricant`
+        names for `load_lubricant`
 
     Examples
     --------
-    >>> from bearing import list_lubricants
+    >>> from oilfilm.bearing import list_lubricants
     >>> "iso vg 32" in list_lubricants()
     True
     """
@@ -245,7 +245,7 @@ def _of_plugin(name: str) -> dict[str, Any]:
     return entry
 
 
-def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
+def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     """Lubricant of the library at a temperature of the oil in the contact inlet.
 
     With the thermal properties -d(ln eta)/dT and expansion of the laws there. Warns if the
@@ -273,8 +273,8 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
 
     Examples
     --------
-    >>> from bearing import library_lubricant
-    >>> oil = library_lubricant("iso vg 32", 313.15)
+    >>> from oilfilm.bearing import load_lubricant
+    >>> oil = load_lubricant("iso vg 32", 313.15)
     >>> f"{1e3 * oil.viscosity:.1f} mPa s"
     '27.6 mPa s'
     """
@@ -665,7 +665,7 @@ def list_greases() -> tuple[str, ...]:
 
     Examples
     --------
-    >>> from bearing import list_greases, load_grease
+    >>> from oilfilm.bearing import list_greases, load_grease
     >>> load_grease(list_greases()[0]).name == list_greases()[0]
     True
     """

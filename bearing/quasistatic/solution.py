@@ -184,7 +184,7 @@ def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
 
     Examples
     --------
-    >>> from bearing import Operation, bearing_frequencies, load_bearing, solve_quasistatic
+    >>> from oilfilm.bearing import Operation, bearing_frequencies, load_bearing, solve_quasistatic
     >>> operation = Operation(inner_speed=300.0, force=(0.0, 1000.0, 0.0))
     >>> solution = solve_quasistatic(load_bearing("6208"), operation)
     >>> f"{bearing_frequencies(solution).ball_pass_outer:.1f} Hz"

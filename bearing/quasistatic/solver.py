@@ -74,7 +74,7 @@ def solve_quasistatic(
 
     Examples
     --------
-    >>> from bearing import Operation, load_bearing, solve_quasistatic
+    >>> from oilfilm.bearing import Operation, load_bearing, solve_quasistatic
     >>> operation = Operation(inner_speed=300.0, force=(0.0, 1000.0, 0.0))
     >>> solution = solve_quasistatic(load_bearing("6208"), operation)
     >>> solution.converged, f"{solution.inner_load.max():.0f} N"

@@ -135,11 +135,11 @@ def bearing_life(
 
     Examples
     --------
-    >>> from bearing import Operation, RatingInput, bearing_life, library_lubricant
-    >>> from bearing import load_bearing, solve_quasistatic
+    >>> from oilfilm.bearing import Operation, RatingInput, bearing_life, load_lubricant
+    >>> from oilfilm.bearing import load_bearing, solve_quasistatic
     >>> operation = Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0))
     >>> solution = solve_quasistatic(load_bearing("6208"), operation)
-    >>> oil = library_lubricant("iso vg 32", operation.temperature)
+    >>> oil = load_lubricant("iso vg 32", operation.temperature)
     >>> life = bearing_life(solution, oil, RatingInput(contamination_factor=0.5))
     >>> f"{life.basic_life / 1e6:.0f} million revolutions, a_ISO {life.life_factor:.1f}"
     '857 million revolutions, a_ISO 20.5'

@@ -17,15 +17,15 @@ from functools import partial
 from math import inf
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..grid import Grid, full_weighting, inject, interpolate_cubic, interpolate_linear
-from ..oil import _kernels as properties
+from ..oil import _kernels as oil_kernels
 from ..oil.lubricant import log_viscosity_ratio, oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import deflect
 from . import _reynolds_kernels
-from . import _reynolds_kernels as _relaxation_kernels
 from .far_field import edge_pressure, exterior_load
 from .levels import Damping, Level, Multigrid, TimeStep
 from .starved import (
@@ -166,7 +166,7 @@ def _oil(state: Multigrid, level: Level) -> None:
         law = partial(_reynolds_kernels.flow_properties, level.P, level.H, *viscosity, *density)
     else:
         numbers = oil_numbers(c.oil)
-        law = partial(properties.flow_properties, level.P, level.H, c.hertz_pressure, numbers)
+        law = partial(oil_kernels.flow_properties, level.P, level.H, c.hertz_pressure, numbers)
     lines = partial(law, *level.factors.follows, c.speed, level.eps, level.flow_x, level.slope_x)
     state.threads.run(lines, range(level.grid.ny), level.P.size)
 
@@ -190,7 +190,7 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
     if c.oil is not None:
         return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
     ratio = c.viscosity_pressure * np.maximum(P, 0.0)
-    return c.viscosity_slope * (properties.roelands_rise(ratio, c.viscosity_exponent) - 1.0)
+    return c.viscosity_slope * (oil_kernels.roelands_rise(ratio, c.viscosity_exponent) - 1.0)
 
 
 def relax(state: Multigrid, index: int) -> None:
@@ -214,7 +214,7 @@ def relax(state: Multigrid, index: int) -> None:
         state.threads.run(lines, range(colour, grid.ny - 1, 2), level.P.size)
     mesh = (grid.hx, grid.hy)
     changes = partial(
-        _relaxation_kernels.spread_changes,
+        _reynolds_kernels.spread_changes,
         level.P,
         level.node_types,
         level.scratch,
@@ -233,11 +233,11 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     stored = level.storage.size > 0
     reversing = True if stored or level.factors.couette_x is not None else None
     content = level.film_content
-    layer = (None, None, None)
+    layer: tuple[Array | None, NDArray[np.int8] | None, Array | None] = (None, None, None)
     if content is not None:
         layer = (content.residual, content.empty, content.fraction_along)
     return partial(
-        _relaxation_kernels.relax_lines,
+        _reynolds_kernels.relax_lines,
         level.P,
         level.H,
         level.eps,

@@ -42,7 +42,7 @@ class BearingResults(Results):
     contacts: tuple[BearingContact, ...]  # ball by ball, inner race then outer
     solutions: tuple[ContactSolution | None, ...]  # of the contacts; equal ones share an object
     frequencies: Frequencies
-    # of the film atlas or of formulas, at contacts that are not solved; empty is None for all
+    # films by the atlas or formulas, at contacts that are not solved; empty is None for all
     formula_films: tuple[ContactFilm | None, ...] = ()
     interrupted: bool = False  # before all films were computed
     torque: TorqueBreakdown | None = None  # None without an equilibrium

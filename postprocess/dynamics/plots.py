@@ -203,7 +203,7 @@ def write_dynamics_plots(
         Folder of the history.
     document : dict[str, Any]
         Summary of the results in named units.
-    hurried : Callable[[], bool], default lambda: False
+    is_interrupted : Callable[[], bool], default lambda: False
         Asked before each picture; once it is true no further one is drawn.
 
     Returns

@@ -43,11 +43,12 @@ from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solver import solve_attempts
 from oilfilm.ehl.traction.film_quadrature import (
     LINES,
+    FilmQuadrature,
     hertz_zone,
     line_quadrature,
     low_pressure_blocks,
+    node_rows,
     sliding_forces,
-    strongest_nodes,
 )
 from oilfilm.ehl.traction.linear_response import normal_response
 from oilfilm.ehl.traction.shear import bounded_viscosity, with_outlet
@@ -202,7 +203,7 @@ def quadrature(own, conditions):
     rheology = contact_rheology(SHEAR, oil, MEAN_PRESSURE_RATIO * scaled.hertz_pressure)
     width = scaled.semi_axis_x * scaled.semi_axis_ratio
     eta = bounded_viscosity(rows[4], oil)
-    return strongest_nodes(width, rows, eta, rheology, 2.0 * conditions.entrainment_speed, None)
+    return FilmQuadrature(nodes=node_rows(rows, eta, rheology, None), half_width=width, rheology=rheology)
 
 
 def forces(own, conditions):

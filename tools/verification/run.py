@@ -24,7 +24,7 @@ if not __package__:  # run as a script: `verification` is a package of the folde
     sys.path[0] = str(Path(__file__).resolve().parents[1])
 
 from oilfilm.cases import run_case
-from oilfilm.cases.cli.output import held_directory, load_bearing, tell_cost
+from oilfilm.cases.cli.output import load_bearing, lock_output_directory, report_cost
 from oilfilm.cases.cli.terminal import (
     INTERRUPTED,
     NOT_CONVERGED,
@@ -36,7 +36,7 @@ from oilfilm.cases.cli.terminal import (
     progress_bar,
 )
 from oilfilm.cases.format.rules import CaseError
-from oilfilm.cases.runs.interrupt import end_now, end_unless_obeyed, finish_first, interrupt, say
+from oilfilm.cases.runs.interrupt import end_after_signal, end_now, finish_first, interrupt, print_message
 from oilfilm.postprocess.bearing.results import BearingResults
 from verification import robustness as random_contacts
 from verification import sections as page_sections
@@ -88,7 +88,7 @@ def verify(
     printed = as_json and output is None and robustness is None
     directory = None if printed else output or DIRECTORY
     if directory is not None:
-        held_directory(directory)
+        lock_output_directory(directory)
     try:
         if robustness is None or directory is None:
             sections = compute_page(list(section or SectionName), directory, quick, quiet)
@@ -103,7 +103,7 @@ def compute_page(names: list[SectionName], directory: Path | None, quick: bool, 
     """Compute sections and write their page; after an interrupt those that are finished."""
     if directory is not None:
         check_page(directory, PAGE)
-    tell_cost((f"{len(names)} sections of the verification", SECTION_SECONDS[quick] * len(names)), quiet=quiet)
+    report_cost((f"{len(names)} sections of the verification", SECTION_SECONDS[quick] * len(names)), quiet=quiet)
     finished: list[Section] = []
     try:
         with progress_bar(quiet=quiet) as progress:
@@ -121,14 +121,14 @@ def compute_page(names: list[SectionName], directory: Path | None, quick: bool, 
 def keep_finished(finished: list[Section], directory: Path | None) -> None:
     """Write the finished sections of an interrupted page; a complete page is not replaced."""
     if directory is None or not finished:
-        say("oilfilm: no section is finished, nothing is kept")
+        print_message("oilfilm: no section is finished, nothing is kept")
         return
     target = directory
     if (directory / PAGE).exists():
         target = directory.with_name(f"{directory.name}_interrupted")
     with finish_first(f"finished sections in {target}"):
         write_page(finished, target, PAGE)
-    say(f"finished sections in {target}")
+    print_message(f"finished sections in {target}")
 
 
 def run_bearing() -> BearingResults:
@@ -146,7 +146,7 @@ def compute_sweep(count: int, seed: int | None, directory: Path, quick: bool, qu
         with progress_bar(quiet=quiet) as progress:
             finished = random_contacts.sweep(count, seed, file, progress, QUICK_OPTIONS if quick else None)
     except KeyboardInterrupt:
-        say(f"finished contacts are kept in {file}; the same command continues with them")
+        print_message(f"finished contacts are kept in {file}; the same command continues with them")
         raise
     section = robustness_section(finished, seed)
     with finish_first(f"results in {directory}"):
@@ -158,16 +158,16 @@ def report(sections: list[Section], directory: Path | None, as_json: bool, quiet
     """Print the checks; the exit code is 1 where a statement does not hold."""
     results = document(sections)
     if directory is not None and not quiet:
-        say(f"results in {directory}")
+        print_message(f"results in {directory}")
     if as_json:
         print_json(results)
     elif not quiet:
         print_table(checks_table(sections))
     if results["converged"]:
         return 0
-    say("oilfilm: these statements do not hold:")
+    print_message("oilfilm: these statements do not hold:")
     for message in results["messages"]:
-        say(f"  {message}")
+        print_message(f"  {message}")
     return NOT_CONVERGED
 
 
@@ -182,7 +182,7 @@ def checks_table(sections: list[Section]) -> Table:
 
 def main() -> None:
     """Run the command; an interrupt gives up the contacts under way."""
-    end_unless_obeyed(INTERRUPTED)
+    end_after_signal(INTERRUPTED)
     signal.signal(signal.SIGINT, interrupt)
     signal.signal(signal.SIGTERM, interrupt)
     try:

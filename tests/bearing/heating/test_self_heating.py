@@ -12,7 +12,7 @@ from oilfilm.bearing import (
     Operation,
     QuasistaticModel,
     contact_conditions,
-    library_lubricant,
+    load_lubricant,
     load_material,
     solve_quasistatic,
 )
@@ -39,7 +39,7 @@ def bearing(bearings):
 
 
 def oil(temperature):
-    return library_lubricant("iso vg 32", temperature)
+    return load_lubricant("iso vg 32", temperature)
 
 
 def torque(solution, contacts, lubricant):
