@@ -28,14 +28,14 @@ CAGE_LOAD = 2  # row of `loads` after INNER and OUTER
 STIFFNESS, EXPONENT, DAMPING = range(3)  # columns of `normal`
 # `friction_kind`; FILM: a traction table whose films separate the bodies
 FRICTIONLESS, COEFFICIENT, TABLE, FILM = range(4)
-GUIDED_BY_BALLS, GUIDED_BY_INNER_RING, GUIDED_BY_OUTER_RING = range(3)  # as `choices.Guidance`
+GUIDED_BY_BALLS, GUIDED_BY_INNER_RING, GUIDED_BY_OUTER_RING = range(3)  # as `inputs.Guidance`
 
 # first columns of the two vectors in `loads` and `forces`
 FORCE = 0
 MOMENT = 3
 LOAD_COLUMNS = 6
 
-# columns of `schedule` and `given`
+# columns of `schedule` and `prescribed`
 INNER_SPEED = 0
 OUTER_SPEED = 1
 PRESCRIBED_FORCE = 2
@@ -89,7 +89,7 @@ class ContactColumns(NamedTuple):
 
 
 class LinearColumns(NamedTuple):
-    """First columns of `linear`, see `contact._friction_kernels`."""
+    """First columns of `linear`, see `_race_kernels`."""
 
     load: int  # [N]; 0: no slopes
     motion: int  # slide_x, slide_y [m/s], spin [rad/s]
@@ -300,7 +300,7 @@ class EquationData(NamedTuple):
     friction_inner: FrictionData
     friction_outer: FrictionData
     free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
-    constrained: Array  # 1 for coordinates of the ring whose place is given, else 0, shape (5,)
+    constrained: Array  # 1 for coordinates of the ring with a prescribed place, else 0, shape (5,)
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
     pocket_direction: Array  # direction (y, z) of each pocket in the cage, shape (Z, 2) [-]
     pocket_play: Array  # radial, of each pocket, shape (Z,) [m]
@@ -335,13 +335,13 @@ class EquationData(NamedTuple):
 
 
 def equation_data(**fields: Any) -> EquationData:
-    """`EquationData` of fields: those of fixed size are copied into the two structured arrays, the
-    others are the arrays themselves.
+    """`EquationData` of fields: those of fixed size are copied into two structured arrays, zero
+    where absent; the others are the arrays themselves.
 
     Parameters
     ----------
     **fields : Any
-        the fields of `EquationData` but `kernel`
+        the fields of `EquationData` but `kernel`; those of `BEARING` and `BALL` may be absent
 
     Returns
     -------
@@ -352,12 +352,14 @@ def equation_data(**fields: Any) -> EquationData:
     balls = np.zeros(len(fields["pocket_angle"]), BALL)
     views: dict[str, Any] = {}
     for name in BEARING.names or ():
-        bearing[name] = fields[name]
-        if isinstance(fields[name], np.ndarray):
+        if name in fields:
+            bearing[name] = fields[name]
+        if bearing[name].ndim > 1:
             views[name] = bearing[name][0]
     for name in BALL.names or ():
         views[name] = balls[name].swapaxes(0, 1) if name in OF_RACES else balls[name]
-        views[name][...] = fields[name]
+        if name in fields:
+            views[name][...] = fields[name]
     arrays = {name: fields[name] for name in KernelData._fields[2:]}
     kernel = KernelData(bearing=bearing[0], balls=balls, **arrays)
     return EquationData(**fields | views | {"kernel": kernel})

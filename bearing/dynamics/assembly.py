@@ -18,19 +18,13 @@ from ..operation import Operation
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import kinematic_cage_speed
 from .arrays import (
-    ACCUMULATORS,
     CAGE,
     CAGE_ROTATION,
     FILM,
-    FRICTION_COLUMNS,
     INNER_SPEED,
-    LINEAR,
-    LOAD_COLUMNS,
     OUTER,
     OUTER_SPEED,
     POCKET_COLUMNS,
-    PRESCRIBED_COLUMNS,
-    RACE_COLUMNS,
     RING,
     RING_TILT,
     STIFFNESS,
@@ -273,20 +267,11 @@ def assemble(
         times=np.array(model.times, dtype=np.float64),
         schedule=schedule,
         impact_speeds=np.full(3 * n + 2, model.normal.impact_floor),
-        prescribed=np.zeros(PRESCRIBED_COLUMNS),
-        friction=np.zeros(FRICTION_COLUMNS),
-        forces=np.zeros((n, LOAD_COLUMNS)),
-        race_out=np.zeros((2, n, RACE_COLUMNS)),
-        pocket_out=np.zeros((n, POCKET_COLUMNS)),
         land_out=np.full((2, POCKET_COLUMNS), -1.0),
-        **_clock_arrays(n),
-        power=np.zeros(ACCUMULATORS),
-        loads=np.zeros((3, LOAD_COLUMNS)),
         solved=indices,
         mechanical=_mechanical(indices, n),
         full_state=np.zeros(Layout(n).size),
         rates=np.zeros(Layout(n).size),
-        turns=np.zeros((n, 3)),
     )
 
 
@@ -360,18 +345,6 @@ def rest_band(schedule: Array, pitch_radius: float) -> float:
         return REST_BAND
     at_rest = speeds.min() <= REST_SHARE * fastest and speeds.max() >= -REST_SHARE * fastest
     return min(REST_BAND, REST_SHARE * fastest) if at_rest else 0.0
-
-
-def _clock_arrays(balls: int) -> dict[str, Array]:
-    """Friction and films between two evaluations of their laws; none yet."""
-    return {
-        "films": np.zeros((2, balls, 2)),
-        "linear": np.zeros((2, balls, LINEAR.size)),
-        "predicted_friction": np.zeros(4),
-        "pocket_films": np.zeros((balls, 38)),
-        "implicit_step": np.zeros(1),
-        "system": np.zeros((6, 7)),
-    }
 
 
 def free_array(kind: LoadType, operation: Operation, model: DynamicsModel) -> Array:

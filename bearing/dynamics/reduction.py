@@ -18,9 +18,11 @@ from oilfilm.ehl.traction.shear import STRAIGHT_NODES, unit_gauss
 
 from ._motion_kernels import solved_derivative
 from .arrays import (
+    BALL,
     BODIES,
     FREE_TURN,
     LOAD_COLUMNS,
+    OF_RACES,
     EquationData,
     FrictionData,
     Layout,
@@ -224,24 +226,20 @@ def _one_ball(data: EquationData) -> EquationData:
     balls = data.constants.balls
     layout = Layout(1)
     indices = solved_indices(data.free, 1)
+    fields = data._asdict()
+    first = {
+        name: fields[name][:, :1] if name in OF_RACES else fields[name][:1]
+        for name in BALL.names or ()
+    }
     return changed_data(
         data,
+        **first | {"forces": np.zeros((1, LOAD_COLUMNS)), "turns": np.zeros((1, 3))},
         constants=data.constants._replace(balls=1, symmetric_copies=balls),
-        pocket_angle=data.pocket_angle[:1].copy(),
-        pocket_direction=data.pocket_direction[:1].copy(),
-        pocket_play=data.pocket_play[:1].copy(),
         impact_speeds=data.impact_speeds[_first_contacts(balls)],
-        forces=np.zeros((1, LOAD_COLUMNS)),
-        race_out=data.race_out[:, :1].copy(),
-        pocket_out=data.pocket_out[:1].copy(),
-        films=data.films[:, :1].copy(),
-        linear=data.linear[:, :1].copy(),
-        pocket_films=data.pocket_films[:1].copy(),
         solved=indices,
         mechanical=indices.size - (layout.size - layout.mechanical),
         full_state=np.zeros(layout.size),
         rates=np.zeros(layout.size),
-        turns=np.zeros((1, 3)),
     )
 
 

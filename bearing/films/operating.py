@@ -106,12 +106,7 @@ def _solved(
     """One of `solved_films` by its flooded moment [N m] and what is left of it [-]."""
     assert contact.conditions is not None
     flooded = solution if solution.supply is None else solution.supply.flooded
-    central = FilmThickness(
-        _length(solution.film_central), _length(solution.film_central_uncertainty)
-    )
-    minimum = FilmThickness(
-        _length(solution.film_minimum), _length(solution.film_minimum_uncertainty)
-    )
+    central, minimum = _thicknesses(solution)
     film = ContactFilm(
         conditions=contact.conditions,
         size=hertz_size(contact.conditions, contact.hertz),
@@ -127,6 +122,15 @@ def _solved(
         supply=_layer_fractions(solution),
     )
     return _with_isothermal(film, contact) if solved_with_heat(solution) else film
+
+
+def _thicknesses(solution: ContactSolution) -> tuple[FilmThickness, FilmThickness]:
+    """Central and minimum film of a solution."""
+    s = solution
+    return (
+        FilmThickness(_length(s.film_central), _length(s.film_central_uncertainty)),
+        FilmThickness(_length(s.film_minimum), _length(s.film_minimum_uncertainty)),
+    )
 
 
 def _length(film: float | None) -> float:
@@ -380,12 +384,7 @@ def _without_layer(film: ContactFilm) -> ContactFilm:
     """The flooded film of one that was solved behind a layer."""
     flooded = film.flooded_field
     assert flooded is not None
-    central = FilmThickness(
-        _length(flooded.film_central), _length(flooded.film_central_uncertainty)
-    )
-    minimum = FilmThickness(
-        _length(flooded.film_minimum), _length(flooded.film_minimum_uncertainty)
-    )
+    central, minimum = _thicknesses(flooded)
     return replace(
         film,
         field=flooded,

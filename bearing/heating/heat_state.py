@@ -62,11 +62,10 @@ HIGHEST_TEMPERATURE = 423.15
 OUTER = ("outer_ring_loaded", "outer_ring_unloaded")
 
 
-def contact_conductances(
-    bearing: Bearing,
+def film_conductances(
+    solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     films: Films,
-    temperature: float,
     *,
     ends: bool = True,
 ) -> Array:
@@ -74,14 +73,12 @@ def contact_conductances(
 
     Parameters
     ----------
-    bearing : Bearing
-        Its materials have heat properties.
+    solution : QuasistaticSolution
+        Equilibrium of a bearing whose materials have heat properties.
     contacts : sequence of BearingContact
         Its contacts.
     films : sequence of ContactFilm or None
         Operating films of the contacts.
-    temperature : float
-        Of the oil [K].
     ends : bool
         Whether both ends are wanted; else they are the value of films without a field.
 
@@ -90,6 +87,8 @@ def contact_conductances(
     ndarray, shape (3, balls, 2)
         Value, low and high end [W/K]; zero where there is no film.
     """
+    bearing = solution.bearing
+    temperature = solution.operation.temperature
     ball = solid_thermal(bearing.ball_material)
     rings = {
         Race.INNER: (ball, solid_thermal(bearing.inner_ring_material)),
@@ -322,35 +321,6 @@ def formula_conductances(
         Value, low and high end [W/K].
     """
     return film_conductances(solution, contacts, formula_films(contacts))
-
-
-def film_conductances(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    films: Films,
-    *,
-    ends: bool = True,
-) -> Array:
-    """Conductances of heat through the films of all contacts of an equilibrium.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Equilibrium of the bearing.
-    contacts : sequence of BearingContact
-        Its contacts.
-    films : sequence of ContactFilm or None
-        Operating films of the contacts.
-    ends : bool
-        As in `contact_conductances`.
-
-    Returns
-    -------
-    ndarray, shape (3, balls, 2)
-        Value, low and high end [W/K].
-    """
-    temperature = solution.operation.temperature
-    return contact_conductances(solution.bearing, contacts, films, temperature, ends=ends)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
