@@ -1,7 +1,7 @@
 from .bearing.results import BearingResults
 from .contact.summary import ContactResults
 from .netcdf_read import open_results
-from .writer.run import summary, write_extras, write_numbers, write_results
+from .writer import summary, write_extras, write_numbers, write_results
 
 __all__ = [
     "BearingResults",

@@ -179,7 +179,7 @@ MOST_PROCESSES = 4
 EXTRAS = "VTK and plots"
 LOOK = 0.1  # from one look for an interrupt to the next [s]
 TERMINATION = 0.3  # for processes to end that were told to [s]
-LOADED = ["oilfilm.cases.runs.processes", "oilfilm.postprocess.writer.run"]
+LOADED = ["oilfilm.cases.runs.processes", "oilfilm.postprocess.writer"]
 
 
 @dataclass(slots=True)

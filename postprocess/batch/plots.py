@@ -1,7 +1,4 @@
-"""Figures of a batch: film, torque, life over one to three of the varied keys.
-
-Picture of an optimisation: the front of two goals, or one goal over the designs.
-"""
+"""Figures of a batch: main results over one to three varied keys, the front of an optimisation."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -46,6 +43,7 @@ MOST_INSIDE = 4  # lines of a family named inside the panel; more are beside it
 MANY_TIMES = 10.0  # largest over smallest value from which on an axis is logarithmic [-]
 LARGE = 1e6  # from which on a logarithmic axis has powers of ten
 LOGARITHMIC = ("film_", "rating")  # in the names of what may have a logarithmic axis
+FRONT = "#b23a3a"
 
 
 def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]:
@@ -422,9 +420,6 @@ def _line(axes: Axes, data: Any, error: Array, **style: Any) -> None:
     failed = data[~data.converged]
     if failed.size:
         axes.plot(failed.x, failed.y, "x", markersize=7, color=style["color"])
-
-
-FRONT = "#b23a3a"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,6 +1,6 @@
-"""Contacts of a bearing: the quantities of its summary, CSV and tables, and why some are null."""
+"""Contacts of a bearing: quantities of summary, CSV and tables, films, and why values are null."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import hypot, isfinite
 from typing import Any
@@ -9,93 +9,89 @@ from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.stress import (
     ContactStress,
     SurfaceTension,
+    Truncation,
     contact_stresses,
     edge_tension,
+    truncation,
 )
-from oilfilm.bearing.films.film import ContactFilm, FilmOrigin
+from oilfilm.bearing.films.film import (
+    ContactFilm,
+    FilmOrigin,
+    Films,
+    FilmThickness,
+    solved_with_heat,
+)
 from oilfilm.bearing.films.formula import too_thick
+from oilfilm.bearing.films.operating import film_heat
+from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
-from oilfilm.ehl.units import to_si
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.closed_form.film import LARGEST_LOADING
+from oilfilm.ehl.units import from_si, to_si
 
 from ..contact.summary import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
 from ..quantities import by_key, quantities, values_of
-from .film_heat import HEAT_QUANTITIES, NO_FILM, film_values, heat_messages
-from .finite_bodies import shoulder_messages
 from .quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
 
+NO_FILM = "no film was computed"
+HEAT_QUANTITIES = (
+    *quantities(
+        "operating.",
+        NO_FILM,
+        ("isothermal_film_central_um", "central film without heat", "isothermal_central"),
+        ("isothermal_film_minimum_um", "minimum film without heat", "isothermal_minimum"),
+    ),
+    *quantities(
+        "operating.heat.",
+        NO_FILM,
+        ("inlet_heat_share", "share of the isothermal film that inlet heat leaves", "value"),
+        ("inlet_heat_share_low", "low end of its range", "low"),
+        ("inlet_heat_share_high", "high end of its range", "high"),
+    ),
+)
+NO_CONDITIONS = "no oil is entrained"
+FINITE_BODY_QUANTITIES = (  # at the most heavily loaded contact of a race
+    *quantities("contact.", "", "ball", words=True),
+    *quantities("contact.", "", "load_N"),
+    *quantities("", "", ("pressure_change_share", "change of Hertz' pressure", "pressure_share")),
+    *quantities(
+        "",
+        NO_CONDITIONS,
+        ("film_change_share", "change of the central film, by formula", "film_share"),
+    ),
+    *quantities(
+        "",
+        "",
+        ("rolling_curvature_change_share", "change of 1/R_x", "rolling_curvature_share"),
+        ("transverse_curvature_change_share", "change of 1/R_y", "transverse_curvature_share"),
+        ("of_the_ring_share", "the ring's part of it", "ring_share"),
+        (
+            "von_mises_change_share",
+            "change of the largest von Mises stress in the ring",
+            "ring_stress.von_mises_change",
+        ),
+        (
+            "orthogonal_shear_change_share",
+            "change of the orthogonal shear in the ring",
+            "ring_stress.orthogonal_shear_change",
+        ),
+        ("approach_change_um", "change of the approach"),
+        ("shift_um", "shift along the groove"),
+        ("rest_um", "rest beyond the curvatures, rms", "total.rest"),
+        ("residual", "relative residual", "total.residual"),
+    ),
+    *quantities(
+        "",
+        "",
+        ("unknowns", "", "total.unknowns"),
+        ("iterations", "", "total.iterations"),
+        words=True,
+    ),
+)
 RACES = ("inner", "outer")
 LAMBDA_FORMULA = "hamrock_dowson_minimum"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ContactRecord(FilmRecord):
-    """One contact of a bearing with all that is computed of it; None where it does not apply."""
-
-    contact: BearingContact
-    stress: ContactStress | None
-    starved: ContactFilm | None  # operating film at the supply
-    surface: dict[str, float] | None
-    edge_tension: float | None  # of the dry contact without friction [Pa]
-    tension: SurfaceTension | None  # under the film's pressure and shear
-    conductance: Conductance | None = None  # of heat, through the film
-    operating: ContactFilm | None = None
-
-    @property
-    def loaded(self) -> bool:
-        """True if it carries a load."""
-        return self.contact.load > 0.0
-
-    @property
-    def lambda_ratio(self) -> float | None:
-        """Minimum film over the rms roughness of race and ball together [-]."""
-        minimum = None if self.operating is None else self.operating.minimum
-        return lambda_ratio(self.contact, minimum and minimum.value, self.surface)
-
-    @property
-    def kappa(self) -> float | None:
-        """Viscosity ratio that the film stands for [-]."""
-        return self.kappa_at(0.0)
-
-    def kappa_at(self, end: float) -> float | None:
-        """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a part of
-        its
-        uncertainty, and starved where a supply is given that it was not solved behind.
-
-        Parameters
-        ----------
-        end : float
-            part of the uncertainty, -1 to 1 [-]
-
-        Returns
-        -------
-        float | None
-            kappa [-]; None if not resolved
-        """
-        film = self.film
-        operating = self.operating
-        if film is None or not (film.converged and film.resolved):
-            return None
-        if operating is None or operating.minimum is None:
-            return None
-        minimum = operating.minimum
-        share = 1.0
-        if self.starved is not None and self.starved.minimum and film.supply is None:
-            flooded = min(minimum.value, operating.central.value)
-            share = self.starved.minimum.value / flooded
-        moved = share * max(0.0, minimum.value + end * minimum.error)
-        ratio = lambda_ratio(self.contact, moved, self.surface)
-        exponent = (self.surface or {}).get("kappa_exponent")
-        return None if ratio is None or exponent is None else float(ratio**exponent)
-
-    @property
-    def starved_lambda_ratio(self) -> float | None:
-        """Lambda ratio of the starved film [-]; None without roughness."""
-        ratio = None if self.starved is None else self.starved.lambda_ratio
-        return ratio if ratio is not None and isfinite(ratio) else None
-
-
 NO_LOAD = "it carries no load"
 NO_OIL = f"{NO_LOAD}, or no oil is entrained"
 NOT_STARVED = "the supply is flooded, or no flooded film is known"
@@ -221,6 +217,73 @@ REPORT_COLUMNS = (
     *("entrainment_speed_m_s", "slide_roll_ratio", "spin_roll_ratio"),
     *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "moes_M", "moes_L"),
 )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactRecord(FilmRecord):
+    """One contact of a bearing with all that is computed of it; None where it does not apply."""
+
+    contact: BearingContact
+    stress: ContactStress | None
+    starved: ContactFilm | None  # operating film at the supply
+    surface: dict[str, float] | None
+    edge_tension: float | None  # of the dry contact without friction [Pa]
+    tension: SurfaceTension | None  # under the film's pressure and shear
+    conductance: Conductance | None = None  # of heat, through the film
+    operating: ContactFilm | None = None
+
+    @property
+    def loaded(self) -> bool:
+        """True if it carries a load."""
+        return self.contact.load > 0.0
+
+    @property
+    def lambda_ratio(self) -> float | None:
+        """Minimum film over the rms roughness of race and ball together [-]."""
+        minimum = None if self.operating is None else self.operating.minimum
+        return lambda_ratio(self.contact, minimum and minimum.value, self.surface)
+
+    @property
+    def kappa(self) -> float | None:
+        """Viscosity ratio that the film stands for [-]."""
+        return self.kappa_at(0.0)
+
+    def kappa_at(self, end: float) -> float | None:
+        """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a part of
+        its
+        uncertainty, and starved where a supply is given that it was not solved behind.
+
+        Parameters
+        ----------
+        end : float
+            part of the uncertainty, -1 to 1 [-]
+
+        Returns
+        -------
+        float | None
+            kappa [-]; None if not resolved
+        """
+        film = self.film
+        operating = self.operating
+        if film is None or not (film.converged and film.resolved):
+            return None
+        if operating is None or operating.minimum is None:
+            return None
+        minimum = operating.minimum
+        share = 1.0
+        if self.starved is not None and self.starved.minimum and film.supply is None:
+            flooded = min(minimum.value, operating.central.value)
+            share = self.starved.minimum.value / flooded
+        moved = share * max(0.0, minimum.value + end * minimum.error)
+        ratio = lambda_ratio(self.contact, moved, self.surface)
+        exponent = (self.surface or {}).get("kappa_exponent")
+        return None if ratio is None or exponent is None else float(ratio**exponent)
+
+    @property
+    def starved_lambda_ratio(self) -> float | None:
+        """Lambda ratio of the starved film [-]; None without roughness."""
+        ratio = None if self.starved is None else self.starved.lambda_ratio
+        return ratio if ratio is not None and isfinite(ratio) else None
 
 
 def contact_records(results: BearingResults) -> list[ContactRecord]:
@@ -446,3 +509,216 @@ def _ratio_messages(results: BearingResults) -> Iterator[str]:
                 f"contacts.lambda_ratio: null at the {race} race, race and ball have no roughness "
                 "in [surface]"
             )
+
+
+def film_values(film: ContactFilm | None) -> dict[str, float | None]:
+    """Central and minimum film of a contact by their keys, with their error bars.
+
+    Parameters
+    ----------
+    film : ContactFilm or None
+        Operating film.
+
+    Returns
+    -------
+    dict
+        Films, error bars with the range of the heat, and without [um]; None without a film.
+    """
+    values: dict[str, float | None] = {}
+    for name in ("central", "minimum"):
+        one: FilmThickness | None = None if film is None else getattr(film, name)
+        values[f"film_{name}_um"] = from_si("film_um", one and one.value)
+        values[f"film_{name}_uncertainty_um"] = from_si("film_um", one and one.error)
+        values[f"film_{name}_mesh_uncertainty_um"] = from_si("film_um", one and one.computed)
+    return values
+
+
+def isothermal_note(
+    contacts: Sequence[BearingContact], films: Sequence[ContactSolution | None]
+) -> str:
+    """Note for pictures of films as they were solved: that they are isothermal, and what heat
+    leaves of them.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        Contacts of the picture.
+    films : sequence of ContactSolution or None
+        Their films as solved.
+
+    Returns
+    -------
+    str
+        Empty where the films were solved with heat.
+    """
+    left = [
+        film_heat(contact).at(1.0 if film.supply is None else film.supply.rolling_moment_ratio)
+        for contact, film in zip(contacts, films, strict=True)
+        if film is not None and film.converged and not solved_with_heat(film)
+    ]
+    return (
+        f"; isothermal films, heat of the inlets leaves {_ends([heat.value for heat in left])}"
+        if left
+        else ""
+    )
+
+
+def _ends(values: Sequence[float]) -> str:
+    """Least and largest value, once where they are alike."""
+    return " to ".join(dict.fromkeys(f"{value:.2g}" for value in (min(values), max(values))))
+
+
+def heat_messages(films: Films) -> Iterator[str]:
+    """Messages on what the heat of the inlets leaves of films that were not solved with it.
+
+    Parameters
+    ----------
+    films : sequence of ContactFilm or None
+        Operating films, without those that were solved with heat.
+
+    Yields
+    ------
+    str
+        A message.
+    """
+    shares = [film.heat for film in films if film is not None]
+    if not shares:
+        return
+    ends = _ends([share.value for share in shares])
+    widest = max(share.uncertainty / share.value for share in shares)
+    oil = ", with the heat properties of a mineral oil (assumed)" if shares[0].assumed else ""
+    yield (
+        f"contacts: the heat of their inlets leaves {ends} of the isothermal films "
+        f"(isothermal_film_..., maps and flooded_film_... too), by a formula fitted to films "
+        f"solved with heat{oil}, its spread, up to {100.0 * widest:.2g} %, in their error bars; "
+        '[ehl] film_model = "thermal" solves them with it'
+    )
+    if any(share.beyond for share in shares):
+        yield (
+            "contacts: the heat of the inlets lies beyond the range of its formula (thermal "
+            f"loading parameter above {LARGEST_LOADING:g}): films, lambda, kappa and life by them "
+            "are guesses"
+        )
+
+
+def finite_body_block(results: BearingResults) -> dict[str, Any] | None:
+    """Differences at both races; None where films are those of half-spaces.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        The block.
+    """
+    bodies = results.finite_bodies
+    if bodies is None or bodies.inner is None or bodies.outer is None:
+        return None
+    return {
+        "seats": "rigid",
+        "inner": values_of(bodies.inner, FINITE_BODY_QUANTITIES),
+        "outer": values_of(bodies.outer, FINITE_BODY_QUANTITIES),
+    }
+
+
+def finite_body_messages(results: BearingResults) -> Iterator[str]:
+    """State the changes by finite bodies, or the reason why films are those of half-spaces.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    bodies = results.finite_bodies
+    if bodies is None:
+        return
+    if bodies.reason:
+        yield f"finite_bodies: null, films are those of half-spaces: {bodies.reason}"
+        return
+    changes = []
+    for race in Race:
+        difference = bodies.at(race)
+        if difference is not None:
+            film = difference.film_share
+            text = f"{race.value} race {difference.pressure_share:+.2%} of Hertz' pressure"
+            changes.append(text if film is None else f"{text}, {film:+.2%} of the central film")
+    yield (
+        f"films: curvatures of finite rings on rigid seats and of balls: {'; '.join(changes)}; "
+        "equilibrium, dry contacts and stresses are those of half-spaces"
+    )
+
+
+def shoulder_messages(results: BearingResults) -> Iterator[str]:
+    """State the origin of the shoulder diameters, and name ellipses that shoulders cut.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    estimates = []
+    for race in Race:
+        name = race.value
+        shoulder = shoulder_diameter(results.quasistatic.bearing, race)
+        if shoulder is None:
+            yield (
+                f"contacts: shoulder and truncation null at the {name} race, no "
+                f"{name}_shoulder_diameter_mm is given, and shoulders of angular contact bearings "
+                "are not estimated"
+            )
+        elif shoulder[1]:
+            estimates.append(f"{name} {from_si('diameter_mm', shoulder[0]):.4g} mm")
+    if estimates:
+        yield (
+            f"contacts: shoulder diameters are estimated, {', '.join(estimates)} "
+            f"({ESTIMATED_HEIGHT:g} of the ball diameter above the raceway); distance to the "
+            "shoulder and cut of ellipses follow from them"
+        )
+    for race in Race:
+        yield from _cut_messages(results, race)
+
+
+def _cut_messages(results: BearingResults, race: Race) -> Iterator[str]:
+    """Balls whose ellipses a shoulder cuts, the worst of them in numbers."""
+    cut = {}
+    for contact in results.contacts:
+        if contact.race is race and contact.hertz is not None:
+            result = truncation(
+                results.quasistatic.bearing, race, contact.contact_angle, contact.hertz
+            )
+            if result is not None and result.truncated:
+                cut[str(contact.ball)] = (contact.hertz.pressure, result)
+    if cut:
+        ball = min(cut, key=lambda name: cut[name][1].distance_ratio)
+        pressure, worst = cut[ball]
+        kind = "estimated shoulder" if worst.estimated else "shoulder"
+        yield (
+            f"contacts: the {kind} of the {race.value} ring cuts the ellipse of "
+            f"{balls_text(list(cut))}, at ball {ball} {worst.length_share:.1%} of its length and "
+            f"{worst.load_share:.1%} of its load; film, pressure and stresses of these contacts "
+            f"are those of the uncut ellipse. {_what_is_left(worst, pressure)}"
+        )
+
+
+def _what_is_left(cut: Truncation, hertz_pressure: float) -> str:
+    """Pressure of a cut ellipse over that of the whole one, p_h [Pa], in words."""
+    if cut.cut_pressure is None or cut.cut_edge_pressure is None:
+        return "The middle of the ellipse lies beyond the edge: there the equilibrium fails"
+    largest, edge = (p / hertz_pressure for p in (cut.cut_pressure, cut.cut_edge_pressure))
+    return (
+        f"The rest carries the load at about {largest:.3g} of Hertz' pressure, {edge:.3g} at "
+        "the edge (by slices), and more where the edge is sharp: its blend decides"
+    )

@@ -265,6 +265,15 @@ ROLLING_EXTENT = quantities(
     "the integrated torque is not that of films",
     *("within_extent_N_mm", "uncertainty_N_mm", "box_N_mm", "doubling_N_mm"),
 )
+AS_PRINTED = "skf_as_printed"  # only where a case asks for it
+TORQUE_PARTS = {  # titles of components, where the name is no word
+    "total": "sum",
+    "ME": "$M_E$ hysteresis",
+    "MD": "$M_D$ differential sliding",
+    "MS": "$M_S$ spin",
+    "MC": "$M_C$ cage",
+    "ML": "$M_L$ oil",
+}
 
 
 class TorqueModel(NamedTuple):
@@ -274,7 +283,6 @@ class TorqueModel(NamedTuple):
     parts: tuple[str, ...]
 
 
-AS_PRINTED = "skf_as_printed"  # only where a case asks for it
 TORQUE_MODELS = {
     "integrated": TorqueModel(
         "integrated films",
@@ -311,13 +319,3 @@ def torque_model(name: str, parts: Iterable[str] = ()) -> TorqueModel:
         Title and components.
     """
     return TORQUE_MODELS.get(name) or TorqueModel(name.replace("_", " "), tuple(parts))
-
-
-TORQUE_PARTS = {  # titles of components, where the name is no word
-    "total": "sum",
-    "ME": "$M_E$ hysteresis",
-    "MD": "$M_D$ differential sliding",
-    "MS": "$M_S$ spin",
-    "MC": "$M_C$ cage",
-    "ML": "$M_L$ oil",
-}

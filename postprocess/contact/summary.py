@@ -1,17 +1,4 @@
-"""Summary of a single contact.
-
-Results of one single contact.
-
-A track pass after pass: summary, message and netCDF group.
-
-Quantities of the film of one contact, single or in a bearing.
-
-Stiffness and damping of a single contact in its summary and in the terminal.
-
-Oil supply of a single contact: its film where the inlet layer starves it.
-
-The fields of contacts, read back from a result folder by their names.
-"""
+"""A single contact: its results, quantities, summary, and fields read back from a folder."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -40,35 +27,6 @@ from ..netcdf_write import DataGroup, Variables
 from ..quantities import FILMS, OTHERS, Results, quantities, values_of
 from .view import half_extents, shown_part
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ContactResults(Results):
-    """One single contact, computed."""
-
-    solution: ContactSolution
-    traction: TractionResult | None = None
-    response: NormalResponse | None = None
-    no_response: str = ""  # why there is none
-    passes: tuple[SolvedPass, ...] = ()  # of the track, the solution the first of them
-
-    @property
-    def converged(self) -> bool:
-        """True if the film converged, and those of all passes."""
-        return self.solution.converged and all(one.solution.converged for one in self.passes)
-
-    def _repr_html_(self) -> str:
-        """The contact, its traction and stiffness, for a notebook."""
-        facts = self._facts()
-        if self.traction is not None:
-            facts["traction coefficient"] = f"{self.traction.coefficient:.4g}"
-        return notebook_html(self.title or "Contact", facts) + self.solution._repr_html_()
-
-    @property
-    def pictures(self) -> dict[str, int]:
-        """Pictures that are drawn [-]."""
-        return {FILMS: 0, OTHERS: 1}
-
-
 NOT_CONVERGED = "the film of this pass did not converge"
 PASS_QUANTITIES = quantities(
     "",
@@ -80,136 +38,10 @@ PASS_QUANTITIES = quantities(
     ("oil_kept", "oil that leaves over oil that enters", "kept"),
     ("ridge_ratio", "thickest part of the layer that leaves over its middle", "ridge_ratio"),
 )
-
-
-def pass_values(results: ContactResults) -> list[dict[str, Any]] | None:
-    """The passes one after the other; None where the contact stands alone.
-
-    Parameters
-    ----------
-    results : ContactResults
-        Results of the contact.
-
-    Returns
-    -------
-    list[dict[str, Any]] | None
-        Values by key, a dictionary for each pass.
-    """
-    if not results.passes:
-        return None
-    rows = []
-    for number, one in enumerate(results.passes, 1):
-        available = one if one.solution.converged else None
-        head = {"pass": number, "converged": one.solution.converged}
-        rows.append(head | values_of(available, PASS_QUANTITIES))
-    return rows
-
-
-def pass_messages(results: ContactResults) -> Iterator[str]:
-    """Give the reason for missing passes, or explain those there are.
-
-    Parameters
-    ----------
-    results : ContactResults
-        Results of the contact.
-
-    Yields
-    ------
-    Iterator[str]
-        A message.
-    """
-    asked = results.case.get("ehl", {}).get("track_passes")
-    if asked is None:
-        yield "passes: null, no ehl.track_passes"
-    elif not results.passes:
-        yield "passes: null, the first film did not converge"
-    elif not results.passes[-1].solution.converged:
-        last = results.passes[-1].solution.message
-        yield f"passes: ended after {len(results.passes)} of {asked}, not converged: {last}"
-    else:
-        yield (
-            "passes: each contact stands behind the profile that the last one left; what a mesh "
-            "does not see is the side flow inside the contact, where little oil is left"
-        )
-
-
-def pass_group(results: ContactResults) -> DataGroup | None:
-    """Layers over y and film ratios of all passes, SI; in Moes' groups in a and a^2/Rx.
-
-    Parameters
-    ----------
-    results : ContactResults
-        Results of the contact.
-
-    Returns
-    -------
-    Group | None
-        The group; None without passes.
-    """
-    if not results.passes:
-        return None
-    first = results.solution
-    length, scale = first.semi_axis_x, first.film_scale
-    unit, layer_unit = ("m", "m") if length and scale else ("a", "a^2/Rx")
-
-    def over(name: str) -> Any:
-        rows = [np.interp(first.Y, p.solution.Y, getattr(p, name)) for p in results.passes]
-        return np.array(rows) * (scale or 1.0)
-
-    plane = ("pass", "y")
-    shares = np.array([p.share if p.solution.converged else np.nan for p in results.passes])
-    variables: Variables = {
-        "y": (("y",), first.Y * (length or 1.0), {"units": unit}),
-        "inlet_layer": (plane, over("inlet"), {"units": layer_unit}),
-        "outlet_layer": (plane, over("outlet"), {"units": layer_unit}),
-        "film_share": (("pass",), shares, {"units": "1"}),
-    }
-    return DataGroup(variables=variables, attributes={})
-
-
 ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
 FORMULAS = (
     "hamrock_dowson_central hamrock_dowson_minimum chittenden_central nijenbanning_central".split()
 )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FilmRecord:
-    """The film of a contact and what is derived of it; None where it was not computed."""
-
-    film: ContactSolution | None
-    traction: TractionResult | None = None
-    rolling: RollingMoment | None = None
-    instruments: FilmInstruments | None = None
-
-    @property
-    def pressure_maximum(self) -> float | None:
-        """Largest pressure of the film [Pa]; None where the scale of pressure is open."""
-        film = self.film
-        return film.pressure_maximum if film is not None and film.hertz_pressure > 0.0 else None
-
-    @property
-    def residual(self) -> float | None:
-        """Residual of the film's equations after the last cycle [-]; None without a complete
-        cycle.
-        """
-        history = () if self.film is None else self.film.record.residual
-        return history[-1] if history else None
-
-    @property
-    def temperature_maximum(self) -> float | None:
-        """Largest mean temperature over the film [K]; None where it was solved without heat."""
-        film = self.film
-        if film is None or film.state is None or film.state.temperature is None:
-            return None
-        return float(film.state.temperature.max())
-
-    @property
-    def traction_force(self) -> list[float] | None:
-        """On body 1 along and across the grid's x [N]."""
-        return None if self.traction is None else [self.traction.force_x, self.traction.force_y]
-
-
 NO_FILM = "no film was computed, or it has no length"
 NO_TRACTION = "it needs a contact with lengths, and a film that converged"
 NO_INSTRUMENT = "it needs a solved film with lengths that converged"
@@ -303,6 +135,187 @@ SUPPLY_QUANTITIES = (
     ),
 )
 ALL_FILM_QUANTITIES = (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES)
+NO_RESPONSE = "it is that of a flooded, isothermal contact with lengths, solved and resolved"
+RESPONSE_QUANTITIES = quantities(
+    "",
+    NO_RESPONSE,
+    ("stiffness_N_um", "stiffness along the normal", "stiffness.value"),
+    ("stiffness_uncertainty_N_um", "stiffness uncertainty", "stiffness.uncertainty"),
+    ("damping_N_s_m", "squeeze damping", "damping.value"),
+    ("damping_uncertainty_N_s_m", "squeeze damping uncertainty", "damping.uncertainty"),
+)
+KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
+SOLVED = (
+    "inlet_ratio",
+    "meniscus_position",
+    "rolling_moment_ratio",
+    "damping_ratio",
+    "outlet_layer",
+)
+NAMES = ("central", "minimum")
+OUTLET_POINTS = 64  # of the layer left behind in the summary, at least
+LAW_MESSAGE = (
+    "supply: inlet film, by the law of starvation: film_... are the films that it leaves of "
+    "flooded_film_..., their error bars hold its own; pressure and shear are those of the flooded "
+    "pressure; meniscus_position, outlet_layer: null, the law knows none"
+)
+OUTSIDE_MESSAGE = (
+    "the contact lies outside those that the law of starvation was solved for; it takes the "
+    "nearest ones, with wider error bars"
+)
+FILM_KEYS = ("film_central", "film_minimum")
+WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is reported [-]
+KINDS = ("bearing", "contact")  # of results that have contacts
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactResults(Results):
+    """One single contact, computed."""
+
+    solution: ContactSolution
+    traction: TractionResult | None = None
+    response: NormalResponse | None = None
+    no_response: str = ""  # why there is none
+    passes: tuple[SolvedPass, ...] = ()  # of the track, the solution the first of them
+
+    @property
+    def converged(self) -> bool:
+        """True if the film converged, and those of all passes."""
+        return self.solution.converged and all(one.solution.converged for one in self.passes)
+
+    def _repr_html_(self) -> str:
+        """The contact, its traction and stiffness, for a notebook."""
+        facts = self._facts()
+        if self.traction is not None:
+            facts["traction coefficient"] = f"{self.traction.coefficient:.4g}"
+        return notebook_html(self.title or "Contact", facts) + self.solution._repr_html_()
+
+    @property
+    def pictures(self) -> dict[str, int]:
+        """Pictures that are drawn [-]."""
+        return {FILMS: 0, OTHERS: 1}
+
+
+def pass_values(results: ContactResults) -> list[dict[str, Any]] | None:
+    """The passes one after the other; None where the contact stands alone.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    list[dict[str, Any]] | None
+        Values by key, a dictionary for each pass.
+    """
+    if not results.passes:
+        return None
+    rows = []
+    for number, one in enumerate(results.passes, 1):
+        available = one if one.solution.converged else None
+        head = {"pass": number, "converged": one.solution.converged}
+        rows.append(head | values_of(available, PASS_QUANTITIES))
+    return rows
+
+
+def pass_messages(results: ContactResults) -> Iterator[str]:
+    """Give the reason for missing passes, or explain those there are.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    asked = results.case.get("ehl", {}).get("track_passes")
+    if asked is None:
+        yield "passes: null, no ehl.track_passes"
+    elif not results.passes:
+        yield "passes: null, the first film did not converge"
+    elif not results.passes[-1].solution.converged:
+        last = results.passes[-1].solution.message
+        yield f"passes: ended after {len(results.passes)} of {asked}, not converged: {last}"
+    else:
+        yield (
+            "passes: each contact stands behind the profile that the last one left; what a mesh "
+            "does not see is the side flow inside the contact, where little oil is left"
+        )
+
+
+def pass_group(results: ContactResults) -> DataGroup | None:
+    """Layers over y and film ratios of all passes, SI; in Moes' groups in a and a^2/Rx.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    Group | None
+        The group; None without passes.
+    """
+    if not results.passes:
+        return None
+    first = results.solution
+    length, scale = first.semi_axis_x, first.film_scale
+    unit, layer_unit = ("m", "m") if length and scale else ("a", "a^2/Rx")
+
+    def over(name: str) -> Any:
+        rows = [np.interp(first.Y, p.solution.Y, getattr(p, name)) for p in results.passes]
+        return np.array(rows) * (scale or 1.0)
+
+    plane = ("pass", "y")
+    shares = np.array([p.share if p.solution.converged else np.nan for p in results.passes])
+    variables: Variables = {
+        "y": (("y",), first.Y * (length or 1.0), {"units": unit}),
+        "inlet_layer": (plane, over("inlet"), {"units": layer_unit}),
+        "outlet_layer": (plane, over("outlet"), {"units": layer_unit}),
+        "film_share": (("pass",), shares, {"units": "1"}),
+    }
+    return DataGroup(variables=variables, attributes={})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmRecord:
+    """The film of a contact and what is derived of it; None where it was not computed."""
+
+    film: ContactSolution | None
+    traction: TractionResult | None = None
+    rolling: RollingMoment | None = None
+    instruments: FilmInstruments | None = None
+
+    @property
+    def pressure_maximum(self) -> float | None:
+        """Largest pressure of the film [Pa]; None where the scale of pressure is open."""
+        film = self.film
+        return film.pressure_maximum if film is not None and film.hertz_pressure > 0.0 else None
+
+    @property
+    def residual(self) -> float | None:
+        """Residual of the film's equations after the last cycle [-]; None without a complete
+        cycle.
+        """
+        history = () if self.film is None else self.film.record.residual
+        return history[-1] if history else None
+
+    @property
+    def temperature_maximum(self) -> float | None:
+        """Largest mean temperature over the film [K]; None where it was solved without heat."""
+        film = self.film
+        if film is None or film.state is None or film.state.temperature is None:
+            return None
+        return float(film.state.temperature.max())
+
+    @property
+    def traction_force(self) -> list[float] | None:
+        """On body 1 along and across the grid's x [N]."""
+        return None if self.traction is None else [self.traction.force_x, self.traction.force_y]
 
 
 def film_values(record: FilmRecord) -> dict[str, Any]:
@@ -358,17 +371,6 @@ def formula_films(conditions: object) -> dict[str, float | None]:
         return dict.fromkeys(FORMULAS)
     films = {name: getattr(film_formulas, f"film_{name}")(conditions) for name in FORMULAS}
     return {name: from_si("film_um", film) for name, film in films.items()}
-
-
-NO_RESPONSE = "it is that of a flooded, isothermal contact with lengths, solved and resolved"
-RESPONSE_QUANTITIES = quantities(
-    "",
-    NO_RESPONSE,
-    ("stiffness_N_um", "stiffness along the normal", "stiffness.value"),
-    ("stiffness_uncertainty_N_um", "stiffness uncertainty", "stiffness.uncertainty"),
-    ("damping_N_s_m", "squeeze damping", "damping.value"),
-    ("damping_uncertainty_N_s_m", "squeeze damping uncertainty", "damping.uncertainty"),
-)
 
 
 def response_values(response: NormalResponse | None) -> dict[str, Any]:
@@ -455,27 +457,6 @@ def response_row(response: NormalResponse | None) -> str:
     if stiffness is None:
         return ""
     return f"{value_with_error(stiffness, bar)} N/µm, {value_with_error(damping, other)} N s/m"
-
-
-KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
-SOLVED = (
-    "inlet_ratio",
-    "meniscus_position",
-    "rolling_moment_ratio",
-    "damping_ratio",
-    "outlet_layer",
-)
-NAMES = ("central", "minimum")
-OUTLET_POINTS = 64  # of the layer left behind in the summary, at least
-LAW_MESSAGE = (
-    "supply: inlet film, by the law of starvation: film_... are the films that it leaves of "
-    "flooded_film_..., their error bars hold its own; pressure and shear are those of the flooded "
-    "pressure; meniscus_position, outlet_layer: null, the law knows none"
-)
-OUTSIDE_MESSAGE = (
-    "the contact lies outside those that the law of starvation was solved for; it takes the "
-    "nearest ones, with wider error bars"
-)
 
 
 def contact_starved_values(results: ContactResults) -> dict[str, Any]:
@@ -582,10 +563,6 @@ def contact_supply_messages(results: ContactResults) -> Iterator[str]:
         yield f"{solved}: null, they need a film behind its layer (ehl.starvation)"
     else:
         yield f"starved_film_..., {solved}: null, the flooded film did not converge"
-
-
-FILM_KEYS = ("film_central", "film_minimum")
-WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is reported [-]
 
 
 def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
@@ -774,9 +751,6 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
         yield f"rolling_moment_N_mm: of the box; rolling_extent_mm: null, {record.rolling.note}"
     elif record.rolling.note:
         yield f"rolling_moment_N_mm: {record.rolling.note}"
-
-
-KINDS = ("bearing", "contact")  # of results that have contacts
 
 
 def require_contacts(directory: str | Path, tree: xarray.DataTree, lack: str) -> None:

@@ -1,7 +1,4 @@
-"""Picture of a contact over time: film along its middle over time, films and load, some lines.
-
-Files of a contact over time: summary, series, fields, pictures.
-"""
+"""Files of a contact over time: summary, series, fields, and its picture."""
 
 from collections.abc import Callable
 from functools import partial
@@ -35,6 +32,22 @@ MILLISECOND = 1e-3  # [s]
 LINES = 4  # times at which film and pressure along x are drawn
 SPREAD = (2.0, 98.0)  # percentiles of the film in the contact that the colours span
 MARGIN = 0.15  # of their span beyond them
+SERIES_FILE = "steps.csv"
+UNITS = {  # SI units of the series in netCDF, and their keys in CSV
+    "time": ("s", "time_ms"),
+    "speed": ("m/s", "speed_m_s"),
+    "load": ("N", "load_N"),
+    "film_force": ("N", "film_force_N"),
+    "approach": ("m", "approach_um"),
+    "approach_rate": ("m/s", "approach_rate_m_s"),
+    "film_central": ("m", "film_central_um"),
+    "film_minimum": ("m", "film_minimum_um"),
+    "pressure_central": ("Pa", "pressure_central_GPa"),
+    "pressure_maximum": ("Pa", "pressure_maximum_GPa"),
+    "error": ("1", "step_error"),
+    "oil_error": ("1", "oil_error"),
+    "cycles": ("1", "cycles"),
+}
 
 
 def write_transient_plots(results: TransientResults, directory: Path) -> tuple[str, ...]:
@@ -189,24 +202,6 @@ def _lines(axes: Any, solution: TransientSolution, name: str) -> None:
 def _shade(share: float) -> tuple[float, float, float]:
     """From ink to pale blue [-]."""
     return (0.05 + 0.6 * share, 0.1 + 0.65 * share, 0.2 + 0.75 * share)
-
-
-SERIES_FILE = "steps.csv"
-UNITS = {  # SI units of the series in netCDF, and their keys in CSV
-    "time": ("s", "time_ms"),
-    "speed": ("m/s", "speed_m_s"),
-    "load": ("N", "load_N"),
-    "film_force": ("N", "film_force_N"),
-    "approach": ("m", "approach_um"),
-    "approach_rate": ("m/s", "approach_rate_m_s"),
-    "film_central": ("m", "film_central_um"),
-    "film_minimum": ("m", "film_minimum_um"),
-    "pressure_central": ("Pa", "pressure_central_GPa"),
-    "pressure_maximum": ("Pa", "pressure_maximum_GPa"),
-    "error": ("1", "step_error"),
-    "oil_error": ("1", "oil_error"),
-    "cycles": ("1", "cycles"),
-}
 
 
 def write_transient(

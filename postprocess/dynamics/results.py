@@ -1,11 +1,4 @@
-"""A time simulation of one case.
-
-Quantities of a time simulation: of its run, its speeds, its balls, and of its pictures.
-
-The history of a time simulation, read from its file.
-
-Summary of a time simulation.
-"""
+"""A time simulation: results, quantities, summary, and its history read from the file."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -34,18 +27,6 @@ from oilfilm.ehl.units import from_si
 from ..files import plain
 from ..quantities import CAGE_SPEED, Results, by_key, quantities, rows_of, values_of
 from .history import FORMAT, HISTORY_FILE
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DynamicsResults(Results):
-    """A time simulation of one case, at its end."""
-
-    simulation: Simulation
-    running: RunningStatistics  # of its records
-    history: Path  # file with the records themselves
-    # ends of further starts, without a history; None: one did not get there
-    others: tuple[SimulationStatistics | None, ...] = ()
-
 
 NO_INTERVAL = "there are fewer samples than a confidence interval needs"
 NO_WHIRL = "the centre stays on the axis or is fixed"
@@ -120,6 +101,18 @@ PLOTTED = by_key(
         "energy_J",
     )
 )
+ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DynamicsResults(Results):
+    """A time simulation of one case, at its end."""
+
+    simulation: Simulation
+    running: RunningStatistics  # of its records
+    history: Path  # file with the records themselves
+    # ends of further starts, without a history; None: one did not get there
+    others: tuple[SimulationStatistics | None, ...] = ()
 
 
 def open_history(path: str | Path) -> xr.Dataset:
@@ -149,9 +142,6 @@ def open_history(path: str | Path) -> xr.Dataset:
         data.close()
         raise ValueError(f"{path} is no history of a simulation that this version reads")
     return data
-
-
-ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
 
 
 def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:

@@ -1,9 +1,4 @@
-"""Slip maps of a case.
-
-Quantities of slip maps: operation of the case and its balls, maps, curves, minimum loads.
-
-Summary of slip maps.
-"""
+"""Slip maps of a case: results, quantities and summary."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -1,9 +1,4 @@
-"""Files of slip maps.
-
-Figures of slip maps: slip factors, critical loads, minimum preload, balls.
-
-Slip maps in the terminal.
-"""
+"""Files, pictures and table of slip maps."""
 
 from collections.abc import Callable
 from functools import partial
@@ -52,6 +47,16 @@ LOAD_STYLES: dict[str, Any] = {
     "as_printed_N": {"color": OUTER_COLOUR, "linestyle": "--"},
     "skf_axial_N": {"color": REFERENCE, "linestyle": "-."},
     "skf_radial_N": {"color": REFERENCE, "linestyle": ":"},
+}
+DIGITS = ".9g"  # of numbers in tables
+SPEED_UNIT, LOAD, FACTOR = ({"units": unit} for unit in ("rad/s", "N", "1"))
+MOST_ROWS = 11  # speeds listed
+STYLE: dict[str, Any] = {"padding": (0, 2, 0, 0), "collapse_padding": True}
+COLUMNS = {  # of the balls, with the format of their numbers
+    "azimuth_deg": ".1f",
+    "inner_load_N": ".1f",
+    "inner_contact_angle_deg": ".2f",
+    "centrifugal_force_N": ".2f",
 }
 
 
@@ -283,10 +288,6 @@ def _ball_bars(axes: Axes, azimuths: Array, factors: Array, slips: Any) -> None:
         axes.annotate("no\nload", (azimuth, 0.0), xytext=(0, 2), **style)
 
 
-DIGITS = ".9g"  # of numbers in tables
-SPEED_UNIT, LOAD, FACTOR = ({"units": unit} for unit in ("rad/s", "N", "1"))
-
-
 def write_slip(results: SlipResults, directory: str | Path) -> tuple[str, ...]:
     """Write pictures, tables and, last, the summary; pictures that failed are messages.
 
@@ -371,16 +372,6 @@ def _variables(results: SlipResults) -> Variables:
             ),
         }
     return variables
-
-
-MOST_ROWS = 11  # speeds listed
-STYLE: dict[str, Any] = {"padding": (0, 2, 0, 0), "collapse_padding": True}
-COLUMNS = {  # of the balls, with the format of their numbers
-    "azimuth_deg": ".1f",
-    "inner_load_N": ".1f",
-    "inner_contact_angle_deg": ".2f",
-    "centrifugal_force_N": ".2f",
-}
 
 
 def slip_table(results: SlipResults) -> Group:

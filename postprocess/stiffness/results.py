@@ -1,9 +1,4 @@
-"""Stiffness of a bearing over speed.
-
-Stiffness over speed as a bearing element of the rotor code ROSS.
-
-Summary of the stiffness over speed.
-"""
+"""Stiffness of a bearing over speed: results, summary, and the element of the rotor code ROSS."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -17,6 +12,13 @@ from oilfilm.ehl.units import from_si
 from ..files import plain
 from ..quantities import STIFFNESS_ORDER, STIFFNESS_UNITS, Quantity, Results, rows_of
 
+# ROSS' x, y, z (z along the shaft) in ours
+ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
+SPEED = Quantity("speeds_rpm", "speed of the inner ring", "speeds")
+STIFFNESS = Quantity("stiffness_N_um", "stiffness")
+TILTING_STIFFNESS = Quantity("tilting_stiffness_N_m_mrad", "tilting stiffness")
+DAMPING = "ross: damping {:g} N s/m as given, the equilibrium has none"
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StiffnessResults(Results):
@@ -29,10 +31,6 @@ class StiffnessResults(Results):
     def converged(self) -> bool:
         """True if there is an equilibrium at every speed."""
         return bool(self.study.converged.all())
-
-
-# ROSS' x, y, z (z along the shaft) in ours
-ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Array]:
@@ -73,12 +71,6 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
         name.replace("k", "c"): np.full(size, damping if i == j else 0.0)
         for name, (i, j) in stiffness.items()
     }
-
-
-SPEED = Quantity("speeds_rpm", "speed of the inner ring", "speeds")
-STIFFNESS = Quantity("stiffness_N_um", "stiffness")
-TILTING_STIFFNESS = Quantity("tilting_stiffness_N_m_mrad", "tilting stiffness")
-DAMPING = "ross: damping {:g} N s/m as given, the equilibrium has none"
 
 
 def stiffness_summary(results: StiffnessResults) -> dict[str, Any]:

@@ -1,9 +1,4 @@
-"""Files of the stiffness over speed, for scripts and for the rotor code ROSS.
-
-Figure of the stiffness over speed.
-
-Stiffness over speed in the terminal.
-"""
+"""Files, picture and table of the stiffness over speed."""
 
 from functools import partial
 from pathlib import Path
@@ -29,6 +24,10 @@ from .results import (
 
 COLOURS = ("#1f4e8c", "#c1440e", "#3a7d44", "#7a4fa3", "#8a6d1d")
 SMALL_COUPLING = 1e-3  # of the largest stiffness: couplings below are not drawn [-]
+MIXED = {"units": "SI: N, m, rad, N m"}
+ROUND_OFF = 1e-9  # of the largest entry: shown as zero [-]
+HEADERS = ("r/min", "k_xx", "k_yy", "k_zz", "k_yz", "k_xy", "tilt y", "tilt z")
+ENTRIES = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 1))  # of translation
 
 
 def write_stiffness_plot(results: StiffnessResults, directory: Path) -> None:
@@ -76,9 +75,6 @@ def draw_stiffness(figure: Figure, results: StiffnessResults) -> None:
         axes.grid(linewidth=0.3, alpha=0.5)
         axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
         axes.legend()
-
-
-MIXED = {"units": "SI: N, m, rad, N m"}
 
 
 def write_stiffness(results: StiffnessResults, directory: Path) -> tuple[str, ...]:
@@ -132,11 +128,6 @@ def _variables(results: StiffnessResults) -> Variables:
         "displacement": (("speed", "freedom"), study.displacements, MIXED),
         "converged": (("speed",), study.converged.astype(np.int8), {}),
     }
-
-
-ROUND_OFF = 1e-9  # of the largest entry: shown as zero [-]
-HEADERS = ("r/min", "k_xx", "k_yy", "k_zz", "k_yz", "k_xy", "tilt y", "tilt z")
-ENTRIES = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 1))  # of translation
 
 
 def stiffness_table(results: StiffnessResults) -> Group:

@@ -1,9 +1,4 @@
-"""Files of the temperatures over speed and time.
-
-Figure of the temperatures over speed and over time.
-
-Temperatures over speed and time in the terminal.
-"""
+"""Files, pictures and tables of temperatures over speed and time."""
 
 from functools import partial
 from pathlib import Path
@@ -32,6 +27,18 @@ LINES = (  # key, name, colour
     ("oil_temperature_C", "oil", "#8a6d1d"),
     ("housing_temperature_C", "housing", "#7a4fa3"),
 )
+KELVIN = {"units": "K"}
+COLUMNS = (  # title and key; of the parts those that differ most
+    ("films", "film_temperature_C"),
+    ("inner", "inner_ring_temperature_C"),
+    ("balls", "balls_temperature_C"),
+    ("outer", "outer_ring_loaded_temperature_C"),
+    ("oil", "oil_temperature_C"),
+    ("housing", "housing_temperature_C"),
+    ("P_d µm", "clearance_um"),
+    ("heat W", "power_W"),
+)
+ROWS = 12  # at most, of a course
 
 
 def write_temperatures_plot(results: TemperatureResults, directory: Path) -> None:
@@ -96,9 +103,6 @@ def _lines(axes: Axes, rows: list[dict[str, Any]], over: str, scale: float) -> N
         axes.plot(places, [row[key] for row in rows], color=colour, linewidth=1.0, label=name)
 
 
-KELVIN = {"units": "K"}
-
-
 def write_temperatures(results: TemperatureResults, directory: Path) -> tuple[str, ...]:
     """Write balances, course, data set, summary; pictures that failed are messages.
 
@@ -146,19 +150,6 @@ def _variables(results: TemperatureResults) -> Variables:
         "course": (("time", "node"), warm.temperatures, KELVIN),
         "clearance": (("time",), warm.clearance, {"units": "m"}),
     }
-
-
-COLUMNS = (  # title and key; of the parts those that differ most
-    ("films", "film_temperature_C"),
-    ("inner", "inner_ring_temperature_C"),
-    ("balls", "balls_temperature_C"),
-    ("outer", "outer_ring_loaded_temperature_C"),
-    ("oil", "oil_temperature_C"),
-    ("housing", "housing_temperature_C"),
-    ("P_d µm", "clearance_um"),
-    ("heat W", "power_W"),
-)
-ROWS = 12  # at most, of a course
 
 
 def temperatures_table(document: dict[str, Any]) -> Group:

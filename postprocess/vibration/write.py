@@ -1,11 +1,4 @@
-"""Files of a vibration: pictures, record, spectra, sound, summary.
-
-The vibration as sound: a WAVE file of 16 bits.
-
-Pictures of a vibration.
-
-Levels and lines of a vibration in the terminal.
-"""
+"""Files of a vibration, pictures, record, spectra and sound, and its table."""
 
 import io
 import wave
@@ -55,6 +48,23 @@ from .summary import vibration_summary
 
 FULL = 0.9  # of the largest value that 16 bits hold
 LIMIT = 32767
+FLOOR = 1e-6  # of the largest line, below which nothing is drawn [-]
+DEPTH = 60.0  # of the colours of a waterfall [dB]
+SHOWN_TURNS = 4.0  # of the shaft, in the picture over time
+LEAST_ORDER = 0.1  # of the shaft, lowest frequency of a spectrum [-]
+SHOWN_PASSES = 8.0  # highest frequency of an envelope, over that of the inner ring's passes [-]
+MARKERS = {
+    "cage": REFERENCE,
+    "ball_pass_outer": OUTER_COLOUR,
+    "ball_pass_inner": INNER_COLOUR,
+    "ball_spin": BALL_COLOUR,
+}
+AUDIO_FILE = "vibration.wav"
+LINE_KEYS = (
+    "source order_number direction frequency_Hz displacement_um velocity_um_s acceleration_m_s2"
+).split()
+SHOWN = 14  # lines at most
+HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
 
 
 def write_audio(signal: Array, rate: float, path: Path) -> float:
@@ -86,19 +96,6 @@ def write_audio(signal: Array, rate: float, path: Path) -> float:
         file.writeframes(values.tobytes())
     write_bytes(path, content.getvalue())
     return largest / FULL
-
-
-FLOOR = 1e-6  # of the largest line, below which nothing is drawn [-]
-DEPTH = 60.0  # of the colours of a waterfall [dB]
-SHOWN_TURNS = 4.0  # of the shaft, in the picture over time
-LEAST_ORDER = 0.1  # of the shaft, lowest frequency of a spectrum [-]
-SHOWN_PASSES = 8.0  # highest frequency of an envelope, over that of the inner ring's passes [-]
-MARKERS = {
-    "cage": REFERENCE,
-    "ball_pass_outer": OUTER_COLOUR,
-    "ball_pass_inner": INNER_COLOUR,
-    "ball_spin": BALL_COLOUR,
-}
 
 
 def write_vibration_plots(
@@ -362,12 +359,6 @@ def _mark(axes: Any, places: dict[str, float], style: str, *, named: bool = True
         axes.axvline(place, color=colour, linewidth=0.8, linestyle=style, alpha=0.7, label=label)
 
 
-AUDIO_FILE = "vibration.wav"
-LINE_KEYS = (
-    "source order_number direction frequency_Hz displacement_um velocity_um_s acceleration_m_s2"
-).split()
-
-
 def write_vibration(
     results: VibrationResults, directory: Path, is_interrupted: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
@@ -456,10 +447,6 @@ def _variables(results: VibrationResults, seen: Measured) -> Variables:
     for name, (first, last, axis, unit) in rings.items():
         variables[name] = (("time", axis), motion[:, first:last], {"units": unit})
     return variables
-
-
-SHOWN = 14  # lines at most
-HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
 
 
 def vibration_table(document: dict[str, Any]) -> Group:

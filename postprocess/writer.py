@@ -1,28 +1,21 @@
-"""All files of a run, written by one process.
-
-Files for ParaView and pictures of a run, in parts that several processes can make.
-
-The summary of a run, of a bearing or of a single contact.
-
-Numbers of a run: netCDF and CSV, and last the summary, which says what could not be drawn.
-"""
+"""All files of a run in one folder; files for ParaView and pictures in parts for processes."""
 
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from ..bearing.plots import write_bearing_plots
-from ..bearing.results import BearingResults
-from ..bearing.summary import bearing_summary
-from ..bearing.write import write_bearing_netcdf, write_contacts_csv
-from ..contact.plots import write_contact_plots
-from ..contact.summary import ContactResults, contact_summary
-from ..contact.write import write_contact_netcdf
-from ..files import CONTACTS_FILE, SUMMARY_FILE, attempt, write_json
-from ..netcdf_write import FIELDS_FILE
-from ..quantities import PARAVIEW
-from ..scene.vtk import write_collection, write_ring_deformed, write_ring_stress, write_subsurface
+from .bearing.plots import write_bearing_plots
+from .bearing.results import BearingResults
+from .bearing.summary import bearing_summary
+from .bearing.write import write_bearing_netcdf, write_contacts_csv
+from .contact.plots import write_contact_plots
+from .contact.summary import ContactResults, contact_summary
+from .contact.write import write_contact_netcdf
+from .files import CONTACTS_FILE, SUMMARY_FILE, attempt, write_json
+from .netcdf_write import FIELDS_FILE
+from .quantities import PARAVIEW
+from .scene.vtk import write_collection, write_ring_deformed, write_ring_stress, write_subsurface
 
 
 def write_extras(
