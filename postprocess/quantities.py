@@ -137,7 +137,7 @@ def _names(source: str) -> tuple[str, str]:
 
 
 def quantities(
-    source: str, null: str, *rows: str | tuple[str, ...], words: bool = False
+    *rows: str | tuple[str, ...], source: str = "", null: str = "", words: bool = False
 ) -> tuple[Quantity, ...]:
     """Quantities of one part of a record.
 
@@ -146,12 +146,12 @@ def quantities(
 
     Parameters
     ----------
-    source : str
-        Path of the part in a record, with its dot at the end.
-    null : str
-        Reason for a value of null.
     *rows : str | tuple[str, ...]
         Key, or key, title, attribute, symbol and short title.
+    source : str, default ""
+        Path of the part in a record, with its dot at the end; empty for the record itself.
+    null : str, default ""
+        Reason for a value of null.
     words : bool, default False
         The values have no unit.
 
@@ -261,8 +261,6 @@ CAGE_SPEED = Quantity("cage_speed_rpm", "cage speed", "cage_speed", symbol="cage
 
 
 FREQUENCIES = quantities(  # in a block that has the unit
-    "",
-    "",
     ("cage", "", "", "cage"),
     ("ball_pass_outer", "", "", "BPFO"),
     ("ball_pass_inner", "", "", "BPFI"),

@@ -17,9 +17,11 @@ from .netcdf_write import FIELDS_FILE
 from .quantities import PARAVIEW
 from .scene.vtk import write_collection, write_ring_deformed, write_ring_stress, write_subsurface
 
+RunResults = BearingResults | ContactResults
+
 
 def write_extras(
-    results: BearingResults | ContactResults, folder: Path, part: tuple[str, int] | None = None
+    results: RunResults, folder: Path, part: tuple[str, int] | None = None
 ) -> tuple[str, ...]:
     """Write files for ParaView and the pictures; or one part of them, by its kind and number from
     0.
@@ -49,14 +51,14 @@ def write_extras(
 
 
 def _write_plots(
-    results: BearingResults | ContactResults, folder: Path, picture: tuple[str, int] | None
+    results: RunResults, folder: Path, picture: tuple[str, int] | None
 ) -> tuple[str, ...]:
     if isinstance(results, BearingResults):
         return write_bearing_plots(results, folder, picture)
     return write_contact_plots(results, folder)
 
 
-def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:
+def _write_vtk(results: RunResults, folder: Path) -> None:
     write_collection(results, folder)
     if isinstance(results, BearingResults):
         write_subsurface(results, folder)
@@ -64,7 +66,7 @@ def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:
         write_ring_deformed(results, folder)
 
 
-def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
+def summary(results: RunResults) -> dict[str, Any]:
     """Results as one JSON document in named units, the keys as published.
 
     Parameters
@@ -84,7 +86,7 @@ def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
 
 
 def write_numbers(
-    results: BearingResults | ContactResults, folder: Path, extras: Callable[[], tuple[str, ...]]
+    results: RunResults, folder: Path, extras: Callable[[], tuple[str, ...]]
 ) -> tuple[str, ...]:
     """Write the numbers of a run: netCDF, CSV and summary.
 
@@ -121,9 +123,7 @@ def write_numbers(
     return problems
 
 
-def write_results(
-    results: BearingResults | ContactResults, directory: str | Path
-) -> tuple[str, ...]:
+def write_results(results: RunResults, directory: str | Path) -> tuple[str, ...]:
     """Write netCDF, CSV, VTK, pictures, last the summary; files of the same names are replaced.
 
     Parameters

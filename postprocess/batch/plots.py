@@ -473,8 +473,7 @@ def draw_front(figure: Figure, designs: Designs) -> None:
     axes.errorbar(x[order], y[order], *bars, color=FRONT, marker="o", markersize=4, label="front")
     if designs.case is not None:
         axes.scatter(x[designs.case], y[designs.case], s=60, marker="*", color=INK, label="case")
-    axes.set_xlabel(_label(designs.names[0]))
-    axes.set_ylabel(_label(designs.names[1]))
+    axes.set(xlabel=_label(designs.names[0]), ylabel=_label(designs.names[1]))
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(fontsize=7)
 
@@ -502,8 +501,7 @@ def draw_progress(figure: Figure, designs: Designs) -> None:
     best = sign * np.fmin.accumulate(np.where(met, sign * goal, np.inf))
     best[~np.isfinite(best)] = np.nan
     axes.step(number, best, where="post", color=FRONT, label="best so far")
-    axes.set_xlabel("design")
-    axes.set_ylabel(_label(designs.names[0]))
+    axes.set(xlabel="design", ylabel=_label(designs.names[0]))
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(fontsize=7)
 

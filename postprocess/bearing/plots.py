@@ -714,8 +714,7 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
         axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))  # off the bars
     axes.set_xlim(-20.0, 380.0)
     axes.set_xticks(range(0, 361, 45))
-    axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
-    axes.set_ylabel(f"per ball: {TORQUE.label}")
+    axes.set(xlabel=BALL_QUANTITY["azimuth_deg"].label, ylabel=f"per ball: {TORQUE.label}")
     axes.spines[["top", "right"]].set_visible(False)
 
 
@@ -737,10 +736,9 @@ def draw_decay(figure: Figure, results: BearingResults) -> None:
     decay = results.decay
     if decay is None:
         raise ValueError("no decay to draw")
-    figure.set_size_inches(PAGE_WIDTH, 2.9)
     place = f"ball {decay.contact.ball}, {decay.contact.race.value} race"
-    figure.suptitle(f"{results.title}\nfilm after the supply stops, {place}", fontsize=8.5)
-    axes = figure.subplots()
+    title = f"{results.title}\nfilm after the supply stops, {place}"
+    axes = titled_panels(figure, title, 2.9)
     later = decay.time > 0.0
     seconds = COURSE["time_s"].in_unit(decay.time[later])
     film = COURSE["film_um"].in_unit(decay.film[later])
@@ -753,8 +751,7 @@ def draw_decay(figure: Figure, results: BearingResults) -> None:
         rough = COURSE["film_um"].in_unit(decay.roughness)
         axes.axhline(rough, color=REFERENCE, linewidth=0.7, linestyle=":", label="roughness")
     axes.set_xlim(seconds[0], seconds[-1])
-    axes.set_xlabel(COURSE["time_s"].label)
-    axes.set_ylabel(COURSE["film_um"].label)
+    axes.set(xlabel=COURSE["time_s"].label, ylabel=COURSE["film_um"].label)
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))

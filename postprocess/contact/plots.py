@@ -34,6 +34,7 @@ from ..plot_style import (
     PAGE_WIDTH,
     REFERENCE,
     colour_stops,
+    titled_panels,
     write_figure,
     write_figures,
 )
@@ -314,17 +315,14 @@ def draw_passes(figure: Figure, results: ContactResults) -> None:
     results : ContactResults
         Results of the contact.
     """
-    figure.set_size_inches(PAGE_WIDTH, 3.0)
     number = len(results.passes)
     title = f"{results.title}\neach pass stands behind the layer that the last one left"
-    figure.suptitle(title, fontsize=8.5)
-    left, right = figure.subplots(1, 2)
+    left, right = titled_panels(figure, title, 3.0, 1, 2)
     films = [one for one in results.passes if one.solution.converged]
     style: Any = {"color": FILM_COLOUR, "marker": "o", "markersize": 3, "linewidth": 1.0}
     left.plot(range(1, len(films) + 1), [one.share for one in films], **style)
     left.set_ylim(0.0, 1.05)
-    left.set_xlabel("pass [-]")
-    left.set_ylabel("central film over the flooded one [-]")
+    left.set(xlabel="pass [-]", ylabel="central film over the flooded one [-]")
     left.xaxis.get_major_locator().set_params(integer=True)
     first = results.solution
     scale = first.film_scale

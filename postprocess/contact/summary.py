@@ -29,14 +29,13 @@ from .view import half_extents, shown_part
 
 NOT_CONVERGED = "the film of this pass did not converge"
 PASS_QUANTITIES = quantities(
-    "",
-    NOT_CONVERGED,
     ("inlet_ratio", "layer over the oil of the flooded film", "ratio"),
     ("film_share", "central film over the flooded one", "share"),
     ("film_central_um", "central film", "solution.film_central"),
     ("film_minimum_um", "minimum film", "solution.film_minimum"),
     ("oil_kept", "oil that leaves over oil that enters", "kept"),
     ("ridge_ratio", "thickest part of the layer that leaves over its middle", "ridge_ratio"),
+    null=NOT_CONVERGED,
 )
 ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
 FORMULAS = (
@@ -48,54 +47,50 @@ NO_INSTRUMENT = "it needs a solved film with lengths that converged"
 NO_CYCLE = "no film was computed, or not a single cycle of it was completed"
 FILM_QUANTITIES = (
     *quantities(
-        "film.",
-        NO_FILM,
         ("film_central_um", "central film", "film_central", "h_c", "film central"),
         ("film_central_uncertainty_um", "central film uncertainty", "film_central_uncertainty"),
         ("film_minimum_um", "minimum film", "film_minimum", "h_min", "film minimum"),
         ("film_minimum_uncertainty_um", "minimum film uncertainty", "film_minimum_uncertainty"),
+        source="film.",
+        null=NO_FILM,
     ),
     *quantities(
-        "",
-        NO_FILM,
         ("pressure_maximum_GPa", "maximum pressure", "pressure_maximum", "", "largest pressure"),
+        null=NO_FILM,
     ),
-    *quantities("", NO_CYCLE, ("residual", "residual of the film's equations")),
+    *quantities(("residual", "residual of the film's equations"), null=NO_CYCLE),
     *quantities(
-        "film.record.", NO_CYCLE, ("mass_imbalance", "oil gained in the film, over its flow")
+        ("mass_imbalance", "oil gained in the film, over its flow"),
+        source="film.record.",
+        null=NO_CYCLE,
     ),
     *quantities(
-        "",
-        "the film was solved without heat",
         ("film_temperature_maximum_C", "largest film temperature", "temperature_maximum"),
+        null="the film was solved without heat",
     ),
     *quantities(
-        "",
-        NO_TRACTION,
         ("traction_coefficient", "traction coefficient", "traction.coefficient", "", "traction"),
         ("rolling_moment_N_mm", "rolling moment", "rolling.value"),
         ("rolling_moment_uncertainty_N_mm", "rolling moment uncertainty", "rolling.uncertainty"),
         ("rolling_moment_box_N_mm", "rolling moment of the box", "rolling.box"),
+        null=NO_TRACTION,
     ),
 )
 FURTHER_QUANTITIES = (  # of the summary alone
     *quantities(
-        "",
-        NO_TRACTION,
         ("traction_force_N", "traction force", "traction_force"),
         ("traction_power_W", "heat of the traction", "traction.power_loss"),
         ("spin_moment_N_mm", "spin moment", "traction.spin_moment"),
         ("rolling_extent_mm", "meniscus ahead of the centre", "rolling.extent"),
         ("flooded_layer_um", "layer of oil at the inlet", "rolling.layer"),
+        null=NO_TRACTION,
     ),
     *quantities(
-        "traction.",
-        f"{NO_TRACTION}, or the oil does not shear by Eyring's law",
         ("eyring_stress_MPa", "Eyring's stress"),
+        source="traction.",
+        null=f"{NO_TRACTION}, or the oil does not shear by Eyring's law",
     ),
     *quantities(
-        "instruments.",
-        NO_INSTRUMENT,
         ("capacitance_pF", "capacitance of film and wedge of oil"),
         ("capacitance_uncertainty_pF", "its uncertainty by the film"),
         ("capacitance_hertz_pF", "its part within Hertz' ellipse"),
@@ -104,13 +99,13 @@ FURTHER_QUANTITIES = (  # of the summary alone
         ("breakdown_voltage_high_V", "high end of its range"),
         ("ultrasonic_stiffness_GPa_um", "bulk modulus over film at the centre"),
         ("ultrasonic_stiffness_uncertainty_GPa_um", "its uncertainty by the film"),
+        source="instruments.",
+        null=NO_INSTRUMENT,
     ),
 )
 NO_LAYER = "the film stands behind no layer (ehl.starvation), or did not converge"
 SUPPLY_QUANTITIES = (
     *quantities(
-        "film.",
-        NO_LAYER,
         ("flooded_film_central_um", "flooded central film", "flooded_central"),
         (
             "flooded_film_central_uncertainty_um",
@@ -123,26 +118,27 @@ SUPPLY_QUANTITIES = (
             "flooded minimum film uncertainty",
             "flooded_minimum_uncertainty",
         ),
+        source="film.",
+        null=NO_LAYER,
     ),
     *quantities(
-        "film.supply.",
-        NO_LAYER,
         ("inlet_ratio", "layer over the oil of the flooded film"),
         ("meniscus_position", "meniscus in semi-axes", "meniscus"),
         ("rolling_moment_ratio", "share of the rolling moment"),
         ("damping_ratio", "share of the damping at 0.3 u_m/a", "damping.value"),
         ("damping_ratio_uncertainty", "share of the damping, uncertainty", "damping.uncertainty"),
+        source="film.supply.",
+        null=NO_LAYER,
     ),
 )
 ALL_FILM_QUANTITIES = (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES)
 NO_RESPONSE = "it is that of a flooded, isothermal contact with lengths, solved and resolved"
 RESPONSE_QUANTITIES = quantities(
-    "",
-    NO_RESPONSE,
     ("stiffness_N_um", "stiffness along the normal", "stiffness.value"),
     ("stiffness_uncertainty_N_um", "stiffness uncertainty", "stiffness.uncertainty"),
     ("damping_N_s_m", "squeeze damping", "damping.value"),
     ("damping_uncertainty_N_s_m", "squeeze damping uncertainty", "damping.uncertainty"),
+    null=NO_RESPONSE,
 )
 KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
 SOLVED = (

@@ -141,8 +141,7 @@ def _film_over_time(figure: Figure, axes: Any, solution: TransientSolution) -> N
         place = end * solution.semi_axes[0] / MILLIMETRE
         axes.axvline(place, color="white", linestyle=(0, (4, 2)), linewidth=0.8)
     axes.xaxis.set_major_locator(MaxNLocator(6))
-    axes.set_xlabel("x, along the entrainment [mm]; Hertz ellipse dashed")
-    axes.set_ylabel("time [ms]")
+    axes.set(xlabel="x, along the entrainment [mm]; Hertz ellipse dashed", ylabel="time [ms]")
 
 
 def _films(axes: Any, solution: TransientSolution) -> None:
@@ -167,8 +166,7 @@ def _conditions(axes: Any, solution: TransientSolution) -> None:
     axes.plot(time, load, color=INK, label="load", linewidth=1.0)
     if np.abs(force - load).max() > 0.01 * max(float(np.abs(force).max()), 1e-300):
         axes.plot(time, force, color=OUTER_COLOUR, label="film force", linewidth=1.0)
-    axes.set_ylabel("force [N]")
-    axes.set_xlabel("time [ms]")
+    axes.set(ylabel="force [N]", xlabel="time [ms]")
     speed = axes.twinx()
     style = {"color": REFERENCE, "linestyle": "--", "linewidth": 1.0}
     speed.plot(time, solution.series("speed"), label="speed", **style)
@@ -190,8 +188,7 @@ def _lines(axes: Any, solution: TransientSolution, name: str) -> None:
     for row, shade in zip(rows, shades, strict=True):
         label = f"{time[row]:.3g} ms"
         axes.plot(x, lines[row, part] / unit, color=_shade(shade), label=label, linewidth=1.0)
-    axes.set_xlabel("x [mm], at $y$ = 0")
-    axes.set_ylabel("film [µm]" if film else "pressure [GPa]")
+    axes.set(xlabel="x [mm], at $y$ = 0", ylabel="film [µm]" if film else "pressure [GPa]")
     if film:
         low, high = film_span(solution)
         axes.set_ylim(max(0.0, low - (high - low)), high + 0.5 * (high - low))

@@ -28,8 +28,8 @@ from ..plot_style import (
     INK,
     INNER_COLOUR,
     OUTER_COLOUR,
-    PAGE_WIDTH,
     REFERENCE,
+    titled_panels,
     write_figures,
 )
 from ..quantities import FREQUENCIES
@@ -609,9 +609,8 @@ def _start(
     **options: Any,
 ) -> Any:
     """Panels in rows and columns with a grid, below the title of the case."""
-    figure.set_size_inches(PAGE_WIDTH, height)
-    figure.suptitle(str(document["case"].get("title", "")), fontsize=8.5)
-    axes = figure.subplots(*panels, squeeze=False, **options).ravel()
+    title = str(document["case"].get("title", ""))
+    axes = titled_panels(figure, title, height, *panels, squeeze=False, **options).ravel()
     for ax in axes:
         ax.grid(linewidth=0.3, alpha=0.5)
     return axes

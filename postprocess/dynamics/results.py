@@ -32,8 +32,6 @@ NO_INTERVAL = "there are fewer samples than a confidence interval needs"
 NO_WHIRL = "the centre stays on the axis or is fixed"
 STATES = ("free", "contact", "impact")  # of a ball at a race
 RUN = quantities(
-    "",
-    "",
     ("simulated_s", "simulated time", "state.time"),
     ("wall_s", "wall time", "wall"),
     ("stiff", "", "state.stiff"),
@@ -41,41 +39,36 @@ RUN = quantities(
 )
 SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ratios
     CAGE_SPEED,
-    *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
-    *quantities("", "", ("ball_spin_speed_rpm", "", "spin_speed")),
-    *quantities("", "", ("contact_angle_deg", "mean contact angle", "contact_angle")),
-    *quantities("", "", ("kinematic_cage_speed_rpm", "", "kinematic_speed")),
-    *quantities("", "nothing turns", "cage_speed_ratio", "cage_slip_ratio"),
+    *quantities(("ball_orbit_speed_rpm", "", "orbit_speed")),
+    *quantities(("ball_spin_speed_rpm", "", "spin_speed")),
+    *quantities(("contact_angle_deg", "mean contact angle", "contact_angle")),
+    *quantities(("kinematic_cage_speed_rpm", "", "kinematic_speed")),
+    *quantities("cage_speed_ratio", "cage_slip_ratio", null="nothing turns"),
     *quantities(
-        "",
-        NO_INTERVAL,
         ("cage_speed_interval_rpm", "", "cage_interval"),
         ("ball_orbit_speed_interval_rpm", "", "orbit_interval"),
+        null=NO_INTERVAL,
     ),
     *quantities(
-        "",
-        NO_WHIRL,
         ("ring_whirl_speed_rpm", "", "ring_whirl"),
         ("cage_whirl_speed_rpm", "", "cage_whirl"),
+        null=NO_WHIRL,
     ),
     *quantities(
-        "",
-        "there is no cage, or samples are too few",
         ("cage_whirl", "", "cage_whirls"),
+        null="there is no cage, or samples are too few",
         words=True,
     ),
-    *quantities("", NO_WHIRL, ("cage_orbit_radius_um", "", "cage_orbit")),
-    *quantities("", "", ("energy_balance_error", "", "energy_error")),
+    *quantities(("cage_orbit_radius_um", "", "cage_orbit"), null=NO_WHIRL),
+    *quantities(("energy_balance_error", "", "energy_error")),
 )
 STARTS = (  # of the end of each
     CAGE_SPEED,
-    *quantities("", NO_INTERVAL, ("cage_speed_interval_rpm", "", "cage_interval")),
-    *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
+    *quantities(("cage_speed_interval_rpm", "", "cage_interval"), null=NO_INTERVAL),
+    *quantities(("ball_orbit_speed_rpm", "", "orbit_speed")),
 )
-BALLS = quantities("", "", "largest_pocket_load_N")
+BALLS = quantities("largest_pocket_load_N")
 RACES = quantities(  # of each ball at each race; sliding and friction while it is loaded
-    "",
-    "",
     "mean_load_N",
     "largest_load_N",
     ("mean_sliding_m_s", "", "mean_sliding"),
@@ -84,8 +77,6 @@ RACES = quantities(  # of each ball at each race; sliding and friction while it 
 )
 PLOTTED = by_key(
     quantities(
-        "",
-        "",
         "time_ms",
         ("speed_rpm", "speed about the axis"),
         ("spin_speed_rpm", "spin of the balls"),

@@ -124,8 +124,7 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
     bar.set_ticks(ticks, labels=[f"{results.limit * 10.0**v:.3g}" for v in ticks])
     if shown.count():
         bar.ax.set_ylim(min(float(shown.min()), -0.05), max(float(shown.max()), 0.05))
-    axes.set_xlabel(SPEED.label)
-    axes.set_ylabel(AXIAL_LOAD.label)
+    axes.set(xlabel=SPEED.label, ylabel=AXIAL_LOAD.label)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
 
 
@@ -229,8 +228,7 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
         axes.plot(*at, "o", color=INNER_COLOUR, markersize=4)
         style: Any = {"textcoords": "offset points", "ha": "right", "fontsize": 7}
         axes.annotate(f"{at[1]:.0f} N", at, xytext=(-6, 3), **style)
-    axes.set_xlabel(SPEED.label)
-    axes.set_ylabel("minimum load [N]")
+    axes.set(xlabel=SPEED.label, ylabel="minimum load [N]")
     axes.set_xlim(x[0], x[minimum.count - 1])
     axes.set_ylim(bottom=0.0)
     axes.legend(loc="upper left")
@@ -258,8 +256,7 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
         axes.plot(azimuths, finite / results.printed_force, "D", label=label, **style)
     style = {"color": INK, "linewidth": 1.0, "linestyle": "--"}
     axes.axhline(results.limit, label=f"limit {results.limit:g}", **style)
-    axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
-    axes.set_ylabel(SLIP_FACTOR.label)
+    axes.set(xlabel=BALL_QUANTITY["azimuth_deg"].label, ylabel=SLIP_FACTOR.label)
     every = -(-len(azimuths) // MOST_TICKS)
     axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])
     highest = float(finite.max()) / (results.printed_force or 1.0)

@@ -82,8 +82,7 @@ def draw_temperatures(figure: Figure, results: TemperatureResults) -> None:
             "turns back" if results.branch.limited_by is SpeedLimit.RUNAWAY else "end of the range"
         )
         over_speed.plot([limit], [FILM.value(fastest.state)], "kx", label=f"limit: {word}")
-    over_speed.set_xlabel(SPEED.label)
-    over_speed.set_ylabel("temperature [°C]")
+    over_speed.set(xlabel=SPEED.label, ylabel="temperature [°C]")
     over_speed.set_xlim(left=0.0)
     over_speed.legend()
     course = document["warm_up"]["course"]

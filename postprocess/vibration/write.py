@@ -25,7 +25,6 @@ from ..plot_style import (
     INK,
     INNER_COLOUR,
     OUTER_COLOUR,
-    PAGE_WIDTH,
     REFERENCE,
     titled_panels,
     write_figures,
@@ -205,8 +204,7 @@ def draw_spectrum(
                 axes.axvline(edge, color=REFERENCE, linewidth=0.5, linestyle=":")
         note = "dots: lines expected from the form of the surfaces; dotted: bands of ISO 15242-2"
         axes.set_title(f"{note}, scaled with the speed", fontsize=7)
-    axes.set_xlabel("frequency [Hz]")
-    axes.set_ylabel("velocity [µm/s]")
+    axes.set(xlabel="frequency [Hz]", ylabel="velocity [µm/s]")
 
 
 def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
@@ -231,8 +229,7 @@ def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, docum
     axes.set_xlim(0.0, min(result.frequency[-1], 6.0 * passes["ball_pass_inner"] / shaft))
     _mark(axes, {name: f / shaft for name, f in passes.items()}, "-")
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
-    axes.set_xlabel("order [-]")
-    axes.set_ylabel("velocity [µm/s]")
+    axes.set(xlabel="order [-]", ylabel="velocity [µm/s]")
 
 
 def draw_envelope(
@@ -251,11 +248,9 @@ def draw_envelope(
     document : Any
         Summary of the results in named units.
     """
-    figure.set_size_inches(PAGE_WIDTH, 3.2)
     band = envelope_band(results)
     title = f"{results.title}: envelope of {band[0]:.0f} to {band[1]:.0f} Hz"
-    figure.suptitle(title, fontsize=8.5)
-    axes = figure.subplots()
+    axes = titled_panels(figure, title, 3.2)
     size = envelope(seen.acceleration, seen.rate, band)
     result = spectrum(size, seen.rate)
     axes.plot(result.frequency, result.amplitude, color=INK, linewidth=0.7)
@@ -298,8 +293,7 @@ def draw_waterfall(
     mesh = axes.pcolormesh(place, frequency, levels, vmin=top - DEPTH, vmax=top, rasterized=True)
     bar = figure.colorbar(mesh, ax=axes)
     bar.set_label(f"acceleration [dB re {results.reference:g} m/s²]")
-    axes.set_xlabel(label)
-    axes.set_ylabel("frequency [Hz]")
+    axes.set(xlabel=label, ylabel="frequency [Hz]")
     loud = frequency[levels.max(axis=1) > top - DEPTH]
     axes.set_ylim(0.0, min(1.1 * loud[-1], 0.5 * seen.rate))
 
@@ -327,8 +321,7 @@ def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, docume
         colour = INK if j == 0 else BALL_COLOUR
         values = run.loads[shown, balls + j]
         axes.plot(from_si("x_ms", time[shown]), values, color=colour, linewidth=0.6)
-    axes.set_xlabel("time [ms]; ball 1 in black")
-    axes.set_ylabel("load at the outer race [N]")
+    axes.set(xlabel="time [ms]; ball 1 in black", ylabel="load at the outer race [N]")
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.set_ylim(bottom=0.0)
 
