@@ -2,7 +2,7 @@ from .bearing.results import BearingResults
 from .contact.summary import ContactResults
 from .netcdf_read import open_results
 from .scene.scene import view
-from .writer.run import summary, write_extras, write_numbers, write_results
+from .writer import summary, write_extras, write_numbers, write_results
 
 __all__ = [
     "BearingResults",

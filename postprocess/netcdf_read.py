@@ -1,6 +1,4 @@
-"""One loader for the folders of all commands: run, contact, batch, slip, stiffness,
-transient, dynamics.
-"""
+"""One loader for the folders of all commands."""
 
 import json
 from pathlib import Path

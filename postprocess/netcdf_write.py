@@ -1,8 +1,6 @@
-"""netCDF-4 files of results, written as `reader` reads them, without xarray.
+"""netCDF-4 files of results, written without xarray, and the files of a study.
 
 Loading xarray and its libraries takes longer than writing the fields of a bearing.
-
-Files of a study: pictures, tables, data set and summary.
 """
 
 import io
@@ -29,6 +27,7 @@ MARGIN = 2**20  # of what HDF5 adds to the values [bytes]
 FIELDS_FILE = "results.nc"
 FIELDS = ("P", "h", "T", "filled")  # over the plane of a contact, as float32
 COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 4, "shuffle": True}
+SPEED_COLUMN = "speed [r/min]"  # of studies over the speed of the inner ring
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -216,9 +215,6 @@ def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
         "case": json.dumps(case, ensure_ascii=False),
         "messages": json.dumps(document["messages"], ensure_ascii=False),
     }
-
-
-SPEED_COLUMN = "speed [r/min]"  # of studies over the speed of the inner ring
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

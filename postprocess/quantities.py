@@ -1,13 +1,10 @@
-"""Output quantities: each is declared once, by its key, its title and where its value comes from.
+"""Output quantities, the base of all results, tables and numbers as text.
 
-The last words of the key are the unit (`ehl.units`); summary, CSV, netCDF attributes, the tables
-of terminal and report and the labels of pictures read the same declaration.
-
-Results as handed to the output, everything in SI: what is common to all kinds.
-
-Tables of results for a terminal of 80 columns.
-
-Numbers and lists as text.
+A quantity is declared once, by its key, its title and the attribute that has its value. The last
+words of the key are the unit (`ehl.units`); summary, CSV, netCDF attributes, tables and labels of
+pictures read the same declaration. To add an output quantity, add a row to the `quantities(...)`
+of its kind: `bearing/quantities.py`, `bearing/contacts.py`, `contact/summary.py`, and
+`results.py` of the other kinds.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -35,6 +32,18 @@ from oilfilm.ehl.units import (
 # a part of a record by its path, what looks up several of its attributes, their keys, and which
 # of these have another unit than in SI
 _Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...], tuple[str, ...]]
+# kinds of pictures: those that need no more than the films, and those of all results
+FILMS = "films"
+OTHERS = "others"
+PARAVIEW = "ParaView"  # what is no picture
+STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")  # directions of a ring
+STIFFNESS_HEADLINES = {"axial stiffness": 0, "radial stiffness": 1}  # place on the diagonal
+STIFFNESS_UNITS = [  # force and moment over shift and tilt
+    *[["N/m"] * 3 + ["N/rad"] * 2 for _ in range(3)],
+    *[["N m/m"] * 3 + ["N m/rad"] * 2 for _ in range(2)],
+]
+NOTHING = "–"
+MOST_LISTED = 8  # balls are listed one by one up to this number
 
 
 @dataclass(frozen=True, slots=True, eq=False)  # each is declared once
@@ -128,7 +137,7 @@ def _names(source: str) -> tuple[str, str]:
 
 
 def quantities(
-    source: str, null: str, *rows: str | tuple[str, ...], words: bool = False
+    *rows: str | tuple[str, ...], source: str = "", null: str = "", words: bool = False
 ) -> tuple[Quantity, ...]:
     """Quantities of one part of a record.
 
@@ -137,12 +146,12 @@ def quantities(
 
     Parameters
     ----------
-    source : str
-        Path of the part in a record, with its dot at the end.
-    null : str
-        Reason for a value of null.
     *rows : str | tuple[str, ...]
         Key, or key, title, attribute, symbol and short title.
+    source : str, default ""
+        Path of the part in a record, with its dot at the end; empty for the record itself.
+    null : str, default ""
+        Reason for a value of null.
     words : bool, default False
         The values have no unit.
 
@@ -249,26 +258,14 @@ def rows_of(columns: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
 
 # quantities of an equilibrium and of a simulation
 CAGE_SPEED = Quantity("cage_speed_rpm", "cage speed", "cage_speed", symbol="cage")
+
+
 FREQUENCIES = quantities(  # in a block that has the unit
-    "",
-    "",
     ("cage", "", "", "cage"),
     ("ball_pass_outer", "", "", "BPFO"),
     ("ball_pass_inner", "", "", "BPFI"),
     ("ball_spin", "", "", "BSF"),
 )
-
-
-# kinds of pictures: those that need no more than the films, and those of all results
-FILMS = "films"
-OTHERS = "others"
-PARAVIEW = "ParaView"  # what is no picture
-STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")  # directions of a ring
-STIFFNESS_HEADLINES = {"axial stiffness": 0, "radial stiffness": 1}  # place on the diagonal
-STIFFNESS_UNITS = [  # force and moment over shift and tilt
-    *[["N/m"] * 3 + ["N/rad"] * 2 for _ in range(3)],
-    *[["N m/m"] * 3 + ["N m/rad"] * 2 for _ in range(2)],
-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -391,10 +388,6 @@ def number_table(
     for row in rows:
         table.add_row(*row)
     return table
-
-
-NOTHING = "–"
-MOST_LISTED = 8  # balls are listed one by one up to this number
 
 
 def number(value: Any, digits: str = ".4g") -> str:

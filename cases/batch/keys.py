@@ -42,7 +42,7 @@ def program_sources() -> Iterator[Path]:
 
 def _is_left_out(name: str) -> bool:
     folders = (*LEFT_OUT, *((LIBRARY,) if not name.startswith(CATALOGUE) else ()))
-    return name.startswith(tuple(f"{folder}/" for folder in folders))
+    return name.startswith(tuple(f"{f}{e}" for f in folders for e in ("/", ".py")))
 
 
 @cache

@@ -68,14 +68,14 @@ def compare(
     quiet: Errors = False,
 ) -> int:
     """Compare two results: differences of input and numbers."""
-    from oilfilm.postprocess.compare.summary import compare as compared
+    from oilfilm.postprocess.compare import compare as compared
 
     with reading(first, second):
         comparison = compared(first, second)
     if as_json:
         print_json(comparison.document())
     elif not quiet:
-        from oilfilm.postprocess.compare.summary import comparison_table
+        from oilfilm.postprocess.compare import comparison_table
 
         print_table(comparison_table(comparison))
     for name, converged in zip(comparison.names, comparison.converged, strict=True):

@@ -33,7 +33,7 @@ LOOK = 0.1  # from one look for an interrupt to the next [s]
 TERMINATION = 0.3  # for processes to end that were told to [s]
 
 
-LOADED = ["oilfilm.cases.runs.drawing", "oilfilm.postprocess.writer.run"]
+LOADED = ["oilfilm.cases.runs.drawing", "oilfilm.postprocess.writer"]
 
 
 @dataclass(slots=True)

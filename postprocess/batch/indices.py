@@ -1,6 +1,6 @@
-"""Which key matters: Sobol indices and Morris' elementary effects of the main results.
+"""Effect of the varied keys: Sobol indices, Morris' elementary effects, sensitivities, bands.
 
-Effect of uncertain input: finite differences of [sensitivity] points, bands of hypercubes.
+Sensitivities are finite differences of [sensitivity] points, bands those of hypercubes.
 """
 
 import warnings
@@ -20,6 +20,9 @@ RESAMPLES = 999  # of a bootstrap
 SEED = 91_730_264  # of its random numbers
 SOBOL = "sobol_indices"
 MORRIS = "morris"
+QUANTILES = (0.05, 0.5, 0.95)
+SAMPLED = ("latin_hypercube", "sample")  # blocks of points drawn at random
+MIN_POINTS = 5  # sampled points that bands need
 
 
 def main_values(columns: Columns) -> tuple[list[str], Array, list[str]]:
@@ -271,11 +274,6 @@ def _places(columns: Columns, design: Design) -> Array:
                 given.append([row.values[key] for key in design.keys])
     low, high = np.array(design.ranges).T
     return (np.array(given, dtype=float) - low) / (high - low)
-
-
-QUANTILES = (0.05, 0.5, 0.95)
-SAMPLED = ("latin_hypercube", "sample")  # blocks of points drawn at random
-MIN_POINTS = 5  # sampled points that bands need
 
 
 def sensitivities(results: BatchResults) -> list[dict[str, Any]]:

@@ -1,7 +1,4 @@
-"""Figures of a batch: film, torque, life over one to three of the varied keys.
-
-Picture of an optimisation: the front of two goals, or one goal over the designs.
-"""
+"""Figures of a batch: main results over one to three varied keys, the front of an optimisation."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -46,6 +43,7 @@ MOST_INSIDE = 4  # lines of a family named inside the panel; more are beside it
 MANY_TIMES = 10.0  # largest over smallest value from which on an axis is logarithmic [-]
 LARGE = 1e6  # from which on a logarithmic axis has powers of ten
 LOGARITHMIC = ("film_", "rating")  # in the names of what may have a logarithmic axis
+FRONT = "#b23a3a"
 
 
 def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]:
@@ -424,9 +422,6 @@ def _line(axes: Axes, data: Any, error: Array, **style: Any) -> None:
         axes.plot(failed.x, failed.y, "x", markersize=7, color=style["color"])
 
 
-FRONT = "#b23a3a"
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Designs:
     """Designs with their first one or two goals and error bars, shape (designs, goals); which meet
@@ -478,8 +473,7 @@ def draw_front(figure: Figure, designs: Designs) -> None:
     axes.errorbar(x[order], y[order], *bars, color=FRONT, marker="o", markersize=4, label="front")
     if designs.case is not None:
         axes.scatter(x[designs.case], y[designs.case], s=60, marker="*", color=INK, label="case")
-    axes.set_xlabel(_label(designs.names[0]))
-    axes.set_ylabel(_label(designs.names[1]))
+    axes.set(xlabel=_label(designs.names[0]), ylabel=_label(designs.names[1]))
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(fontsize=7)
 
@@ -507,8 +501,7 @@ def draw_progress(figure: Figure, designs: Designs) -> None:
     best = sign * np.fmin.accumulate(np.where(met, sign * goal, np.inf))
     best[~np.isfinite(best)] = np.nan
     axes.step(number, best, where="post", color=FRONT, label="best so far")
-    axes.set_xlabel("design")
-    axes.set_ylabel(_label(designs.names[0]))
+    axes.set(xlabel="design", ylabel=_label(designs.names[0]))
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(fontsize=7)
 

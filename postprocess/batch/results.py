@@ -1,11 +1,4 @@
-"""Results of a batch, point by point.
-
-Main results of a summary of any kind, by keys with their units.
-
-The keys that a batch varies, as its figures tell them apart.
-
-Every single number of a summary by its name.
-"""
+"""Results of a batch: its points, varied keys, main results, and every number of a summary."""
 
 from dataclasses import dataclass, field
 from operator import itemgetter
@@ -84,6 +77,18 @@ BATCH_PANELS = (  # the first ones are drawn where the sweep file names none
     *("slip_factor_minimum", "minimum_preload_N"),
     *("inner_largest_coefficient", "outer_largest_coefficient"),
 )
+MOST_SHOWN = 20  # points in a notebook; the files have all
+MIN_CURVE_VALUES = 3  # values that make a curve
+MOST_LINES = 8  # of a family, by colour
+MOST_STYLES = 4  # and by the style of line
+LOADS = ("radial_load_N", "axial_load_N")  # these are the colours of lines
+SPEEDS = ("inner_speed_rpm", "outer_speed_rpm")  # results are drawn over these first
+NOT_NUMBERS = frozenset(
+    "case oilfilm messages balls contacts stiffness points domain nodes surface "
+    # times depend on the machine
+    "timing_s wall_s critical_curves minimum_preload".split()
+)
+MOST_COMPONENTS = 3  # of a vector, each a column
 
 
 def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
@@ -244,9 +249,6 @@ def _tables(summary: dict[str, Any]) -> dict[str, Any]:
     return numbers
 
 
-MOST_SHOWN = 20  # points in a notebook; the files have all
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BatchPoint:
     """One point: its place in the sweep, the values varied, how it ended, and any summary."""
@@ -348,13 +350,6 @@ def _ended(point: BatchPoint) -> str:
     if point.summary is None:
         return f"{point.status}: {point.message}"
     return "converged" if point.converged else "not converged"
-
-
-MIN_CURVE_VALUES = 3  # values that make a curve
-MOST_LINES = 8  # of a family, by colour
-MOST_STYLES = 4  # and by the style of line
-LOADS = ("radial_load_N", "axial_load_N")  # these are the colours of lines
-SPEEDS = ("inner_speed_rpm", "outer_speed_rpm")  # results are drawn over these first
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -522,14 +517,6 @@ def axis_label(key: str) -> str:
     """
     last = key.rpartition(".")[2]
     return f"{without_unit(last)} [{unit_symbol(last)}]" if unit_of(last) else without_unit(last)
-
-
-NOT_NUMBERS = frozenset(
-    "case oilfilm messages balls contacts stiffness points domain nodes surface "
-    # times depend on the machine
-    "timing_s wall_s critical_curves minimum_preload".split()
-)
-MOST_COMPONENTS = 3  # of a vector, each a column
 
 
 def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:

@@ -3,11 +3,8 @@
 points.sqlite            of `oilfilm batch`
 points-3-of-8.sqlite     of its shard 3/8
 
-A row is one record with the digest of its content; rows are only added, the last of a key counts.
-
-A finished point of a batch as it is stored: compressed summary, numbers as columns, digest.
-
-A finished batch, read back from its folder.
+A row is one record with the digest of its content: compressed summary, numbers as columns. Rows
+are only added, the last of a key counts.
 """
 
 import errno
@@ -36,6 +33,25 @@ LEVEL = 3  # of compression: 64 kB of JSON to 8 kB in 0.9 ms, level 6 takes 1.6 
 BOOL, INTEGER, FLOAT, NOTHING = b"bif-"  # kinds of a number; nothing: null
 NO_FILES: Mapping[str, str] = MappingProxyType({})
 NO_VALUES: Mapping[str, Any] = MappingProxyType({})
+PATTERN = "points*.sqlite"
+FORMAT = 1  # of the tables below
+PAGE = 4096  # of a file [bytes]: records of 10 kB waste little of them
+MOST_PENDING = 50  # records, and
+PATIENCE = 2.0  # time [s], after which records are put on disk
+WAIT = 10.0  # for another program that reads the file [s]
+COLUMNS = ("key", "status", "message", "vals", "numbers", "summary", "files")
+SELECT = (
+    f"SELECT points.id, digest, text, {', '.join(COLUMNS)} "
+    "FROM points LEFT JOIN layouts ON layouts.id = layout"
+)
+TABLES = f"""
+CREATE TABLE layouts (id INTEGER PRIMARY KEY, text TEXT NOT NULL);
+CREATE TABLE points (
+    id INTEGER PRIMARY KEY, key TEXT, status TEXT, digest BLOB, layout INTEGER,
+    message TEXT, vals TEXT, files TEXT, numbers BLOB, summary BLOB
+);
+PRAGMA user_version = {FORMAT};
+"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -209,27 +225,6 @@ def unpacked_numbers(
     """
     kinds = np.frombuffer(numbers, dtype=np.uint8, count=count)
     return kinds, np.frombuffer(numbers, dtype="<f8", offset=count, count=count)
-
-
-PATTERN = "points*.sqlite"
-FORMAT = 1  # of the tables below
-PAGE = 4096  # of a file [bytes]: records of 10 kB waste little of them
-MOST_PENDING = 50  # records, and
-PATIENCE = 2.0  # time [s], after which records are put on disk
-WAIT = 10.0  # for another program that reads the file [s]
-COLUMNS = ("key", "status", "message", "vals", "numbers", "summary", "files")
-SELECT = (
-    f"SELECT points.id, digest, text, {', '.join(COLUMNS)} "
-    "FROM points LEFT JOIN layouts ON layouts.id = layout"
-)
-TABLES = f"""
-CREATE TABLE layouts (id INTEGER PRIMARY KEY, text TEXT NOT NULL);
-CREATE TABLE points (
-    id INTEGER PRIMARY KEY, key TEXT, status TEXT, digest BLOB, layout INTEGER,
-    message TEXT, vals TEXT, files TEXT, numbers BLOB, summary BLOB
-);
-PRAGMA user_version = {FORMAT};
-"""
 
 
 class PointStore:

@@ -1,7 +1,4 @@
-"""Summary of a batch, and every number of its points as columns.
-
-A batch as a table for a terminal of 80 columns.
-"""
+"""Summary of a batch, every number of its points as columns, and its table."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -31,6 +28,10 @@ STATE = {"point": "number", "block": "block", "status": "status", "converged": "
 COUNTS = ("points", "done", "failed", "lost", "missing", "converged")
 MOST_NAMED = 10  # points listed in a message
 OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
+MOST_ROWS = 40  # of the terminal's table; the files have all
+WIDTH = 80
+MOST_INDICES = 3  # results whose indices fit beside the keys
+CELL = 10  # characters of a column of results
 
 
 def batch_summary(results: BatchResults, columns: Columns | None = None) -> dict[str, Any]:
@@ -162,12 +163,6 @@ def point_numbers(point: BatchPoint) -> dict[str, Any]:
         Numbers by name.
     """
     return scalar_numbers(point.summary or {}) | main_results(point.summary)
-
-
-MOST_ROWS = 40  # of the terminal's table; the files have all
-WIDTH = 80
-MOST_INDICES = 3  # results whose indices fit beside the keys
-CELL = 10  # characters of a column of results
 
 
 def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:

@@ -1,7 +1,4 @@
-"""Files of a batch: every number of every point, as one table and one data set.
-
-The table of a batch as a Parquet file: read by pandas, polars, DuckDB and Spark.
-"""
+"""Files of a batch: every number of every point, as table, data set and Parquet file."""
 
 import json
 from collections.abc import Callable, Iterator, Sequence
@@ -25,6 +22,14 @@ from .store import BOOL, INTEGER, NOTHING
 RACES = ("inner", "outer")
 NUMBERS = (bool, int, float, type(None))
 TYPES = {"bool": np.int8, "int": np.int64}
+PARQUET_TYPES = {
+    "bool": pyarrow.bool_(),
+    "int": pyarrow.int64(),
+    "float": pyarrow.float64(),
+    "nothing": pyarrow.float64(),
+    "word": pyarrow.string(),
+    "text": pyarrow.string(),
+}
 
 
 def write_batch_csv(columns: Columns, path: Path) -> None:
@@ -246,16 +251,6 @@ def _named(part: str, over: tuple[str, ...], values: dict[str, Any]) -> Variable
     """Variables of a part of the bearing, with their units."""
     units = {name: {"units": unit_of(name)} if unit_of(name) else {} for name in values}
     return {f"{part}.{name}": (over, value, units[name]) for name, value in values.items()}
-
-
-PARQUET_TYPES = {
-    "bool": pyarrow.bool_(),
-    "int": pyarrow.int64(),
-    "float": pyarrow.float64(),
-    "nothing": pyarrow.float64(),
-    "word": pyarrow.string(),
-    "text": pyarrow.string(),
-}
 
 
 def write_batch_parquet(columns: Columns, path: Path) -> None:

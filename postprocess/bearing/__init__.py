@@ -1,16 +1,14 @@
 """Results of a bearing run.
 
-atlas         - films of the film atlas of all contacts, as summary and in the terminal
-contacts      - contacts of a bearing: their quantities, and why some are null
-duty_cycle    - a duty cycle: blocks of the summary, lines of the terminal
-film_heat     - films with the heat of their inlets, the isothermal ones beside
-finite_bodies - the block `finite_bodies`: changes beside half-spaces; ellipses that shoulders cut
-heating       - the block `self_heating` of the summary
-plots         - figures of the whole bearing: film or pressure of every ball over the azimuth
-plots_torque  - figures of the friction torque by all models, of the film after the supply stops
-quantities    - quantities of ring, balls, frequencies, life, clearance, torque
-results       - results of a bearing run, and its distinct contacts
-summary       - the summary of results: quantities in named units
-torque        - the block `torque_N_mm` of the summary: friction torque by every model
-write         - files of a bearing run: contacts as CSV, fields as netCDF
+A new output quantity is a row in `quantities`, one of the contacts in `contacts`; a block that
+needs more than rows, and its messages, stand in `summary`.
+
+atlas      - films of the film atlas of all contacts, as summary and in the terminal
+contacts   - contacts: their quantities, films, finite bodies, and why some are null
+plots      - figures: films or pressures of every ball, torque by all models, strength, decay
+quantities - quantities of ring, balls, frequencies, life, clearance, torque
+results    - results of a bearing run, and its distinct contacts
+summary    - the summary, block by block: life, clearance, rings, duty cycle, heat
+torque     - the blocks of friction torque by every model, of oil supply and of decay
+write      - contacts as CSV, fields as netCDF, the table in the terminal
 """

@@ -16,8 +16,7 @@ from oilfilm.ehl.units import value_with_error
 from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
 from ..files import plain_document
 from ..quantities import NOTHING, Results, number, number_table, titled, values_of
-from .contacts import CONTACT_QUANTITY
-from .film_heat import HEAT_QUANTITIES, film_values, heat_messages
+from .contacts import CONTACT_QUANTITY, HEAT_QUANTITIES, film_values, heat_messages
 from .results import balls_text
 
 DRY = (

@@ -1,6 +1,6 @@
-"""Contacts of a bearing: the quantities of its summary, CSV and tables, and why some are null."""
+"""Contacts of a bearing: quantities of summary, CSV and tables, films, and why values are null."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import hypot, isfinite
 from typing import Any
@@ -9,24 +9,208 @@ from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.stress import (
     ContactStress,
     SurfaceTension,
+    Truncation,
     contact_stresses,
     edge_tension,
+    truncation,
 )
-from oilfilm.bearing.films.film import ContactFilm, FilmOrigin
+from oilfilm.bearing.films.film import (
+    ContactFilm,
+    FilmOrigin,
+    Films,
+    FilmThickness,
+    solved_with_heat,
+)
 from oilfilm.bearing.films.formula import too_thick
+from oilfilm.bearing.films.operating import film_heat
+from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
-from oilfilm.ehl.units import to_si
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.closed_form.film import LARGEST_LOADING
+from oilfilm.ehl.units import from_si, to_si
 
 from ..contact.summary import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
 from ..quantities import by_key, quantities, values_of
-from .film_heat import HEAT_QUANTITIES, NO_FILM, film_values, heat_messages
-from .finite_bodies import shoulder_messages
 from .quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
 
+NO_FILM = "no film was computed"
+HEAT_QUANTITIES = (
+    *quantities(
+        ("isothermal_film_central_um", "central film without heat", "isothermal_central"),
+        ("isothermal_film_minimum_um", "minimum film without heat", "isothermal_minimum"),
+        source="operating.",
+        null=NO_FILM,
+    ),
+    *quantities(
+        ("inlet_heat_share", "share of the isothermal film that inlet heat leaves", "value"),
+        ("inlet_heat_share_low", "low end of its range", "low"),
+        ("inlet_heat_share_high", "high end of its range", "high"),
+        source="operating.heat.",
+        null=NO_FILM,
+    ),
+)
+NO_CONDITIONS = "no oil is entrained"
+FINITE_BODY_QUANTITIES = (  # at the most heavily loaded contact of a race
+    *quantities("ball", source="contact.", words=True),
+    *quantities("load_N", source="contact."),
+    *quantities(("pressure_change_share", "change of Hertz' pressure", "pressure_share")),
+    *quantities(
+        ("film_change_share", "change of the central film, by formula", "film_share"),
+        null=NO_CONDITIONS,
+    ),
+    *quantities(
+        ("rolling_curvature_change_share", "change of 1/R_x", "rolling_curvature_share"),
+        ("transverse_curvature_change_share", "change of 1/R_y", "transverse_curvature_share"),
+        ("of_the_ring_share", "the ring's part of it", "ring_share"),
+        (
+            "von_mises_change_share",
+            "change of the largest von Mises stress in the ring",
+            "ring_stress.von_mises_change",
+        ),
+        (
+            "orthogonal_shear_change_share",
+            "change of the orthogonal shear in the ring",
+            "ring_stress.orthogonal_shear_change",
+        ),
+        ("approach_change_um", "change of the approach"),
+        ("shift_um", "shift along the groove"),
+        ("rest_um", "rest beyond the curvatures, rms", "total.rest"),
+        ("residual", "relative residual", "total.residual"),
+    ),
+    *quantities(
+        ("unknowns", "", "total.unknowns"), ("iterations", "", "total.iterations"), words=True
+    ),
+)
 RACES = ("inner", "outer")
 LAMBDA_FORMULA = "hamrock_dowson_minimum"
+NO_LOAD = "it carries no load"
+NO_OIL = f"{NO_LOAD}, or no oil is entrained"
+NOT_STARVED = "the supply is flooded, or no flooded film is known"
+NOT_BRITTLE = f"{NO_FILM}, or neither ring nor ball has a bending strength"
+NO_SHOULDER = f"{NO_LOAD}, or no shoulder diameter is given"
+BEYOND_EDGE = f"{NO_SHOULDER}, or the middle of the ellipse lies beyond the edge"
+CONTACT_QUANTITIES = (  # columns of contacts.csv
+    *quantities(("ball", "", "", "ball"), "row", source="contact.", words=True),
+    *quantities(("azimuth_deg", "", "", "ψ"), source="contact."),
+    *quantities(("race", "", "race.value", "race"), source="contact.", words=True),
+    *quantities("loaded", words=True),
+    *quantities(
+        ("load_N", "", "", "load"),
+        ("contact_angle_deg", "", "", "α"),
+        ("semi_axis_rolling_mm", "semi-axis rolling", "hertz.semi_axis_x"),
+        ("semi_axis_transverse_mm", "semi-axis transverse", "hertz.semi_axis_y"),
+        ("hertz_pressure_GPa", "Hertz pressure", "hertz.pressure", "p_h"),
+        source="contact.",
+        null=NO_LOAD,
+    ),
+    *quantities(
+        ("entrainment_speed_m_s", "", "", "", "entrain\N{SOFT HYPHEN}ment"),
+        ("slide_roll_ratio", "slide-roll ratio", "", "", "slide-roll"),
+        source="contact.conditions.",
+        null=NO_OIL,
+    ),
+    *quantities(
+        ("spin_roll_ratio", "spin-roll ratio", "", "", "spin-roll"), source="contact.", null=NO_OIL
+    ),
+    *quantities(
+        ("hirano_ratio", "Hirano ratio"),
+        source="contact.",
+        null="it is defined at the inner race, under a centrifugal force",
+    ),
+    *FILM_QUANTITIES,
+    *HEAT_QUANTITIES,
+    *quantities(
+        ("lambda_ratio", "", "", "λ", "λ"),
+        ("kappa", "viscosity ratio of the film", "", "κ"),
+        null=f"{NO_FILM}, or [surface] has no roughness of race and ball",
+    ),
+    *quantities(
+        ("starved_film_share", "share of the flooded film", "supply.central"),
+        ("starved_film_central_um", "starved central film", "central.value"),
+        ("starved_film_minimum_um", "starved minimum film", "minimum.value"),
+        source="starved.",
+        null=NOT_STARVED,
+    ),
+    *quantities("starved_lambda_ratio", null=NOT_STARVED),
+    *CONTACT_CONDUCTANCE,
+    *quantities(
+        "mean_pressure_GPa",
+        ("shear_maximum_GPa", "largest shear"),
+        ("shear_maximum_depth_mm", "depth of largest shear", "shear_depth"),
+        ("orthogonal_shear_GPa", "orthogonal shear amplitude"),
+        ("orthogonal_shear_depth_mm", "depth of orthogonal shear", "orthogonal_depth"),
+        ("sliding_speed_maximum_m_s", "largest sliding speed", "sliding_speed"),
+        ("pressure_sliding_maximum_GPa_m_s", "largest pressure times sliding", "pressure_sliding"),
+        source="stress.",
+        null=NO_LOAD,
+    ),
+    *quantities(("edge_tension_GPa", "tension at the rim, dry, frictionless"), null=NO_LOAD),
+    *quantities(
+        ("surface_tension_ring_GPa", "largest tension in the ring's surface", "ring"),
+        ("surface_tension_ball_GPa", "largest tension in the ball's surface", "ball"),
+        ("surface_tension_uncertainty_GPa", "its uncertainty by the mesh", "uncertainty"),
+        ("surface_tension_rolling_mm", "its place along the rolling direction", "x"),
+        ("surface_tension_transverse_mm", "its place across it", "y"),
+        source="tension.",
+        null=NOT_BRITTLE,
+    ),
+    *quantities(
+        ("shoulder_distance_ratio", "distance to shoulder over semi-axis", "distance_ratio"),
+        ("shoulder_margin_mm", "margin to shoulder", "margin"),
+        ("truncated_length_share", "cut share of length", "length_share"),
+        ("truncated_load_share", "cut share of load", "load_share"),
+        ("pressure_at_shoulder_GPa", "", "edge_pressure"),
+        source="stress.truncation.",
+        null=NO_SHOULDER,
+    ),
+    *quantities(
+        ("truncated_pressure_GPa", "pressure of the cut ellipse", "cut_pressure"),
+        ("truncated_pressure_at_shoulder_GPa", "its pressure at the edge", "cut_edge_pressure"),
+        source="stress.truncation.",
+        null=BEYOND_EDGE,
+    ),
+    *quantities(
+        ("truncated", "cut by a shoulder"),
+        ("shoulder_estimated", "shoulder estimated", "estimated"),
+        source="stress.truncation.",
+        null=NO_SHOULDER,
+        words=True,
+    ),
+    *quantities("converged", "resolved", source="film.", null=NO_FILM, words=True),
+    *quantities(
+        ("moes_M", "Moes M", "moes_load", "", "M"),
+        ("moes_L", "Moes L", "moes_lubricant", "", "L"),
+        source="film.",
+        null=NO_FILM,
+    ),
+    *quantities("note", source="contact.", words=True),
+)
+CONTACT_QUANTITY = by_key(CONTACT_QUANTITIES)
+# the summary has all of them; quantities of the film are among both
+ALL_QUANTITIES = tuple(by_key((*CONTACT_QUANTITIES, *ALL_FILM_QUANTITIES)).values())
+TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of their uncertainty
+    "load_N": ".1f",
+    "hertz_pressure_GPa": ".3f",
+    "contact_angle_deg": ".2f",
+    "film_central_um": "",
+    "film_minimum_um": "",
+    "lambda_ratio": ".3g",
+}
+AT_SUPPLY = {  # in place of films that were solved flooded, or taken from the atlas
+    "film_central_um": "starved_film_central_um",
+    "film_minimum_um": "starved_film_minimum_um",
+    "lambda_ratio": "starved_lambda_ratio",
+}
+REPORT_COLUMNS = (
+    *("load_N", "contact_angle_deg", "hertz_pressure_GPa"),
+    *("film_central_um", "film_minimum_um", "lambda_ratio"),
+    *AT_SUPPLY.values(),
+    *("traction_coefficient", "pressure_maximum_GPa"),
+    *("entrainment_speed_m_s", "slide_roll_ratio", "spin_roll_ratio"),
+    *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "moes_M", "moes_L"),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,133 +278,6 @@ class ContactRecord(FilmRecord):
         """Lambda ratio of the starved film [-]; None without roughness."""
         ratio = None if self.starved is None else self.starved.lambda_ratio
         return ratio if ratio is not None and isfinite(ratio) else None
-
-
-NO_LOAD = "it carries no load"
-NO_OIL = f"{NO_LOAD}, or no oil is entrained"
-NOT_STARVED = "the supply is flooded, or no flooded film is known"
-NOT_BRITTLE = f"{NO_FILM}, or neither ring nor ball has a bending strength"
-NO_SHOULDER = f"{NO_LOAD}, or no shoulder diameter is given"
-BEYOND_EDGE = f"{NO_SHOULDER}, or the middle of the ellipse lies beyond the edge"
-CONTACT_QUANTITIES = (  # columns of contacts.csv
-    *quantities("contact.", "", ("ball", "", "", "ball"), "row", words=True),
-    *quantities("contact.", "", ("azimuth_deg", "", "", "ψ")),
-    *quantities("contact.", "", ("race", "", "race.value", "race"), words=True),
-    *quantities("", "", "loaded", words=True),
-    *quantities(
-        "contact.",
-        NO_LOAD,
-        ("load_N", "", "", "load"),
-        ("contact_angle_deg", "", "", "α"),
-        ("semi_axis_rolling_mm", "semi-axis rolling", "hertz.semi_axis_x"),
-        ("semi_axis_transverse_mm", "semi-axis transverse", "hertz.semi_axis_y"),
-        ("hertz_pressure_GPa", "Hertz pressure", "hertz.pressure", "p_h"),
-    ),
-    *quantities(
-        "contact.conditions.",
-        NO_OIL,
-        ("entrainment_speed_m_s", "", "", "", "entrain\N{SOFT HYPHEN}ment"),
-        ("slide_roll_ratio", "slide-roll ratio", "", "", "slide-roll"),
-    ),
-    *quantities("contact.", NO_OIL, ("spin_roll_ratio", "spin-roll ratio", "", "", "spin-roll")),
-    *quantities(
-        "contact.",
-        "it is defined at the inner race, under a centrifugal force",
-        ("hirano_ratio", "Hirano ratio"),
-    ),
-    *FILM_QUANTITIES,
-    *HEAT_QUANTITIES,
-    *quantities(
-        "",
-        f"{NO_FILM}, or [surface] has no roughness of race and ball",
-        ("lambda_ratio", "", "", "λ", "λ"),
-        ("kappa", "viscosity ratio of the film", "", "κ"),
-    ),
-    *quantities(
-        "starved.",
-        NOT_STARVED,
-        ("starved_film_share", "share of the flooded film", "supply.central"),
-        ("starved_film_central_um", "starved central film", "central.value"),
-        ("starved_film_minimum_um", "starved minimum film", "minimum.value"),
-    ),
-    *quantities("", NOT_STARVED, "starved_lambda_ratio"),
-    *CONTACT_CONDUCTANCE,
-    *quantities(
-        "stress.",
-        NO_LOAD,
-        "mean_pressure_GPa",
-        ("shear_maximum_GPa", "largest shear"),
-        ("shear_maximum_depth_mm", "depth of largest shear", "shear_depth"),
-        ("orthogonal_shear_GPa", "orthogonal shear amplitude"),
-        ("orthogonal_shear_depth_mm", "depth of orthogonal shear", "orthogonal_depth"),
-        ("sliding_speed_maximum_m_s", "largest sliding speed", "sliding_speed"),
-        ("pressure_sliding_maximum_GPa_m_s", "largest pressure times sliding", "pressure_sliding"),
-    ),
-    *quantities("", NO_LOAD, ("edge_tension_GPa", "tension at the rim, dry, frictionless")),
-    *quantities(
-        "tension.",
-        NOT_BRITTLE,
-        ("surface_tension_ring_GPa", "largest tension in the ring's surface", "ring"),
-        ("surface_tension_ball_GPa", "largest tension in the ball's surface", "ball"),
-        ("surface_tension_uncertainty_GPa", "its uncertainty by the mesh", "uncertainty"),
-        ("surface_tension_rolling_mm", "its place along the rolling direction", "x"),
-        ("surface_tension_transverse_mm", "its place across it", "y"),
-    ),
-    *quantities(
-        "stress.truncation.",
-        NO_SHOULDER,
-        ("shoulder_distance_ratio", "distance to shoulder over semi-axis", "distance_ratio"),
-        ("shoulder_margin_mm", "margin to shoulder", "margin"),
-        ("truncated_length_share", "cut share of length", "length_share"),
-        ("truncated_load_share", "cut share of load", "load_share"),
-        ("pressure_at_shoulder_GPa", "", "edge_pressure"),
-    ),
-    *quantities(
-        "stress.truncation.",
-        BEYOND_EDGE,
-        ("truncated_pressure_GPa", "pressure of the cut ellipse", "cut_pressure"),
-        ("truncated_pressure_at_shoulder_GPa", "its pressure at the edge", "cut_edge_pressure"),
-    ),
-    *quantities(
-        "stress.truncation.",
-        NO_SHOULDER,
-        ("truncated", "cut by a shoulder"),
-        ("shoulder_estimated", "shoulder estimated", "estimated"),
-        words=True,
-    ),
-    *quantities("film.", NO_FILM, "converged", "resolved", words=True),
-    *quantities(
-        "film.",
-        NO_FILM,
-        ("moes_M", "Moes M", "moes_load", "", "M"),
-        ("moes_L", "Moes L", "moes_lubricant", "", "L"),
-    ),
-    *quantities("contact.", "", "note", words=True),
-)
-CONTACT_QUANTITY = by_key(CONTACT_QUANTITIES)
-# the summary has all of them; quantities of the film are among both
-ALL_QUANTITIES = tuple(by_key((*CONTACT_QUANTITIES, *ALL_FILM_QUANTITIES)).values())
-TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of their uncertainty
-    "load_N": ".1f",
-    "hertz_pressure_GPa": ".3f",
-    "contact_angle_deg": ".2f",
-    "film_central_um": "",
-    "film_minimum_um": "",
-    "lambda_ratio": ".3g",
-}
-AT_SUPPLY = {  # in place of films that were solved flooded, or taken from the atlas
-    "film_central_um": "starved_film_central_um",
-    "film_minimum_um": "starved_film_minimum_um",
-    "lambda_ratio": "starved_lambda_ratio",
-}
-REPORT_COLUMNS = (
-    *("load_N", "contact_angle_deg", "hertz_pressure_GPa"),
-    *("film_central_um", "film_minimum_um", "lambda_ratio"),
-    *AT_SUPPLY.values(),
-    *("traction_coefficient", "pressure_maximum_GPa"),
-    *("entrainment_speed_m_s", "slide_roll_ratio", "spin_roll_ratio"),
-    *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "moes_M", "moes_L"),
-)
 
 
 def contact_records(results: BearingResults) -> list[ContactRecord]:
@@ -446,3 +503,216 @@ def _ratio_messages(results: BearingResults) -> Iterator[str]:
                 f"contacts.lambda_ratio: null at the {race} race, race and ball have no roughness "
                 "in [surface]"
             )
+
+
+def film_values(film: ContactFilm | None) -> dict[str, float | None]:
+    """Central and minimum film of a contact by their keys, with their error bars.
+
+    Parameters
+    ----------
+    film : ContactFilm or None
+        Operating film.
+
+    Returns
+    -------
+    dict
+        Films, error bars with the range of the heat, and without [um]; None without a film.
+    """
+    values: dict[str, float | None] = {}
+    for name in ("central", "minimum"):
+        one: FilmThickness | None = None if film is None else getattr(film, name)
+        values[f"film_{name}_um"] = from_si("film_um", one and one.value)
+        values[f"film_{name}_uncertainty_um"] = from_si("film_um", one and one.error)
+        values[f"film_{name}_mesh_uncertainty_um"] = from_si("film_um", one and one.computed)
+    return values
+
+
+def isothermal_note(
+    contacts: Sequence[BearingContact], films: Sequence[ContactSolution | None]
+) -> str:
+    """Note for pictures of films as they were solved: that they are isothermal, and what heat
+    leaves of them.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        Contacts of the picture.
+    films : sequence of ContactSolution or None
+        Their films as solved.
+
+    Returns
+    -------
+    str
+        Empty where the films were solved with heat.
+    """
+    left = [
+        film_heat(contact).at(1.0 if film.supply is None else film.supply.rolling_moment_ratio)
+        for contact, film in zip(contacts, films, strict=True)
+        if film is not None and film.converged and not solved_with_heat(film)
+    ]
+    return (
+        f"; isothermal films, heat of the inlets leaves {_ends([heat.value for heat in left])}"
+        if left
+        else ""
+    )
+
+
+def _ends(values: Sequence[float]) -> str:
+    """Least and largest value, once where they are alike."""
+    return " to ".join(dict.fromkeys(f"{value:.2g}" for value in (min(values), max(values))))
+
+
+def heat_messages(films: Films) -> Iterator[str]:
+    """Messages on what the heat of the inlets leaves of films that were not solved with it.
+
+    Parameters
+    ----------
+    films : sequence of ContactFilm or None
+        Operating films, without those that were solved with heat.
+
+    Yields
+    ------
+    str
+        A message.
+    """
+    shares = [film.heat for film in films if film is not None]
+    if not shares:
+        return
+    ends = _ends([share.value for share in shares])
+    widest = max(share.uncertainty / share.value for share in shares)
+    oil = ", with the heat properties of a mineral oil (assumed)" if shares[0].assumed else ""
+    yield (
+        f"contacts: the heat of their inlets leaves {ends} of the isothermal films "
+        f"(isothermal_film_..., maps and flooded_film_... too), by a formula fitted to films "
+        f"solved with heat{oil}, its spread, up to {100.0 * widest:.2g} %, in their error bars; "
+        '[ehl] film_model = "thermal" solves them with it'
+    )
+    if any(share.beyond for share in shares):
+        yield (
+            "contacts: the heat of the inlets lies beyond the range of its formula (thermal "
+            f"loading parameter above {LARGEST_LOADING:g}): films, lambda, kappa and life by them "
+            "are guesses"
+        )
+
+
+def finite_body_block(results: BearingResults) -> dict[str, Any] | None:
+    """Differences at both races; None where films are those of half-spaces.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        The block.
+    """
+    bodies = results.finite_bodies
+    if bodies is None or bodies.inner is None or bodies.outer is None:
+        return None
+    return {
+        "seats": "rigid",
+        "inner": values_of(bodies.inner, FINITE_BODY_QUANTITIES),
+        "outer": values_of(bodies.outer, FINITE_BODY_QUANTITIES),
+    }
+
+
+def finite_body_messages(results: BearingResults) -> Iterator[str]:
+    """State the changes by finite bodies, or the reason why films are those of half-spaces.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    bodies = results.finite_bodies
+    if bodies is None:
+        return
+    if bodies.reason:
+        yield f"finite_bodies: null, films are those of half-spaces: {bodies.reason}"
+        return
+    changes = []
+    for race in Race:
+        difference = bodies.at(race)
+        if difference is not None:
+            film = difference.film_share
+            text = f"{race.value} race {difference.pressure_share:+.2%} of Hertz' pressure"
+            changes.append(text if film is None else f"{text}, {film:+.2%} of the central film")
+    yield (
+        f"films: curvatures of finite rings on rigid seats and of balls: {'; '.join(changes)}; "
+        "equilibrium, dry contacts and stresses are those of half-spaces"
+    )
+
+
+def shoulder_messages(results: BearingResults) -> Iterator[str]:
+    """State the origin of the shoulder diameters, and name ellipses that shoulders cut.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    estimates = []
+    for race in Race:
+        name = race.value
+        shoulder = shoulder_diameter(results.quasistatic.bearing, race)
+        if shoulder is None:
+            yield (
+                f"contacts: shoulder and truncation null at the {name} race, no "
+                f"{name}_shoulder_diameter_mm is given, and shoulders of angular contact bearings "
+                "are not estimated"
+            )
+        elif shoulder[1]:
+            estimates.append(f"{name} {from_si('diameter_mm', shoulder[0]):.4g} mm")
+    if estimates:
+        yield (
+            f"contacts: shoulder diameters are estimated, {', '.join(estimates)} "
+            f"({ESTIMATED_HEIGHT:g} of the ball diameter above the raceway); distance to the "
+            "shoulder and cut of ellipses follow from them"
+        )
+    for race in Race:
+        yield from _cut_messages(results, race)
+
+
+def _cut_messages(results: BearingResults, race: Race) -> Iterator[str]:
+    """Balls whose ellipses a shoulder cuts, the worst of them in numbers."""
+    cut = {}
+    for contact in results.contacts:
+        if contact.race is race and contact.hertz is not None:
+            result = truncation(
+                results.quasistatic.bearing, race, contact.contact_angle, contact.hertz
+            )
+            if result is not None and result.truncated:
+                cut[str(contact.ball)] = (contact.hertz.pressure, result)
+    if cut:
+        ball = min(cut, key=lambda name: cut[name][1].distance_ratio)
+        pressure, worst = cut[ball]
+        kind = "estimated shoulder" if worst.estimated else "shoulder"
+        yield (
+            f"contacts: the {kind} of the {race.value} ring cuts the ellipse of "
+            f"{balls_text(list(cut))}, at ball {ball} {worst.length_share:.1%} of its length and "
+            f"{worst.load_share:.1%} of its load; film, pressure and stresses of these contacts "
+            f"are those of the uncut ellipse. {_what_is_left(worst, pressure)}"
+        )
+
+
+def _what_is_left(cut: Truncation, hertz_pressure: float) -> str:
+    """Pressure of a cut ellipse over that of the whole one, p_h [Pa], in words."""
+    if cut.cut_pressure is None or cut.cut_edge_pressure is None:
+        return "The middle of the ellipse lies beyond the edge: there the equilibrium fails"
+    largest, edge = (p / hertz_pressure for p in (cut.cut_pressure, cut.cut_edge_pressure))
+    return (
+        f"The rest carries the load at about {largest:.3g} of Hertz' pressure, {edge:.3g} at "
+        "the edge (by slices), and more where the edge is sharp: its blend decides"
+    )

@@ -6,11 +6,9 @@ from typing import NamedTuple
 from ..quantities import Quantity, by_key, quantities
 
 RING_LOAD = quantities(
-    "", "", ("force_N", "ring load", "ring_force"), ("moment_N_mm", "ring moment", "ring_moment")
+    ("force_N", "ring load", "ring_force"), ("moment_N_mm", "ring moment", "ring_moment")
 )
 ELECTRICAL = quantities(
-    "",
-    "",
     ("capacitance_pF", "capacitance between the rings"),
     ("capacitance_low_pF", "low end of its range"),
     ("capacitance_high_pF", "high end of its range"),
@@ -19,12 +17,10 @@ ELECTRICAL = quantities(
     ("breakdown_voltage_high_V", "high end of its range"),
 )
 RING = (  # the inner ring in equilibrium
-    *quantities("", "", ("displacement_um", "ring displacement"), ("tilt_mrad", "ring tilt")),
+    *quantities(("displacement_um", "ring displacement"), ("tilt_mrad", "ring tilt")),
     *RING_LOAD,
 )
 BALL_QUANTITIES = quantities(  # arrays of an equilibrium, an entry a ball
-    "",
-    "",
     ("azimuth_deg", "azimuth ψ from the load line", "", "ψ"),
     ("centrifugal_force_N", "", "", "Fc"),
     *("gyroscopic_moment_N_mm", "orbit_speed_rad_s", "spin_speed_rad_s", "attitude_deg"),
@@ -37,8 +33,6 @@ BALL_QUANTITIES = quantities(  # arrays of an equilibrium, an entry a ball
     ),
 )
 CONTACTS_OF_BALLS = quantities(  # not in the summary, whose contacts have them
-    "",
-    "",
     ("inner_load_N", "", "", "Qi"),
     "outer_load_N",
     ("inner_contact_angle_deg", "", "", "αi"),
@@ -46,8 +40,6 @@ CONTACTS_OF_BALLS = quantities(  # not in the summary, whose contacts have them
 )
 BALL_QUANTITY = by_key((*BALL_QUANTITIES, *CONTACTS_OF_BALLS))
 RING_BODY = quantities(  # a ring as an elastic body
-    "",
-    "",
     ("radial_compliance_um_kN", "radial compliance at a ball beyond Hertz'"),
     ("axial_compliance_um_kN", "axial compliance at a ball beyond Hertz'"),
     ("deflection_um", "largest movement of the groove at a ball"),
@@ -55,8 +47,6 @@ RING_BODY = quantities(  # a ring as an elastic body
     ("residual_ratio", "relative residual of the finite elements", "response.residual"),
 )
 RING_STRENGTH = quantities(  # hoop stress, tension positive, of the cylinder from seat to groove
-    "",
-    "its seat has no diameter, or the material no strength",
     "seat_pressure_MPa",
     ("hoop_tension_MPa", "hoop tension at the bore"),
     ("hoop_by_fit_MPa", "its part by the fit", "fit_tension"),
@@ -68,21 +58,19 @@ RING_STRENGTH = quantities(  # hoop stress, tension positive, of the cylinder fr
     ("failure_probability", "probability of failure"),
     ("failure_probability_low", "its lower end", "failure_low"),
     ("failure_probability_high", "its upper end", "failure_high"),
+    null="its seat has no diameter, or the material no strength",
 )
-ROW = quantities("", "", "axial_position_mm", "offset_um")
+ROW = quantities("axial_position_mm", "offset_um")
 LIFE_RATING = quantities(
-    "",
-    "no rating was asked for, or it does not apply",
     ("basic_reference_rating_Mrev", "rating life", "basic_life", "L10"),
     ("modified_reference_rating_Mrev", "modified rating life", "modified_life", "L10m"),
     ("basic_reference_rating_h", "rating life", "basic_life_time", "L10h"),
     ("modified_reference_rating_h", "modified rating life", "modified_life_time", "L10mh"),
     ("a_iso", "life factor", "life_factor", "a_ISO"),
     ("kappa", "viscosity ratio", "viscosity_ratio", "κ"),
+    null="no rating was asked for, or it does not apply",
 )
 LOAD_RATING = quantities(  # only where a rating was asked for
-    "",
-    "it does not apply",
     ("basic_dynamic_rating_kN", "", "dynamic_rating"),
     ("dynamic_equivalent_load_N", "", "equivalent_load"),
     "fatigue_load_limit_N",
@@ -92,10 +80,9 @@ LOAD_RATING = quantities(  # only where a rating was asked for
     ("basic_static_rating_kN", "", "static_rating"),
     ("static_equivalent_load_N", "", "static_load"),
     ("static_safety_factor", "static safety", "", "S_0"),
+    null="it does not apply",
 )
 DUTY_CYCLE = quantities(
-    "",
-    "the case gives no [[load_cases]], or one of them has no such value",
     "mean_speed_rpm",
     ("dynamic_equivalent_load_N", "equivalent load", "equivalent_load"),
     ("basic_reference_rating_Mrev", "rating life", "basic_life"),
@@ -113,10 +100,9 @@ DUTY_CYCLE = quantities(
     ("mean_torque_N_mm", "mean friction torque over the revolutions"),
     ("mean_power_W", "mean friction power over the time"),
     ("energy_per_hour_kJ", "friction energy of an hour"),
+    null="the case gives no [[load_cases]], or one of them has no such value",
 )
 LOAD_CASE = quantities(
-    "",
-    "it does not apply",
     ("share", "share of the time", "time_share"),
     ("revolution_share", "share of the revolutions"),
     ("damage_share", "share of the damage"),
@@ -133,10 +119,9 @@ LOAD_CASE = quantities(
     ("static_safety_factor", "static safety", "life.static_safety_factor"),
     ("torque_N_mm", "friction torque"),
     ("power_W", "friction power"),
+    null="it does not apply",
 )
 FILM_LIFE = quantities(
-    "",
-    "there is no resolved film, no [surface] roughness or no a_ISO",
     ("kappa_film", "viscosity ratio of the thinnest film", "smallest_kappa"),
     ("a_iso_film", "life factor of the thinnest film", "smallest_life_factor"),
     (
@@ -157,25 +142,22 @@ FILM_LIFE = quantities(
     ),
     ("modified_reference_rating_contacts_low_h", "its lower end by the films", "low_time"),
     ("modified_reference_rating_contacts_high_h", "its upper end by the films", "high_time"),
+    null="there is no resolved film, no [surface] roughness or no a_ISO",
 )
 CLEARANCE = quantities(
-    "",
-    "the case gives neither [fit] nor [temperatures], or no cage_C",
     *("initial_um", "mounted_um", "operating_um", "inner_fit_um", "outer_fit_um", "thermal_um"),
     *("centrifugal_um", "inner_interference_um", "outer_interference_um"),
     *("inner_pressure_MPa", "outer_pressure_MPa"),
     ("cage_pocket_change_um", "", "cage.pocket"),
     ("cage_land_change_um", "", "cage.land"),
+    null="the case gives neither [fit] nor [temperatures], or no cage_C",
 )
 SUPPLY = quantities(
-    "",
-    "the supply is flooded",
     *("film_share", "film_share_least", "lambda_least", "oil_fraction"),
     *("torque_N_mm", "flooded_torque_N_mm"),
+    null="the supply is flooded",
 )
 SUPPLY_BAND = quantities(  # at the least and the most of a flow that lands on the tracks
-    "",
-    "the supply is no flow, or there is no torque of films",
     ("track_share_low", "least share of the flow on the tracks", "low.track_share"),
     ("film_share_low", "film share with it", "low.film_share"),
     ("film_share_least_low", "least film share with it", "low.film_share_least"),
@@ -186,27 +168,24 @@ SUPPLY_BAND = quantities(  # at the least and the most of a flow that lands on t
     ("film_share_least_high", "least film share with it", "high.film_share_least"),
     ("lambda_least_high", "least lambda with it", "high.lambda_least"),
     ("torque_high_N_mm", "torque with it", "high.total"),
+    null="the supply is no flow, or there is no torque of films",
 )
 GROOVE_OIL = quantities(  # the balance of oil on paper
-    "",
-    "the case gives no supply_groove_s, or no roughness",
     ("groove_area_mm2", "area of both grooves", "area"),
     ("groove_layer_um", "layer of oil on them", "layer"),
     ("groove_best_flow_mL_min", "flow of least friction on paper", "best_flow"),
+    null="the case gives no supply_groove_s, or no roughness",
 )
 DECAY = quantities(
-    "",
-    "it was not asked for, there is no film to begin with, or it does not come so far",
     ("half_time_s", "half of the film at the start is left after"),
     ("contact_time_s", "the central film is one roughness after"),
     ("final_share", "share of the flooded film at the end"),
     ("final_film_um", "central film at the end"),
     ("loss", "share of the layer lost between two balls"),
     ("pass_frequency_Hz", "balls over a place of the tracks", "passes"),
+    null="it was not asked for, there is no film to begin with, or it does not come so far",
 )
 DECAY_COURSE = quantities(  # arrays
-    "",
-    "",
     ("time_s", "time since the supply stopped"),
     ("layer_um", "layer on both surfaces of the tracks"),
     ("film_um", "central film"),
@@ -214,39 +193,33 @@ DECAY_COURSE = quantities(  # arrays
     ("joined_um", "central film, closed forms joined, without loss"),
 )
 HEATING = quantities(
-    "",
-    "there is no balance of friction and cooling",
     ("temperature_C", "", "balance.temperature"),
     ("torque_N_mm", "", "balance.torque"),
     ("power_W", "", "balance.power"),
     ("oil_W", "heat of the oil", "oil_heat"),
     *("viscosity_mPa_s", "clearance_um"),
+    null="there is no balance of friction and cooling",
 )
 CONTACT_CONDUCTANCE = quantities(
-    "conductance.",
-    "no oil is entrained, or heat properties of oil or bodies are not known",
     ("contact_conductance_W_K", "heat conductance through the film", "value"),
     ("contact_conductance_low_W_K", "its low end", "low"),
     ("contact_conductance_high_W_K", "its high end", "high"),
+    source="conductance.",
+    null="no oil is entrained, or heat properties of oil or bodies are not known",
 )
 STABILITY = quantities(
-    "",
-    "there is no balance of friction and cooling",
     ("runaway_margin", "margin against thermal runaway", "stability.margin"),
     ("thermal_time_constant_s", "longest time constant", "stability.longest_time"),
     ("energy_error", "heat left over in the network", "energy_error"),
+    null="there is no balance of friction and cooling",
 )
 STABILITY_KEYS = tuple(own.key for own in STABILITY)
 PATH = quantities(
-    "",
-    "",
     ("conductance_W_K", "conductance of a path", "value"),
     ("conductance_low_W_K", "its low end", "low"),
     ("conductance_high_W_K", "its high end", "high"),
 )
 POWER_BALANCE = quantities(
-    "",
-    "there is no integrated torque",
     ("shaft_W", "power of the rings", "torque.shaft_power"),
     ("heat_W", "heat of the contacts", "torque.heat"),
     ("resisted_W", "power against resistances", "torque.resisted"),
@@ -258,13 +231,22 @@ POWER_BALANCE = quantities(
     ("traction_equilibrium", "", "closed"),
     ("hypothesis_torque_N_mm", "torque under the hypothesis", "hypothesis.total"),
     ("hypothesis_imbalance", "imbalance under the hypothesis", "hypothesis.imbalance"),
+    null="there is no integrated torque",
 )
 TORQUE = Quantity("torque_N_mm", "torque", "total", symbol="torque")
 ROLLING_EXTENT = quantities(
-    "",
-    "the integrated torque is not that of films",
     *("within_extent_N_mm", "uncertainty_N_mm", "box_N_mm", "doubling_N_mm"),
+    null="the integrated torque is not that of films",
 )
+AS_PRINTED = "skf_as_printed"  # only where a case asks for it
+TORQUE_PARTS = {  # titles of components, where the name is no word
+    "total": "sum",
+    "ME": "$M_E$ hysteresis",
+    "MD": "$M_D$ differential sliding",
+    "MS": "$M_S$ spin",
+    "MC": "$M_C$ cage",
+    "ML": "$M_L$ oil",
+}
 
 
 class TorqueModel(NamedTuple):
@@ -274,7 +256,6 @@ class TorqueModel(NamedTuple):
     parts: tuple[str, ...]
 
 
-AS_PRINTED = "skf_as_printed"  # only where a case asks for it
 TORQUE_MODELS = {
     "integrated": TorqueModel(
         "integrated films",
@@ -311,13 +292,3 @@ def torque_model(name: str, parts: Iterable[str] = ()) -> TorqueModel:
         Title and components.
     """
     return TORQUE_MODELS.get(name) or TorqueModel(name.replace("_", " "), tuple(parts))
-
-
-TORQUE_PARTS = {  # titles of components, where the name is no word
-    "total": "sum",
-    "ME": "$M_E$ hysteresis",
-    "MD": "$M_D$ differential sliding",
-    "MS": "$M_S$ spin",
-    "MC": "$M_C$ cage",
-    "ML": "$M_L$ oil",
-}

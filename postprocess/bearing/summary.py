@@ -1,13 +1,4 @@
-"""Summary of a bearing.
-
-Rating life and clearance in the summary and in the terminal's table.
-
-Elastic rings in the summary: seat, compliance, what they yield, cost of the finite elements.
-
-Rows of balls and frequencies in the summary and in the terminal's table.
-
-The block `strength` of the summary: hoop tension of the rings, tension in the contacts.
-"""
+"""The summary of a bearing, block by block, and the lines of the terminal that say the same."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -24,6 +15,9 @@ from oilfilm.bearing.contacts.electrical import (
 )
 from oilfilm.bearing.fits.ring_strength import LARGE_SHARE, RingStrength, StrengthMap
 from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.heating.network import NODES
+from oilfilm.bearing.heating.over_speed import required_heat_transfer, required_oil_flow
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.library.bearings import named_designation
 from oilfilm.bearing.quasistatic.ring import ball_forces, seat_reactions
 from oilfilm.bearing.quasistatic.solution import (
@@ -31,6 +25,7 @@ from oilfilm.bearing.quasistatic.solution import (
     bearing_frequencies,
     kinematic_frequencies,
 )
+from oilfilm.bearing.rating.duty_cycle import LoadCase
 from oilfilm.bearing.rating.film_life import ContactKappa, FilmLife, film_life
 from oilfilm.bearing.rating.life import (
     LARGEST_A_ISO,
@@ -40,6 +35,7 @@ from oilfilm.bearing.rating.life import (
 )
 from oilfilm.bearing.rings.compliance import response_of
 from oilfilm.bearing.rings.elastic_ring import ElasticRing
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.solid.bodies import RingResponse, Seat
 from oilfilm.ehl.units import MEGAPASCAL, MICROMETRE, from_si, to_si
 
@@ -55,22 +51,31 @@ from ..quantities import (
     rows_of,
     values_of,
 )
-from .contacts import contact_messages, contact_records, contact_values
-from .duty_cycle import duty_cycle_block, duty_cycle_messages, hours, load_case_blocks
-from .finite_bodies import finite_body_block, finite_body_messages
-from .heating import heating_block, heating_messages, network_blocks, temperature_messages
+from .contacts import (
+    contact_messages,
+    contact_records,
+    contact_values,
+    finite_body_block,
+    finite_body_messages,
+)
 from .quantities import (
     BALL_QUANTITIES,
     CLEARANCE,
+    DUTY_CYCLE,
     ELECTRICAL,
     FILM_LIFE,
+    HEATING,
     LIFE_RATING,
+    LOAD_CASE,
     LOAD_RATING,
+    PATH,
     RING,
     RING_BODY,
     RING_LOAD,
     RING_STRENGTH,
     ROW,
+    STABILITY,
+    STABILITY_KEYS,
 )
 from .results import BearingResults, distinct_contacts
 from .torque import (
@@ -83,8 +88,448 @@ from .torque import (
     torque_messages,
 )
 
+NO_CYCLE = "duty_cycle: null, the case gives no [[load_cases]]"
+CYCLE_MESSAGE = (
+    "duty_cycle: each load case has its own equilibrium, clearance and oil, its torque is that "
+    "of films without a solve; films, torque and pictures are those of [operation]"
+)
+AGREEMENT = 1.0  # of temperatures that count as one [K]
 AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
 RELUBRICATION = "relubrication_interval_h"
+SMALL_TENSION = 1e3  # of a loose seat, not worth a message [Pa]
+PROBABILITY = "failure_probability"
+NEXT_TO_NONE = 1e-9  # of a probability of failure, in the terminal [-]
+NO_STANDARD = (
+    "strength: no standard rates ceramic rings; hoop tension by Lame's cylinders, probability of "
+    "failure by Weibull for flaws in the volume, its range that of the material's data "
+    "(docs/theory/ceramic_strength.md)"
+)
+NOT_BRITTLE = (
+    "strength: failure probabilities null, the rings have no bending_strength_MPa and "
+    "weibull_modulus, or no width_mm"
+)
+LOOSE = (
+    "strength: the case gives no [fit], rings of ceramic are taken as loose on shaft and in "
+    "housing; the interference of a seat, as of a warm steel shaft, is left out of their tension"
+)
+
+
+def bearing_summary(results: BearingResults) -> dict[str, Any]:
+    """The document of a bearing in named units.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
+    state = results.quasistatic
+    torque = torque_block(results)
+    document = {
+        "ring": _ring(state),
+        "equilibrium": {
+            "converged": state.converged,
+            "residual": state.residual,
+            "iterations": state.iterations,
+            "message": state.message,
+        },
+        "rows": row_blocks(state),
+        "rings": ring_blocks(state),
+        "cage_speed_rpm": CAGE_SPEED.value(state),
+        "balls": rows_of(_balls(state)),
+        "contacts": [contact_values(record) for record in contact_records(results)],
+        "clearance": clearance_block(results),
+        "strength": strength_block(results),
+        "life": life_block(results),
+        "duty_cycle": duty_cycle_block(results),
+        "load_cases": load_case_blocks(results),
+        "frequencies_Hz": values_of(results.frequencies, FREQUENCIES),
+        "kinematic_frequencies_Hz": kinematic_block(results),
+        "torque_N_mm": torque,
+        "power_balance": torque["power_balance"],
+        "supply": supply_block(results),
+        "decay": decay_block(results),
+        "self_heating": heating_block(results),
+        **network_blocks(results),
+        "reference_speed_rpm": results.reference_speed_rpm,
+        "electrical": _electrical(results),
+        "finite_bodies": finite_body_block(results),
+        "timing_s": dict(results.timing),
+    }
+    head = results.head(results.converged, _bearing_messages(results))
+    head["messages"] = [*temperature_messages(results), *head["messages"]]
+    return plain_document(head | document)
+
+
+def _ring(state: QuasistaticSolution) -> dict[str, Any]:
+    matrix = {"order": list(STIFFNESS_ORDER), "matrix": state.stiffness, "units": STIFFNESS_UNITS}
+    return values_of(state, RING) | {"stiffness": matrix}
+
+
+def _balls(state: QuasistaticSolution) -> dict[str, Any]:
+    """Columns of the balls."""
+    numbers = {"ball": range(1, len(state.azimuth) + 1), "row": state.row_of_ball + 1}
+    return numbers | values_of(state, BALL_QUANTITIES)
+
+
+def _electrical(results: BearingResults) -> dict[str, Any] | None:
+    """Capacitance between the rings and breakdown voltage; None with the reason in a message."""
+    parts = (results.quasistatic.bearing, results.contacts, results.instruments)
+    if electrical_lack(*parts):
+        return None
+    return values_of(bearing_electrical(*parts), ELECTRICAL)
+
+
+def _electrical_messages(results: BearingResults) -> Iterator[str]:
+    """Give the reason for a missing capacitance, and name assumptions."""
+    bearing = results.quasistatic.bearing
+    lack = electrical_lack(bearing, results.contacts, results.instruments)
+    if lack:
+        yield f"electrical: null, {lack}"
+        return
+    if not results.case.get("lubricant", {}).get("relative_permittivity"):
+        yield (
+            f"electrical: relative permittivity {oil_permittivity(results.case):g} of the oil is "
+            "assumed (lubricant.relative_permittivity)"
+        )
+    starved = results.torque.films if results.torque is not None else None
+    if any(film is not None and film.supply.central < 1.0 for film in starved or ()):
+        yield "electrical: of the flooded films; starved ones have more capacitance, less voltage"
+    if bearing.ball_material.kind is INSULATOR:
+        yield (
+            "electrical: breakdown_voltage_V null, balls of silicon nitride take nearly all of "
+            f"the voltage; relative permittivity {CERAMIC_PERMITTIVITY:g} of theirs is assumed"
+        )
+
+
+def _bearing_messages(results: BearingResults) -> Iterator[str]:
+    state = results.quasistatic
+    if not state.converged or "arbitrary" in state.message:  # a free direction without stiffness
+        yield f"equilibrium of ring and balls: {state.message}"
+    for group in distinct_contacts(results):
+        yield from solution_messages(group.label, group.solution)
+    yield from row_messages(results)
+    yield from ring_messages(state)
+    yield from contact_messages(results)
+    yield from finite_body_messages(results)
+    yield from rating_messages(results)
+    yield from duty_cycle_messages(results)
+    yield from strength_messages(results)
+    yield from torque_messages(results)
+    yield from rolling_messages(results)
+    yield from supply_messages(results)
+    yield from decay_messages(results)
+    yield from heating_messages(results)
+    yield from _electrical_messages(results)
+
+
+def duty_cycle_block(results: BearingResults) -> dict[str, Any]:
+    """Equivalent load, lives, torque and energy of the cycle; None without load cases.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
+    return values_of(results.duty_cycle, DUTY_CYCLE)
+
+
+def load_case_blocks(results: BearingResults) -> list[dict[str, Any]]:
+    """Shares, load, life, torque of each load case; empty without them.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Values by key, a dictionary for each load case.
+    """
+    cycle = results.duty_cycle
+    return [
+        {"load_case": number, **_values(case)}
+        for number, case in enumerate(() if cycle is None else cycle.cases, 1)
+    ]
+
+
+def _values(case: LoadCase) -> dict[str, Any]:
+    forces = case.operation.force
+    moments = case.operation.moment
+    loads = {
+        "force_N": [from_si("force_N", force) for force in forces],
+        "moment_N_mm": [from_si("moment_N_mm", moment) for moment in moments],
+    }
+    words = {"torque_model": case.torque_model, "converged": case.converged}
+    return values_of(case, LOAD_CASE) | loads | words
+
+
+def duty_cycle_messages(results: BearingResults) -> Iterator[str]:
+    """Say what the cycle means for the results, and which of its values are null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    cycle = results.duty_cycle
+    if cycle is None:
+        yield NO_CYCLE
+        return
+    yield CYCLE_MESSAGE
+    yield from cycle.messages
+
+
+def duty_cycle_rows(results: BearingResults) -> dict[str, str]:
+    """Lines of the terminal's table: life and power of the cycle.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
+    cycle = results.duty_cycle
+    if cycle is None:
+        return {}
+    available = duty_cycle_block(results)
+    rows = {
+        "duty cycle": f"{len(cycle.cases)} load cases, "
+        f"mean {available['mean_speed_rpm']:.4g} r/min"
+    }
+    basic = available["basic_reference_rating_h"]
+    if basic is not None:
+        rows["duty cycle"] += f", equivalent load {available['dynamic_equivalent_load_N']:.4g} N"
+        rows["life of the cycle"] = hours_text(basic, available["modified_reference_rating_h"])
+    if available["static_safety_factor"] is not None:
+        rows["safety of the cycle"] = f"S_0 {available['static_safety_factor']:.3g}, the smallest"
+    if available["mean_power_W"] is not None:
+        torque = available["mean_torque_N_mm"]
+        mean = "" if torque is None else f"mean torque {torque:.4g} N mm, "
+        rows["friction of the cycle"] = f"{mean}{available['mean_power_W']:.4g} W"
+    return rows
+
+
+def hours_text(basic: float, modified: float | None) -> str:
+    """Life in words, from hours.
+
+    Parameters
+    ----------
+    basic : float
+        Basic rating life [h].
+    modified : float | None
+        Modified rating life [h], or None.
+
+    Returns
+    -------
+    str
+        The words.
+    """
+    text = f"L10h {hours(basic)}"
+    return text if modified is None else f"{text}, modified L10mh {hours(modified)}"
+
+
+def hours(life: float) -> str:
+    """Hours to three figures, without a power of ten.
+
+    Parameters
+    ----------
+    life : float
+        Life [h].
+
+    Returns
+    -------
+    str
+        Hours with their unit.
+    """
+    return f"{in_figures(life, 3)} h"
+
+
+def heating_block(results: BearingResults) -> dict[str, Any]:
+    """Temperature, torque, power, oil, clearance; None without a balance of heat.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
+    heating = results.heating
+    return {
+        **values_of(_balanced(results), HEATING),
+        "torque_model": None if heating is None else heating.model,
+        "converged": None if heating is None else heating.converged,
+    }
+
+
+def _balanced(results: BearingResults) -> SelfHeatingSolution | None:
+    """The balance of heat, where there is one."""
+    heating = results.heating
+    if heating is None or heating.balance is None or not heating.converged:
+        return None
+    return heating
+
+
+def network_blocks(results: BearingResults) -> dict[str, Any]:
+    """Temperatures by node, heat flows by path, margin against runaway; None without a heat
+    balance.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Blocks of the summary by key.
+    """
+    keys = ("temperatures_C", "temperatures_low_C", "temperatures_high_C", "heat_flows_W")
+    heating = _balanced(results)
+    if heating is None or heating.state is None or heating.stability is None:
+        return dict.fromkeys((*keys, "heat_sources_W", "heat_paths", *STABILITY_KEYS))
+    state, stable = heating.state, heating.stability
+    network = state.network
+    edges = {name: from_si("temperature_C", value) for name, value in network.boundaries.items()}
+    edges |= {"film": from_si("temperature_C", state.film_temperature)}
+    flows = network.flows(state.temperatures)
+    named = list(zip(network.paths, flows, strict=True))
+    return {
+        keys[0]: _by_node(state.temperatures) | edges,
+        keys[1]: _by_node(stable.coldest),
+        keys[2]: _by_node(stable.hottest),
+        keys[3]: {path.name: flow for path, flow in named},
+        "heat_sources_W": dict(zip(NODES, state.sources.tolist(), strict=True)),
+        "heat_paths": [
+            {"path": path.name, "what": path.description, **values_of(path.conductance, PATH)}
+            for path in network.paths
+        ],
+        **values_of(heating, STABILITY),
+    }
+
+
+def _by_node(temperatures: Array) -> dict[str, float]:
+    """Temperatures of the nodes by their names [degrees Celsius]."""
+    values = from_si("temperature_C", temperatures).tolist()
+    return dict(zip(NODES, values, strict=True))
+
+
+def temperature_messages(results: BearingResults) -> Iterator[str]:
+    """Warn if the results are those of another temperature than the heat balance gives.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    heating = results.heating
+    if heating is None or heating.balance is None or not heating.converged:
+        return
+    balanced = heating.balance.temperature
+    given = results.quasistatic.operation.temperature
+    if abs(balanced - given) > AGREEMENT:
+        yield (
+            "two temperatures: loads, clearance, films, torque and life are those of "
+            f"operation.temperature_C = {from_si('temperature_C', given):.4g}, the block "
+            f"self_heating that of {from_si('temperature_C', balanced):.4g} C, where friction and "
+            'cooling agree; operation.temperature = "self-heated" computes all of it there'
+        )
+
+
+def heating_messages(results: BearingResults) -> Iterator[str]:
+    """Explain the block `self_heating`, or the reason why it is null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    heating = results.heating
+    if results.interrupted:
+        return
+    if heating is None:
+        yield "self_heating: null, the case gives no friction.heat_transfer_W_K, or nothing turns"
+    elif heating.balance is None or not heating.converged:
+        yield f"self_heating: null, not converged: {heating.note}; {_advice(results, heating)}"
+    else:
+        balanced = from_si("temperature_C", heating.balance.temperature)
+        given = from_si("temperature_C", results.quasistatic.operation.temperature)
+        if abs(balanced - given) > AGREEMENT:
+            yield (
+                f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; "
+                f"all else was computed at operation.temperature_C = {given:.4g}"
+            )
+        elif results.case["operation"].get("temperature") != "self-heated":  # has its message
+            yield f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C"
+        if heating.model == "integrated" and abs(balanced - given) > AGREEMENT:
+            yield (
+                "self_heating: its torque is that of films without a solve, scaled to the total "
+                'at temperature_C; operation.temperature = "self-heated" solves the films there'
+            )
+        elif heating.model != "integrated":
+            yield (
+                f"self_heating: heats with the torque of {heating.model} "
+                "(friction.heating_torque), which is not the total"
+            )
+        if heating.note and heating.note not in results.messages:
+            yield f"self_heating: {heating.note}"
+
+
+def _advice(results: BearingResults, heating: SelfHeatingSolution) -> str:
+    """Advice for a bearing that is heated more than it is cooled."""
+    state = heating.state
+    oil = results.lubricant
+    if state is None or state.resulting_temperature <= state.film_temperature:
+        return "try another friction.heat_transfer_W_K or heating_torque"
+    ways = []
+    transfer = required_heat_transfer(state)
+    if transfer is not None:
+        ways.append(f"heat_transfer_W_K above {transfer:.3g}")
+    flow = None if oil.thermal is None else required_oil_flow(state)
+    if flow is not None and oil.thermal is not None:
+        volume = flow / (oil.density * oil.thermal.specific_heat)
+        ways.append(f"cooling_oil_mL_min above {from_si('flow_mL_min', volume):.2g}")
+    ways = [f"in [friction] {' or '.join(ways)}"] if ways else []
+    limit = from_si("temperature_C", state.film_temperature)
+    wanted = from_si("temperature_C", state.resulting_temperature)
+    return (
+        f"friction is {state.friction.power:.4g} W at {limit:.0f} C, which would warm the films "
+        f"to {wanted:.4g} C: try {', '.join([*ways, 'a thinner oil'])}, or less speed; oilfilm "
+        "init with --speed lays out oil and cooling"
+    )
 
 
 def life_block(results: BearingResults) -> dict[str, Any]:
@@ -363,9 +808,6 @@ def _no_band(available: dict[str, Any]) -> str:
     return "the error bars of the films do not move it"
 
 
-SMALL_TENSION = 1e3  # of a loose seat, not worth a message [Pa]
-
-
 @dataclass(frozen=True, slots=True)
 class RingBody:
     """One elastic ring of an equilibrium."""
@@ -636,23 +1078,6 @@ def row_lines(state: QuasistaticSolution) -> dict[str, str]:
     return lines
 
 
-PROBABILITY = "failure_probability"
-NEXT_TO_NONE = 1e-9  # of a probability of failure, in the terminal [-]
-NO_STANDARD = (
-    "strength: no standard rates ceramic rings; hoop tension by Lame's cylinders, probability of "
-    "failure by Weibull for flaws in the volume, its range that of the material's data "
-    "(docs/theory/ceramic_strength.md)"
-)
-NOT_BRITTLE = (
-    "strength: failure probabilities null, the rings have no bending_strength_MPa and "
-    "weibull_modulus, or no width_mm"
-)
-LOOSE = (
-    "strength: the case gives no [fit], rings of ceramic are taken as loose on shaft and in "
-    "housing; the interference of a seat, as of a warm steel shaft, is left out of their tension"
-)
-
-
 def strength_block(results: BearingResults) -> dict[str, Any]:
     """Tension, strength and failure probability of both rings, and the map of the inner ring.
 
@@ -796,116 +1221,3 @@ def probability_text(value: float | None) -> str:
     return (
         "0" if value == 0.0 else f"< {NEXT_TO_NONE:g}" if value < NEXT_TO_NONE else f"{value:.1g}"
     )
-
-
-def bearing_summary(results: BearingResults) -> dict[str, Any]:
-    """The document of a bearing in named units.
-
-    Parameters
-    ----------
-    results : BearingResults
-        Results of the bearing.
-
-    Returns
-    -------
-    dict[str, Any]
-        The document.
-    """
-    state = results.quasistatic
-    torque = torque_block(results)
-    document = {
-        "ring": _ring(state),
-        "equilibrium": {
-            "converged": state.converged,
-            "residual": state.residual,
-            "iterations": state.iterations,
-            "message": state.message,
-        },
-        "rows": row_blocks(state),
-        "rings": ring_blocks(state),
-        "cage_speed_rpm": CAGE_SPEED.value(state),
-        "balls": rows_of(_balls(state)),
-        "contacts": [contact_values(record) for record in contact_records(results)],
-        "clearance": clearance_block(results),
-        "strength": strength_block(results),
-        "life": life_block(results),
-        "duty_cycle": duty_cycle_block(results),
-        "load_cases": load_case_blocks(results),
-        "frequencies_Hz": values_of(results.frequencies, FREQUENCIES),
-        "kinematic_frequencies_Hz": kinematic_block(results),
-        "torque_N_mm": torque,
-        "power_balance": torque["power_balance"],
-        "supply": supply_block(results),
-        "decay": decay_block(results),
-        "self_heating": heating_block(results),
-        **network_blocks(results),
-        "reference_speed_rpm": results.reference_speed_rpm,
-        "electrical": _electrical(results),
-        "finite_bodies": finite_body_block(results),
-        "timing_s": dict(results.timing),
-    }
-    head = results.head(results.converged, _bearing_messages(results))
-    head["messages"] = [*temperature_messages(results), *head["messages"]]
-    return plain_document(head | document)
-
-
-def _ring(state: QuasistaticSolution) -> dict[str, Any]:
-    matrix = {"order": list(STIFFNESS_ORDER), "matrix": state.stiffness, "units": STIFFNESS_UNITS}
-    return values_of(state, RING) | {"stiffness": matrix}
-
-
-def _balls(state: QuasistaticSolution) -> dict[str, Any]:
-    """Columns of the balls."""
-    numbers = {"ball": range(1, len(state.azimuth) + 1), "row": state.row_of_ball + 1}
-    return numbers | values_of(state, BALL_QUANTITIES)
-
-
-def _electrical(results: BearingResults) -> dict[str, Any] | None:
-    """Capacitance between the rings and breakdown voltage; None with the reason in a message."""
-    parts = (results.quasistatic.bearing, results.contacts, results.instruments)
-    if electrical_lack(*parts):
-        return None
-    return values_of(bearing_electrical(*parts), ELECTRICAL)
-
-
-def _electrical_messages(results: BearingResults) -> Iterator[str]:
-    """Give the reason for a missing capacitance, and name assumptions."""
-    bearing = results.quasistatic.bearing
-    lack = electrical_lack(bearing, results.contacts, results.instruments)
-    if lack:
-        yield f"electrical: null, {lack}"
-        return
-    if not results.case.get("lubricant", {}).get("relative_permittivity"):
-        yield (
-            f"electrical: relative permittivity {oil_permittivity(results.case):g} of the oil is "
-            "assumed (lubricant.relative_permittivity)"
-        )
-    starved = results.torque.films if results.torque is not None else None
-    if any(film is not None and film.supply.central < 1.0 for film in starved or ()):
-        yield "electrical: of the flooded films; starved ones have more capacitance, less voltage"
-    if bearing.ball_material.kind is INSULATOR:
-        yield (
-            "electrical: breakdown_voltage_V null, balls of silicon nitride take nearly all of "
-            f"the voltage; relative permittivity {CERAMIC_PERMITTIVITY:g} of theirs is assumed"
-        )
-
-
-def _bearing_messages(results: BearingResults) -> Iterator[str]:
-    state = results.quasistatic
-    if not state.converged or "arbitrary" in state.message:  # a free direction without stiffness
-        yield f"equilibrium of ring and balls: {state.message}"
-    for group in distinct_contacts(results):
-        yield from solution_messages(group.label, group.solution)
-    yield from row_messages(results)
-    yield from ring_messages(state)
-    yield from contact_messages(results)
-    yield from finite_body_messages(results)
-    yield from rating_messages(results)
-    yield from duty_cycle_messages(results)
-    yield from strength_messages(results)
-    yield from torque_messages(results)
-    yield from rolling_messages(results)
-    yield from supply_messages(results)
-    yield from decay_messages(results)
-    yield from heating_messages(results)
-    yield from _electrical_messages(results)

@@ -1,8 +1,4 @@
-"""The block `torque_N_mm` of the summary: friction torque by every model.
-
-The blocks `supply` and `decay` of the summary: starved films, which numbers are flooded ones,
-films after the supply stops.
-"""
+"""Blocks `torque_N_mm`, `supply` and `decay` of the summary, with their messages and lines."""
 
 from collections.abc import Iterator, Mapping
 from math import isfinite
@@ -37,6 +33,7 @@ CHURNING_SHARE = 0.2  # of the total, from which it is said beside it [-]
 VISIBLE_LAG = 0.03  # of the orbit speed, from which it is said [-]
 LARGE_SHARE = 0.05  # of the torque: from there on it is reported what the layer decides
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
+FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
 
 
 def shown_models(results: BearingResults) -> tuple[str, ...]:
@@ -385,9 +382,6 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
             f"{doubling}, the boxes of the "
             f"films alone have {box}"
         )
-
-
-FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
 
 
 def supply_block(results: BearingResults) -> dict[str, Any]:

@@ -1,7 +1,4 @@
-"""Files of a bearing run: contacts as CSV, fields as netCDF.
-
-A bearing in the terminal.
-"""
+"""Files of a bearing run, contacts as CSV and fields as netCDF, and its table in the terminal."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -41,16 +38,24 @@ from .contacts import (
     contact_records,
     contact_values,
 )
-from .duty_cycle import duty_cycle_rows
 from .quantities import BALL_QUANTITY, RING
 from .results import BearingResults
-from .summary import frequency_lines, rating_rows, ring_lines, row_lines, strength_rows
+from .summary import (
+    duty_cycle_rows,
+    frequency_lines,
+    rating_rows,
+    ring_lines,
+    row_lines,
+    strength_rows,
+)
 from .torque import decay_group, supply_rows, torque_rows
 
 GEOMETRY = (
     *("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"),
     *("diametral_clearance", "bore", "outside_diameter", "width"),
 )
+WIDTH = 80  # of a terminal [columns]
+DECIMALS = 4  # of films [um], fewer where the table is wider than that
 
 
 def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
@@ -160,10 +165,6 @@ def _ball_group(state: QuasistaticSolution) -> DataGroup:
     }
     variables["ball"] = (("ball",), np.arange(1, len(state.azimuth) + 1), {})
     return DataGroup(variables=variables)
-
-
-WIDTH = 80  # of a terminal [columns]
-DECIMALS = 4  # of films [um], fewer where the table is wider than that
 
 
 def bearing_table(results: BearingResults) -> Group:

@@ -1,11 +1,12 @@
 """Results of one lubricated contact.
 
+A new output quantity is a row in `summary`.
+
 atlas             - films of the film atlas, as summary and in the terminal
-plots             - figure of one contact: film map, pressure map, and both along the two centre
-                    lines
-summary           - summary of a single contact
-transient_plots   - picture of a contact over time
-transient_summary - its summary, and its table for a terminal
+plots             - figures: maps and centre lines, interferogram, a line cut
+summary           - results, quantities and summary of a single contact; fields read back
+transient_plots   - files and picture of a contact over time
+transient_summary - its results, its summary, and its table for a terminal
 view              - the part of a contact that pictures show
-write             - fields of contacts as netCDF groups, and the file of a single contact
+write             - fields of contacts as netCDF groups, the file of a single contact, its table
 """

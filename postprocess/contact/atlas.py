@@ -24,8 +24,6 @@ NOT_COVERED = "the atlas does not cover the contact"
 NO_VALUE = f"{NOT_COVERED}, or it has no lengths"
 ATLAS_QUANTITIES = (
     *quantities(
-        "in_lengths.",
-        NO_VALUE,
         ("film_central_um", "central film", "central.value"),
         ("film_central_uncertainty_um", "central film uncertainty", "central.uncertainty"),
         ("film_minimum_um", "minimum film", "minimum.value"),
@@ -38,6 +36,8 @@ ATLAS_QUANTITIES = (
         ),
         ("stiffness_N_um", "stiffness", "stiffness.value"),
         ("stiffness_uncertainty_N_um", "stiffness uncertainty", "stiffness.uncertainty"),
+        source="in_lengths.",
+        null=NO_VALUE,
     ),
 )
 DIMENSIONLESS = {"film_central": "central", "film_minimum": "minimum", "approach": "approach"}

@@ -1,9 +1,7 @@
-"""Figure of one contact: film map, pressure map, and both along the two centre lines.
+"""Figures and tables of one contact: maps and centre lines, interferogram, a line cut.
 
-A film map as an optical interferometer would see it, to be laid beside pictures of a ball on a
-glass disc.
-
-Two beams, reflected by the coated glass and by the ball, with equal strength at normal incidence:
+An optical interferometer would see the film, beside pictures of a ball on a glass disc, as two
+beams, reflected by the coated glass and by the ball, with equal strength at normal incidence:
 
     I = (1 + cos(4 pi n h/lambda + phi))/2
 
@@ -12,8 +10,6 @@ the phase shifts at the two reflections (Born and Wolf, Principles of Optics, se
 interference). Bright fringes of phi = 0 lie at h = N lambda/(2 n), N = 0, 1, 2 ... Multiple
 reflections, absorption, the finite bandwidth of a lamp and the rise of n with pressure are left
 out.
-
-Film and pressure along a line through a contact, as a table.
 """
 
 from collections.abc import Callable, Sequence
@@ -38,6 +34,7 @@ from ..plot_style import (
     PAGE_WIDTH,
     REFERENCE,
     colour_stops,
+    titled_panels,
     write_figure,
     write_figures,
 )
@@ -63,6 +60,10 @@ MAP_HEIGHT = 0.31
 BAR_BOTTOM = 0.835
 LINE_BOTTOM = 0.125
 LINE_HEIGHT = 0.245
+SODIUM = 589.3e-9  # mean of the sodium D lines [m]
+NODES = 1200  # each way: more than the picture has pixels
+STRETCHED = 2.5  # pictures longer than this are drawn with stretched axes [-]
+REFRACTIVE_INDEX = 1.5  # of an oil [-], unverified: give that of yours
 
 
 def write_contact_plots(results: ContactResults, directory: Path) -> tuple[str, ...]:
@@ -314,17 +315,14 @@ def draw_passes(figure: Figure, results: ContactResults) -> None:
     results : ContactResults
         Results of the contact.
     """
-    figure.set_size_inches(PAGE_WIDTH, 3.0)
     number = len(results.passes)
     title = f"{results.title}\neach pass stands behind the layer that the last one left"
-    figure.suptitle(title, fontsize=8.5)
-    left, right = figure.subplots(1, 2)
+    left, right = titled_panels(figure, title, 3.0, 1, 2)
     films = [one for one in results.passes if one.solution.converged]
     style: Any = {"color": FILM_COLOUR, "marker": "o", "markersize": 3, "linewidth": 1.0}
     left.plot(range(1, len(films) + 1), [one.film_fraction for one in films], **style)
     left.set_ylim(0.0, 1.05)
-    left.set_xlabel("pass [-]")
-    left.set_ylabel("central film over the flooded one [-]")
+    left.set(xlabel="pass [-]", ylabel="central film over the flooded one [-]")
     left.xaxis.get_major_locator().set_params(integer=True)
     first = results.solution
     scale = first.film_scale
@@ -344,12 +342,6 @@ def draw_passes(figure: Figure, results: ContactResults) -> None:
     for axes in (left, right):
         axes.grid(linewidth=0.3, alpha=0.5)
         axes.spines[["top", "right"]].set_visible(False)
-
-
-SODIUM = 589.3e-9  # mean of the sodium D lines [m]
-NODES = 1200  # each way: more than the picture has pixels
-STRETCHED = 2.5  # pictures longer than this are drawn with stretched axes [-]
-REFRACTIVE_INDEX = 1.5  # of an oil [-], unverified: give that of yours
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,17 +1,4 @@
-"""Summary of a single contact.
-
-Results of one single contact.
-
-A track pass after pass: summary, message and netCDF group.
-
-Quantities of the film of one contact, single or in a bearing.
-
-Stiffness and damping of a single contact in its summary and in the terminal.
-
-Oil supply of a single contact: its film where the inlet layer starves it.
-
-The fields of contacts, read back from a result folder by their names.
-"""
+"""A single contact: its results, quantities, summary, and fields read back from a folder."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -40,6 +27,142 @@ from ..netcdf_write import DataGroup, Variables
 from ..quantities import FILMS, OTHERS, Results, quantities, values_of
 from .view import half_extents, shown_part
 
+NOT_CONVERGED = "the film of this pass did not converge"
+PASS_QUANTITIES = quantities(
+    ("inlet_ratio", "layer over the oil of the flooded film", "ratio"),
+    ("film_share", "central film over the flooded one", "share"),
+    ("film_central_um", "central film", "solution.film_central"),
+    ("film_minimum_um", "minimum film", "solution.film_minimum"),
+    ("oil_kept", "oil that leaves over oil that enters", "kept"),
+    ("ridge_ratio", "thickest part of the layer that leaves over its middle", "ridge_ratio"),
+    null=NOT_CONVERGED,
+)
+ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
+FORMULAS = (
+    "hamrock_dowson_central hamrock_dowson_minimum chittenden_central nijenbanning_central".split()
+)
+NO_FILM = "no film was computed, or it has no length"
+NO_TRACTION = "it needs a contact with lengths, and a film that converged"
+NO_INSTRUMENT = "it needs a solved film with lengths that converged"
+NO_CYCLE = "no film was computed, or not a single cycle of it was completed"
+FILM_QUANTITIES = (
+    *quantities(
+        ("film_central_um", "central film", "film_central", "h_c", "film central"),
+        ("film_central_uncertainty_um", "central film uncertainty", "film_central_uncertainty"),
+        ("film_minimum_um", "minimum film", "film_minimum", "h_min", "film minimum"),
+        ("film_minimum_uncertainty_um", "minimum film uncertainty", "film_minimum_uncertainty"),
+        source="film.",
+        null=NO_FILM,
+    ),
+    *quantities(
+        ("pressure_maximum_GPa", "maximum pressure", "pressure_maximum", "", "largest pressure"),
+        null=NO_FILM,
+    ),
+    *quantities(("residual", "residual of the film's equations"), null=NO_CYCLE),
+    *quantities(
+        ("mass_imbalance", "oil gained in the film, over its flow"),
+        source="film.record.",
+        null=NO_CYCLE,
+    ),
+    *quantities(
+        ("film_temperature_maximum_C", "largest film temperature", "temperature_maximum"),
+        null="the film was solved without heat",
+    ),
+    *quantities(
+        ("traction_coefficient", "traction coefficient", "traction.coefficient", "", "traction"),
+        ("rolling_moment_N_mm", "rolling moment", "rolling.value"),
+        ("rolling_moment_uncertainty_N_mm", "rolling moment uncertainty", "rolling.uncertainty"),
+        ("rolling_moment_box_N_mm", "rolling moment of the box", "rolling.box"),
+        null=NO_TRACTION,
+    ),
+)
+FURTHER_QUANTITIES = (  # of the summary alone
+    *quantities(
+        ("traction_force_N", "traction force", "traction_force"),
+        ("traction_power_W", "heat of the traction", "traction.power_loss"),
+        ("spin_moment_N_mm", "spin moment", "traction.spin_moment"),
+        ("rolling_extent_mm", "meniscus ahead of the centre", "rolling.extent"),
+        ("flooded_layer_um", "layer of oil at the inlet", "rolling.layer"),
+        null=NO_TRACTION,
+    ),
+    *quantities(
+        ("eyring_stress_MPa", "Eyring's stress"),
+        source="traction.",
+        null=f"{NO_TRACTION}, or the oil does not shear by Eyring's law",
+    ),
+    *quantities(
+        ("capacitance_pF", "capacitance of film and wedge of oil"),
+        ("capacitance_uncertainty_pF", "its uncertainty by the film"),
+        ("capacitance_hertz_pF", "its part within Hertz' ellipse"),
+        ("breakdown_voltage_V", "voltage at which the minimum film breaks down"),
+        ("breakdown_voltage_low_V", "low end of its range"),
+        ("breakdown_voltage_high_V", "high end of its range"),
+        ("ultrasonic_stiffness_GPa_um", "bulk modulus over film at the centre"),
+        ("ultrasonic_stiffness_uncertainty_GPa_um", "its uncertainty by the film"),
+        source="instruments.",
+        null=NO_INSTRUMENT,
+    ),
+)
+NO_LAYER = "the film stands behind no layer (ehl.starvation), or did not converge"
+SUPPLY_QUANTITIES = (
+    *quantities(
+        ("flooded_film_central_um", "flooded central film", "flooded_central"),
+        (
+            "flooded_film_central_uncertainty_um",
+            "flooded central film uncertainty",
+            "flooded_central_uncertainty",
+        ),
+        ("flooded_film_minimum_um", "flooded minimum film", "flooded_minimum"),
+        (
+            "flooded_film_minimum_uncertainty_um",
+            "flooded minimum film uncertainty",
+            "flooded_minimum_uncertainty",
+        ),
+        source="film.",
+        null=NO_LAYER,
+    ),
+    *quantities(
+        ("inlet_ratio", "layer over the oil of the flooded film"),
+        ("meniscus_position", "meniscus in semi-axes", "meniscus"),
+        ("rolling_moment_ratio", "share of the rolling moment"),
+        ("damping_ratio", "share of the damping at 0.3 u_m/a", "damping.value"),
+        ("damping_ratio_uncertainty", "share of the damping, uncertainty", "damping.uncertainty"),
+        source="film.supply.",
+        null=NO_LAYER,
+    ),
+)
+ALL_FILM_QUANTITIES = (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES)
+NO_RESPONSE = "it is that of a flooded, isothermal contact with lengths, solved and resolved"
+RESPONSE_QUANTITIES = quantities(
+    ("stiffness_N_um", "stiffness along the normal", "stiffness.value"),
+    ("stiffness_uncertainty_N_um", "stiffness uncertainty", "stiffness.uncertainty"),
+    ("damping_N_s_m", "squeeze damping", "damping.value"),
+    ("damping_uncertainty_N_s_m", "squeeze damping uncertainty", "damping.uncertainty"),
+    null=NO_RESPONSE,
+)
+KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
+SOLVED = (
+    "inlet_ratio",
+    "meniscus_position",
+    "rolling_moment_ratio",
+    "damping_ratio",
+    "outlet_layer",
+)
+NAMES = ("central", "minimum")
+OUTLET_POINTS = 64  # of the layer left behind in the summary, at least
+LAW_MESSAGE = (
+    "supply: inlet film, by the law of starvation: film_... are the films that it leaves of "
+    "flooded_film_..., their error bars hold its own; pressure and shear are those of the flooded "
+    "pressure; meniscus_position, outlet_layer: null, the law knows none"
+)
+OUTSIDE_MESSAGE = (
+    "the contact lies outside those that the law of starvation was solved for; it takes the "
+    "nearest ones, with wider error bars"
+)
+FILM_KEYS = ("film_central", "film_minimum")
+WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is reported [-]
+KINDS = ("bearing", "contact")  # of results that have contacts
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactResults(Results):
@@ -67,19 +190,6 @@ class ContactResults(Results):
     def pictures(self) -> dict[str, int]:
         """Pictures that are drawn [-]."""
         return {FILMS: 0, OTHERS: 1}
-
-
-NOT_CONVERGED = "the film of this pass did not converge"
-PASS_QUANTITIES = quantities(
-    "",
-    NOT_CONVERGED,
-    ("inlet_ratio", "layer over the oil of the flooded film", "ratio"),
-    ("film_share", "central film over the flooded one", "share"),
-    ("film_central_um", "central film", "solution.film_central"),
-    ("film_minimum_um", "minimum film", "solution.film_minimum"),
-    ("oil_kept", "oil that leaves over oil that enters", "kept"),
-    ("ridge_ratio", "thickest part of the layer that leaves over its middle", "ridge_ratio"),
-)
 
 
 def pass_values(results: ContactResults) -> list[dict[str, Any]] | None:
@@ -169,12 +279,6 @@ def pass_group(results: ContactResults) -> DataGroup | None:
     return DataGroup(variables=variables, attributes={})
 
 
-ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
-FORMULAS = (
-    "hamrock_dowson_central hamrock_dowson_minimum chittenden_central nijenbanning_central".split()
-)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmRecord:
     """The film of a contact and what is derived of it; None where it was not computed."""
@@ -210,101 +314,6 @@ class FilmRecord:
     def traction_force(self) -> list[float] | None:
         """On body 1 along and across the grid's x [N]."""
         return None if self.traction is None else [self.traction.force_x, self.traction.force_y]
-
-
-NO_FILM = "no film was computed, or it has no length"
-NO_TRACTION = "it needs a contact with lengths, and a film that converged"
-NO_INSTRUMENT = "it needs a solved film with lengths that converged"
-NO_CYCLE = "no film was computed, or not a single cycle of it was completed"
-FILM_QUANTITIES = (
-    *quantities(
-        "film.",
-        NO_FILM,
-        ("film_central_um", "central film", "film_central", "h_c", "film central"),
-        ("film_central_uncertainty_um", "central film uncertainty", "film_central_uncertainty"),
-        ("film_minimum_um", "minimum film", "film_minimum", "h_min", "film minimum"),
-        ("film_minimum_uncertainty_um", "minimum film uncertainty", "film_minimum_uncertainty"),
-    ),
-    *quantities(
-        "",
-        NO_FILM,
-        ("pressure_maximum_GPa", "maximum pressure", "pressure_maximum", "", "largest pressure"),
-    ),
-    *quantities("", NO_CYCLE, ("residual", "residual of the film's equations")),
-    *quantities(
-        "film.record.", NO_CYCLE, ("mass_imbalance", "oil gained in the film, over its flow")
-    ),
-    *quantities(
-        "",
-        "the film was solved without heat",
-        ("film_temperature_maximum_C", "largest film temperature", "temperature_maximum"),
-    ),
-    *quantities(
-        "",
-        NO_TRACTION,
-        ("traction_coefficient", "traction coefficient", "traction.coefficient", "", "traction"),
-        ("rolling_moment_N_mm", "rolling moment", "rolling.value"),
-        ("rolling_moment_uncertainty_N_mm", "rolling moment uncertainty", "rolling.uncertainty"),
-        ("rolling_moment_box_N_mm", "rolling moment of the box", "rolling.box"),
-    ),
-)
-FURTHER_QUANTITIES = (  # of the summary alone
-    *quantities(
-        "",
-        NO_TRACTION,
-        ("traction_force_N", "traction force", "traction_force"),
-        ("traction_power_W", "heat of the traction", "traction.power_loss"),
-        ("spin_moment_N_mm", "spin moment", "traction.spin_moment"),
-        ("rolling_extent_mm", "meniscus ahead of the centre", "rolling.extent"),
-        ("flooded_layer_um", "layer of oil at the inlet", "rolling.layer"),
-    ),
-    *quantities(
-        "traction.",
-        f"{NO_TRACTION}, or the oil does not shear by Eyring's law",
-        ("eyring_stress_MPa", "Eyring's stress"),
-    ),
-    *quantities(
-        "instruments.",
-        NO_INSTRUMENT,
-        ("capacitance_pF", "capacitance of film and wedge of oil"),
-        ("capacitance_uncertainty_pF", "its uncertainty by the film"),
-        ("capacitance_hertz_pF", "its part within Hertz' ellipse"),
-        ("breakdown_voltage_V", "voltage at which the minimum film breaks down"),
-        ("breakdown_voltage_low_V", "low end of its range"),
-        ("breakdown_voltage_high_V", "high end of its range"),
-        ("ultrasonic_stiffness_GPa_um", "bulk modulus over film at the centre"),
-        ("ultrasonic_stiffness_uncertainty_GPa_um", "its uncertainty by the film"),
-    ),
-)
-NO_LAYER = "the film stands behind no layer (ehl.starvation), or did not converge"
-SUPPLY_QUANTITIES = (
-    *quantities(
-        "film.",
-        NO_LAYER,
-        ("flooded_film_central_um", "flooded central film", "flooded_central"),
-        (
-            "flooded_film_central_uncertainty_um",
-            "flooded central film uncertainty",
-            "flooded_central_uncertainty",
-        ),
-        ("flooded_film_minimum_um", "flooded minimum film", "flooded_minimum"),
-        (
-            "flooded_film_minimum_uncertainty_um",
-            "flooded minimum film uncertainty",
-            "flooded_minimum_uncertainty",
-        ),
-    ),
-    *quantities(
-        "film.supply.",
-        NO_LAYER,
-        ("inlet_ratio", "layer over the oil of the flooded film"),
-        ("meniscus_position", "meniscus in semi-axes", "meniscus"),
-        ("rolling_moment_ratio", "share of the rolling moment"),
-        ("damping_ratio", "share of the damping at 0.3 u_m/a", "damping.value"),
-        ("damping_ratio_uncertainty", "share of the damping, uncertainty", "damping.uncertainty"),
-    ),
-)
-ALL_FILM_QUANTITIES = (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES)
 
 
 def film_values(record: FilmRecord) -> dict[str, Any]:
@@ -360,17 +369,6 @@ def formula_films(conditions: object) -> dict[str, float | None]:
         return dict.fromkeys(FORMULAS)
     films = {name: getattr(film_formulas, f"film_{name}")(conditions) for name in FORMULAS}
     return {name: from_si("film_um", film) for name, film in films.items()}
-
-
-NO_RESPONSE = "it is that of a flooded, isothermal contact with lengths, solved and resolved"
-RESPONSE_QUANTITIES = quantities(
-    "",
-    NO_RESPONSE,
-    ("stiffness_N_um", "stiffness along the normal", "stiffness.value"),
-    ("stiffness_uncertainty_N_um", "stiffness uncertainty", "stiffness.uncertainty"),
-    ("damping_N_s_m", "squeeze damping", "damping.value"),
-    ("damping_uncertainty_N_s_m", "squeeze damping uncertainty", "damping.uncertainty"),
-)
 
 
 def response_values(response: NormalResponse | None) -> dict[str, Any]:
@@ -457,27 +455,6 @@ def response_row(response: NormalResponse | None) -> str:
     if stiffness is None:
         return ""
     return f"{value_with_error(stiffness, bar)} N/µm, {value_with_error(damping, other)} N s/m"
-
-
-KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
-SOLVED = (
-    "inlet_ratio",
-    "meniscus_position",
-    "rolling_moment_ratio",
-    "damping_ratio",
-    "outlet_layer",
-)
-NAMES = ("central", "minimum")
-OUTLET_POINTS = 64  # of the layer left behind in the summary, at least
-LAW_MESSAGE = (
-    "supply: inlet film, by the law of starvation: film_... are the films that it leaves of "
-    "flooded_film_..., their error bars hold its own; pressure and shear are those of the flooded "
-    "pressure; meniscus_position, outlet_layer: null, the law knows none"
-)
-OUTSIDE_MESSAGE = (
-    "the contact lies outside those that the law of starvation was solved for; it takes the "
-    "nearest ones, with wider error bars"
-)
 
 
 def contact_starved_values(results: ContactResults) -> dict[str, Any]:
@@ -584,10 +561,6 @@ def contact_supply_messages(results: ContactResults) -> Iterator[str]:
         yield f"{solved}: null, they need a film behind its layer (ehl.starvation)"
     else:
         yield f"starved_film_..., {solved}: null, the flooded film did not converge"
-
-
-FILM_KEYS = ("film_central", "film_minimum")
-WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is reported [-]
 
 
 def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
@@ -776,9 +749,6 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
         yield f"rolling_moment_N_mm: of the box; rolling_extent_mm: null, {record.rolling.note}"
     elif record.rolling.note:
         yield f"rolling_moment_N_mm: {record.rolling.note}"
-
-
-KINDS = ("bearing", "contact")  # of results that have contacts
 
 
 def require_contacts(directory: str | Path, tree: xarray.DataTree, lack: str) -> None:

@@ -1,7 +1,4 @@
-"""Picture of a contact over time: film along its middle over time, films and load, some lines.
-
-Files of a contact over time: summary, series, fields, pictures.
-"""
+"""Files of a contact over time: summary, series, fields, and its picture."""
 
 from collections.abc import Callable
 from functools import partial
@@ -35,6 +32,22 @@ MILLISECOND = 1e-3  # [s]
 LINES = 4  # times at which film and pressure along x are drawn
 SPREAD = (2.0, 98.0)  # percentiles of the film in the contact that the colours span
 MARGIN = 0.15  # of their span beyond them
+SERIES_FILE = "steps.csv"
+UNITS = {  # SI units of the series in netCDF, and their keys in CSV
+    "time": ("s", "time_ms"),
+    "speed": ("m/s", "speed_m_s"),
+    "load": ("N", "load_N"),
+    "film_force": ("N", "film_force_N"),
+    "approach": ("m", "approach_um"),
+    "approach_rate": ("m/s", "approach_rate_m_s"),
+    "film_central": ("m", "film_central_um"),
+    "film_minimum": ("m", "film_minimum_um"),
+    "pressure_central": ("Pa", "pressure_central_GPa"),
+    "pressure_maximum": ("Pa", "pressure_maximum_GPa"),
+    "error": ("1", "step_error"),
+    "oil_error": ("1", "oil_error"),
+    "cycles": ("1", "cycles"),
+}
 
 
 def write_transient_plots(results: TransientResults, directory: Path) -> tuple[str, ...]:
@@ -128,8 +141,7 @@ def _film_over_time(figure: Figure, axes: Any, solution: TransientSolution) -> N
         place = end * solution.semi_axes[0] / MILLIMETRE
         axes.axvline(place, color="white", linestyle=(0, (4, 2)), linewidth=0.8)
     axes.xaxis.set_major_locator(MaxNLocator(6))
-    axes.set_xlabel("x, along the entrainment [mm]; Hertz ellipse dashed")
-    axes.set_ylabel("time [ms]")
+    axes.set(xlabel="x, along the entrainment [mm]; Hertz ellipse dashed", ylabel="time [ms]")
 
 
 def _films(axes: Any, solution: TransientSolution) -> None:
@@ -154,8 +166,7 @@ def _conditions(axes: Any, solution: TransientSolution) -> None:
     axes.plot(time, load, color=INK, label="load", linewidth=1.0)
     if np.abs(force - load).max() > 0.01 * max(float(np.abs(force).max()), 1e-300):
         axes.plot(time, force, color=OUTER_COLOUR, label="film force", linewidth=1.0)
-    axes.set_ylabel("force [N]")
-    axes.set_xlabel("time [ms]")
+    axes.set(ylabel="force [N]", xlabel="time [ms]")
     speed = axes.twinx()
     style = {"color": REFERENCE, "linestyle": "--", "linewidth": 1.0}
     speed.plot(time, solution.series("speed"), label="speed", **style)
@@ -177,8 +188,7 @@ def _lines(axes: Any, solution: TransientSolution, name: str) -> None:
     for row, shade in zip(rows, shades, strict=True):
         label = f"{time[row]:.3g} ms"
         axes.plot(x, lines[row, part] / unit, color=_shade(shade), label=label, linewidth=1.0)
-    axes.set_xlabel("x [mm], at $y$ = 0")
-    axes.set_ylabel("film [µm]" if film else "pressure [GPa]")
+    axes.set(xlabel="x [mm], at $y$ = 0", ylabel="film [µm]" if film else "pressure [GPa]")
     if film:
         low, high = film_span(solution)
         axes.set_ylim(max(0.0, low - (high - low)), high + 0.5 * (high - low))
@@ -189,24 +199,6 @@ def _lines(axes: Any, solution: TransientSolution, name: str) -> None:
 def _shade(share: float) -> tuple[float, float, float]:
     """From ink to pale blue [-]."""
     return (0.05 + 0.6 * share, 0.1 + 0.65 * share, 0.2 + 0.75 * share)
-
-
-SERIES_FILE = "steps.csv"
-UNITS = {  # SI units of the series in netCDF, and their keys in CSV
-    "time": ("s", "time_ms"),
-    "speed": ("m/s", "speed_m_s"),
-    "load": ("N", "load_N"),
-    "film_force": ("N", "film_force_N"),
-    "approach": ("m", "approach_um"),
-    "approach_rate": ("m/s", "approach_rate_m_s"),
-    "film_central": ("m", "film_central_um"),
-    "film_minimum": ("m", "film_minimum_um"),
-    "pressure_central": ("Pa", "pressure_central_GPa"),
-    "pressure_maximum": ("Pa", "pressure_maximum_GPa"),
-    "error": ("1", "step_error"),
-    "oil_error": ("1", "oil_error"),
-    "cycles": ("1", "cycles"),
-}
 
 
 def write_transient(

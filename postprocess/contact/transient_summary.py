@@ -1,7 +1,4 @@
-"""Summary and table of a contact over time.
-
-Results of a contact over time.
-"""
+"""A contact over time: results, summary and table."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -20,6 +17,8 @@ from oilfilm.ehl.units import from_si
 from ..files import plain_document
 from ..quantities import Results
 
+FILMS = ("film_central", "film_minimum")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TransientResults(Results):
@@ -34,9 +33,6 @@ class TransientResults(Results):
     def converged(self) -> bool:
         """True if all steps were computed and solved."""
         return self.solution.converged
-
-
-FILMS = ("film_central", "film_minimum")
 
 
 def transient_summary(results: TransientResults) -> dict[str, Any]:

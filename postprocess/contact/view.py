@@ -1,9 +1,4 @@
-"""The part of a contact that pictures show.
-
-Units in which fields of contacts are shown.
-
-The frame of a contact: principal directions, parts of its grid, values at other nodes.
-"""
+"""The part of a contact that pictures show, in its frame and in the units of its fields."""
 
 from dataclasses import dataclass
 from math import cos, degrees, hypot, inf, pi, sin
@@ -28,6 +23,8 @@ from ..plot_style import (
 
 # suffix of the unit in which a variable is shown, by its name and its unit in the file
 SHOWN_UNITS = {("x", "m"): "mm", ("h", "m"): "um", ("P", "Pa"): "GPa", ("T", "K"): "C"}
+ALL = (slice(None), slice(None))  # of the nodes of a grid
+ROUND_OFF = 1e-6  # of the window: a box that ends so near does not cut it [-]
 
 
 def shown(name: str, unit: str, values: Any) -> tuple[Any, str]:
@@ -77,9 +74,6 @@ def shown_scales(solution: ContactSolution) -> tuple[float, float, float]:
     film = 1.0 if h is None else h / MICROMETRE
     pressure = solution.hertz_pressure / GIGAPASCAL if solution.hertz_pressure > 0.0 else 1.0
     return length, film, pressure
-
-
-ALL = (slice(None), slice(None))  # of the nodes of a grid
 
 
 def principal_coordinates(x: Array, y: Array, angle: float) -> tuple[Array, Array]:
@@ -213,9 +207,6 @@ def around(values: Array, low: float, high: float) -> slice:
     """
     inner = within(values, low, high)
     return slice(max(inner.start - 1, 0), min(inner.stop + 1, len(values)))
-
-
-ROUND_OFF = 1e-6  # of the window: a box that ends so near does not cut it [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,7 +1,4 @@
-"""Fields of contacts as netCDF groups, and the file of a single contact.
-
-A single contact in the terminal.
-"""
+"""Fields of contacts as netCDF groups, the file of a single contact, and its table."""
 
 from pathlib import Path
 from typing import Any
@@ -16,6 +13,8 @@ from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, from_si, value_with_error
 from ..netcdf_write import DataGroup, Variables, root_attributes, write_groups
 from ..quantities import facts_table, titled
 from .summary import ContactResults, pass_group, response_row
+
+DECIMALS = 4  # of films [um]
 
 
 def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str, Any]) -> None:
@@ -104,9 +103,6 @@ def _supply_fields(supply: OilSupply, film: float | None) -> Variables:
         thickness = from_si("film_um", supply.outlet_layer * film)
         outlet = ("outlet_layer_um", thickness, layer | {"units": "um"})
     return {"filled": (("x", "y"), share, about), outlet[0]: (("y",), *outlet[1:])}
-
-
-DECIMALS = 4  # of films [um]
 
 
 def contact_table(results: ContactResults) -> Group:

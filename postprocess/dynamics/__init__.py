@@ -2,6 +2,6 @@
 
 history - the history of a time simulation on disk
 plots   - pictures of a time simulation, from its history and summary
-results - a time simulation of one case
-write   - files of a time simulation
+results - results, quantities and summary; the history read back
+write   - files of a time simulation, its table
 """

@@ -1,7 +1,4 @@
-"""Pictures of a time simulation, from its history and summary.
-
-Speeds of a time simulation, from its history: what came out, and what rolling would give.
-"""
+"""Pictures of a time simulation, from its history and summary."""
 
 from collections.abc import Callable
 from functools import partial
@@ -31,14 +28,29 @@ from ..plot_style import (
     INK,
     INNER_COLOUR,
     OUTER_COLOUR,
-    PAGE_WIDTH,
     REFERENCE,
+    titled_panels,
     write_figures,
 )
 from ..quantities import FREQUENCIES
 from .results import PLOTTED, STATES, open_history
 
 RUNNING = 0.02  # of the largest speed, below which a slip in percent says nothing [-]
+RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
+STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
+MECHANISM_COLOURS = (
+    "#0b5394 #c1440e #3a7d44 #7a4fa3 #8a6d1d #5b8c00 #1f9e9e #b8336a #666666 #d98c00".split()
+)
+TIME = PLOTTED["time_ms"]
+SPEED = PLOTTED["speed_rpm"]
+ROLLING: dict[str, Any] = {"linestyle": "--", "color": REFERENCE, "label": "without sliding"}
+SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
+SPIKES = 0.01  # share of the time at each end of an axis that may lie beyond it [-]
+ORBIT_POINTS = 4000  # of an orbit, the last ones
+SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says nothing [-]
+ROUND_ORBIT = 1e-3  # smaller over larger extent of an orbit below which it is a line [-]
+SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of the inner ring [-]
+FEWEST_SAMPLES = 8  # of the half that a spectrum is of [-]
 
 
 class Motion(NamedTuple):
@@ -173,23 +185,6 @@ def averaged(data: xarray.Dataset) -> Any:
     """
     time = data["time"].to_numpy()
     return time >= (1.0 - AVERAGED_SHARE) * time[-1]
-
-
-RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
-STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
-MECHANISM_COLOURS = (
-    "#0b5394 #c1440e #3a7d44 #7a4fa3 #8a6d1d #5b8c00 #1f9e9e #b8336a #666666 #d98c00".split()
-)
-TIME = PLOTTED["time_ms"]
-SPEED = PLOTTED["speed_rpm"]
-ROLLING: dict[str, Any] = {"linestyle": "--", "color": REFERENCE, "label": "without sliding"}
-SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
-SPIKES = 0.01  # share of the time at each end of an axis that may lie beyond it [-]
-ORBIT_POINTS = 4000  # of an orbit, the last ones
-SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says nothing [-]
-ROUND_ORBIT = 1e-3  # smaller over larger extent of an orbit below which it is a line [-]
-SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of the inner ring [-]
-FEWEST_SAMPLES = 8  # of the half that a spectrum is of [-]
 
 
 def write_dynamics_plots(
@@ -614,9 +609,8 @@ def _start(
     **options: Any,
 ) -> Any:
     """Panels in rows and columns with a grid, below the title of the case."""
-    figure.set_size_inches(PAGE_WIDTH, height)
-    figure.suptitle(str(document["case"].get("title", "")), fontsize=8.5)
-    axes = figure.subplots(*panels, squeeze=False, **options).ravel()
+    title = str(document["case"].get("title", ""))
+    axes = titled_panels(figure, title, height, *panels, squeeze=False, **options).ravel()
     for ax in axes:
         ax.grid(linewidth=0.3, alpha=0.5)
     return axes

@@ -1,11 +1,4 @@
-"""A time simulation of one case.
-
-Quantities of a time simulation: of its run, its speeds, its balls, and of its pictures.
-
-The history of a time simulation, read from its file.
-
-Summary of a time simulation.
-"""
+"""A time simulation: results, quantities, summary, and its history read from the file."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -35,24 +28,10 @@ from ..files import plain
 from ..quantities import CAGE_SPEED, Results, by_key, quantities, rows_of, values_of
 from .history import FORMAT, HISTORY_FILE
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class DynamicsResults(Results):
-    """A time simulation of one case, at its end."""
-
-    simulation: Simulation
-    running: RunningStatistics  # of its records
-    history: Path  # file with the records themselves
-    # ends of further starts, without a history; None: one did not get there
-    others: tuple[SimulationStatistics | None, ...] = ()
-
-
 NO_INTERVAL = "there are fewer samples than a confidence interval needs"
 NO_WHIRL = "the centre stays on the axis or is fixed"
 STATES = ("free", "contact", "impact")  # of a ball at a race
 RUN = quantities(
-    "",
-    "",
     ("simulated_s", "simulated time", "state.time"),
     ("wall_s", "wall time", "wall"),
     ("stiff", "", "state.stiff"),
@@ -60,41 +39,36 @@ RUN = quantities(
 )
 SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ratios
     CAGE_SPEED,
-    *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
-    *quantities("", "", ("ball_spin_speed_rpm", "", "spin_speed")),
-    *quantities("", "", ("contact_angle_deg", "mean contact angle", "contact_angle")),
-    *quantities("", "", ("kinematic_cage_speed_rpm", "", "kinematic_speed")),
-    *quantities("", "nothing turns", "cage_speed_ratio", "cage_slip_ratio"),
+    *quantities(("ball_orbit_speed_rpm", "", "orbit_speed")),
+    *quantities(("ball_spin_speed_rpm", "", "spin_speed")),
+    *quantities(("contact_angle_deg", "mean contact angle", "contact_angle")),
+    *quantities(("kinematic_cage_speed_rpm", "", "kinematic_speed")),
+    *quantities("cage_speed_ratio", "cage_slip_ratio", null="nothing turns"),
     *quantities(
-        "",
-        NO_INTERVAL,
         ("cage_speed_interval_rpm", "", "cage_interval"),
         ("ball_orbit_speed_interval_rpm", "", "orbit_interval"),
+        null=NO_INTERVAL,
     ),
     *quantities(
-        "",
-        NO_WHIRL,
         ("ring_whirl_speed_rpm", "", "ring_whirl"),
         ("cage_whirl_speed_rpm", "", "cage_whirl"),
+        null=NO_WHIRL,
     ),
     *quantities(
-        "",
-        "there is no cage, or samples are too few",
         ("cage_whirl", "", "cage_whirls"),
+        null="there is no cage, or samples are too few",
         words=True,
     ),
-    *quantities("", NO_WHIRL, ("cage_orbit_radius_um", "", "cage_orbit")),
-    *quantities("", "", ("energy_balance_error", "", "energy_error")),
+    *quantities(("cage_orbit_radius_um", "", "cage_orbit"), null=NO_WHIRL),
+    *quantities(("energy_balance_error", "", "energy_error")),
 )
 STARTS = (  # of the end of each
     CAGE_SPEED,
-    *quantities("", NO_INTERVAL, ("cage_speed_interval_rpm", "", "cage_interval")),
-    *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
+    *quantities(("cage_speed_interval_rpm", "", "cage_interval"), null=NO_INTERVAL),
+    *quantities(("ball_orbit_speed_rpm", "", "orbit_speed")),
 )
-BALLS = quantities("", "", "largest_pocket_load_N")
+BALLS = quantities("largest_pocket_load_N")
 RACES = quantities(  # of each ball at each race; sliding and friction while it is loaded
-    "",
-    "",
     "mean_load_N",
     "largest_load_N",
     ("mean_sliding_m_s", "", "mean_sliding"),
@@ -103,8 +77,6 @@ RACES = quantities(  # of each ball at each race; sliding and friction while it 
 )
 PLOTTED = by_key(
     quantities(
-        "",
-        "",
         "time_ms",
         ("speed_rpm", "speed about the axis"),
         ("spin_speed_rpm", "spin of the balls"),
@@ -120,6 +92,18 @@ PLOTTED = by_key(
         "energy_J",
     )
 )
+ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DynamicsResults(Results):
+    """A time simulation of one case, at its end."""
+
+    simulation: Simulation
+    running: RunningStatistics  # of its records
+    history: Path  # file with the records themselves
+    # ends of further starts, without a history; None: one did not get there
+    others: tuple[SimulationStatistics | None, ...] = ()
 
 
 def open_history(path: str | Path) -> xr.Dataset:
@@ -149,9 +133,6 @@ def open_history(path: str | Path) -> xr.Dataset:
         data.close()
         raise ValueError(f"{path} is no history of a simulation that this version reads")
     return data
-
-
-ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
 
 
 def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:

@@ -1,7 +1,4 @@
-"""Files of a time simulation.
-
-A time simulation in the terminal.
-"""
+"""Files of a time simulation, and its table in the terminal."""
 
 import shutil
 from collections.abc import Callable
@@ -15,6 +12,9 @@ from ..quantities import facts_table, number_table, titled
 from .history import HISTORY_FILE
 from .plots import write_dynamics_plots
 from .results import STATES, DynamicsResults, dynamics_summary
+
+HEADERS = ("ball", *STATES, "N", *STATES, "N")
+TITLE = "share of the time at the inner race, and at the outer race; largest load"
 
 
 def write_dynamics(
@@ -43,10 +43,6 @@ def write_dynamics(
     if not results.running.rows or is_interrupted():
         return ()
     return write_dynamics_plots(directory, document, is_interrupted)
-
-
-HEADERS = ("ball", *STATES, "N", *STATES, "N")
-TITLE = "share of the time at the inner race, and at the outer race; largest load"
 
 
 def dynamics_table(document: dict[str, Any]) -> Group:

@@ -4,6 +4,6 @@ batch       - parts of the page of a batch
 bearing     - parts of the page of a bearing or a single contact
 html        - values as text of HTML, and the templates that hold the markup
 page        - the page: which parts it has, warnings, notes
-plots_pdf   - the numbers and pictures of a result folder as pages of a PDF
-simulations - part of the page on a time simulation
+plots_pdf   - a result folder as pages of a PDF, and as a workbook
+simulations - parts of the page on a time simulation and on vibration
 """

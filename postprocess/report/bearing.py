@@ -1,7 +1,4 @@
-"""Parts of the page of a bearing or a single contact.
-
-Part of the page on the friction torque.
-"""
+"""Parts of the page of a bearing or a single contact, with the friction torque."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,7 +10,7 @@ from oilfilm.bearing.torque.models import ModelTorque
 from oilfilm.ehl.units import to_si, unit_symbol
 
 from ..bearing.contacts import CONTACT_QUANTITY, REPORT_COLUMNS
-from ..bearing.plots_torque import KINDS, torque_svg
+from ..bearing.plots import KINDS, torque_svg
 from ..bearing.quantities import (
     CLEARANCE,
     DUTY_CYCLE,
@@ -27,6 +24,39 @@ from . import html
 from .html import estimated_keys
 
 KIND_OF_PART = {part: kind for kind, _, parts in KINDS for part in parts}
+# blocks of a summary that have a place on the page
+PLACED = frozenset(
+    "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance "
+    "life duty_cycle frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind "
+    "rows vibration".split()
+)
+# input among the results of a rating
+INPUT_KEYS = {"nominal_contact_angle_deg", "contamination_factor"}
+TILTS = {"ty": "tilt y", "tz": "tilt z"}
+WHOLE_PERCENT = 10.0  # from which on an error has no decimals
+TOP = ("schema_version", "title", "source", "assumed")
+FILM_PICTURES = {
+    "film_per_azimuth": "Film thickness ball by ball, both races",
+    "pressure_per_azimuth": "Pressure ball by ball, both races",
+}
+# origin of a film that was not solved
+UNSOLVED = {"atlas": "of the film atlas", "formula": "of a formula"}
+BLOCKS = {
+    "life": "Rating life",
+    "duty_cycle": "Duty cycle",
+    "clearance": "Clearance",
+    "frequencies_Hz": "Frequencies [Hz]",
+    "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
+}
+# names of the keys of blocks, as people call them
+NAMES = {
+    block: {row.key: row.name for row in rows}
+    for block, rows in (
+        ("life", (*LIFE_RATING, *LOAD_RATING, *FILM_LIFE)),
+        ("duty_cycle", DUTY_CYCLE),
+        ("clearance", CLEARANCE),
+    )
+}
 
 
 def torque_section(torque: dict[str, Any], plots: Path) -> str:
@@ -101,41 +131,6 @@ def _parts(model: dict[str, float]) -> dict[str, float]:
             kind = KIND_OF_PART.get(name, name.replace("_", " "))
             parts[kind] = parts.get(kind, 0.0) + value
     return dict(zip(parts, html.without_noise(list(parts.values())), strict=True))
-
-
-# blocks of a summary that have a place on the page
-PLACED = frozenset(
-    "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance "
-    "life duty_cycle frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind "
-    "rows vibration".split()
-)
-# input among the results of a rating
-INPUT_KEYS = {"nominal_contact_angle_deg", "contamination_factor"}
-TILTS = {"ty": "tilt y", "tz": "tilt z"}
-WHOLE_PERCENT = 10.0  # from which on an error has no decimals
-TOP = ("schema_version", "title", "source", "assumed")
-FILM_PICTURES = {
-    "film_per_azimuth": "Film thickness ball by ball, both races",
-    "pressure_per_azimuth": "Pressure ball by ball, both races",
-}
-# origin of a film that was not solved
-UNSOLVED = {"atlas": "of the film atlas", "formula": "of a formula"}
-BLOCKS = {
-    "life": "Rating life",
-    "duty_cycle": "Duty cycle",
-    "clearance": "Clearance",
-    "frequencies_Hz": "Frequencies [Hz]",
-    "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
-}
-# names of the keys of blocks, as people call them
-NAMES = {
-    block: {row.key: row.name for row in rows}
-    for block, rows in (
-        ("life", (*LIFE_RATING, *LOAD_RATING, *FILM_LIFE)),
-        ("duty_cycle", DUTY_CYCLE),
-        ("clearance", CLEARANCE),
-    )
-}
 
 
 def input_tables(case: dict[str, Any]) -> str:

@@ -1,8 +1,6 @@
-"""Values as text of an HTML page, and the templates that hold all of its markup.
+"""Values as text of an HTML page, its first numbers, and the templates with all of its markup.
 
 The templates escape every value that is not `Markup` (jinja2, autoescape).
-
-The numbers of a bearing or a contact that are looked at first.
 """
 
 import base64
@@ -47,6 +45,14 @@ ABBREVIATIONS = {
 }
 LIFE_KEY_ENDS = ("_h", "_Mrev")  # ends of keys whose numbers are read without a power of ten
 LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
+Card = tuple[str, str, str]  # name, value and unit
+REVOLUTIONS = "basic_reference_rating_Mrev"
+LIVES = (  # blocks and titles of the lives that have a card, where there are any
+    ("life", "basic_reference_rating_h", "rating life L10h"),
+    ("life", "modified_reference_rating_h", "modified rating life L10mh"),
+    ("duty_cycle", "basic_reference_rating_h", "L10h of the duty cycle"),
+    ("duty_cycle", "modified_reference_rating_h", "L10mh of the duty cycle"),
+)
 
 
 class Table(NamedTuple):
@@ -466,16 +472,6 @@ def versions(summary: Mapping[str, Any]) -> Markup:
             continue
     times = {f"{name}_s": value for name, value in (summary.get("timing_s") or {}).items()}
     return side_by_side(facts("Versions", programs), facts("Wall time", times) if times else "")
-
-
-Card = tuple[str, str, str]  # name, value and unit
-REVOLUTIONS = "basic_reference_rating_Mrev"
-LIVES = (  # blocks and titles of the lives that have a card, where there are any
-    ("life", "basic_reference_rating_h", "rating life L10h"),
-    ("life", "modified_reference_rating_h", "modified rating life L10mh"),
-    ("duty_cycle", "basic_reference_rating_h", "L10h of the duty cycle"),
-    ("duty_cycle", "modified_reference_rating_h", "L10mh of the duty cycle"),
-)
 
 
 def cards(summary: dict[str, Any]) -> Markup:

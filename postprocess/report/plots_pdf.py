@@ -1,7 +1,4 @@
-"""The numbers and pictures of a result folder as pages of a PDF, for print and archive.
-
-All numbers of a result folder as one workbook for spreadsheet programs.
-"""
+"""A result folder as pages of a PDF, and as a workbook for spreadsheet programs."""
 
 import csv
 from collections.abc import Callable, Iterator, Sequence
@@ -31,8 +28,16 @@ MOST_SHEET_ROWS = 1_048_576  # of a sheet, by the format
 LONGEST_NAME = 31  # characters of the name of a sheet, by the format
 BATCH_TABLE = "batch"  # of every number of a batch's points
 FORBIDDEN = str.maketrans(dict.fromkeys("[]:*?/\\", " "))  # in names of sheets
-
 Sheet = tuple[list[str], list[list[Any]]]  # header and rows
+PAGE = (8.27, 11.69)  # A4 [in]
+MARGIN = 0.07  # of the page's width and height [-]
+LINES = 74  # of a page of text
+WIDTH = 98  # characters of a line
+TYPE_SIZE = 7.2  # of a fixed width, so that columns stand below each other [points]
+MOST_ROWS = 2 * LINES  # of a table; the workbook and the CSV files have all
+PICTURES_A_PAGE = 2
+NAMES = ("ball", "race", "#")  # columns that name a row, and those before them
+FACTS = (26, 38, 22, 10)  # widths of block, quantity, value, unit [characters]
 
 
 def write_workbook(directory: str | Path, file: str | Path) -> Path:
@@ -173,17 +178,6 @@ def _cell(text: str) -> Any:
         return float(text) if text else None
     except ValueError:
         return text
-
-
-PAGE = (8.27, 11.69)  # A4 [in]
-MARGIN = 0.07  # of the page's width and height [-]
-LINES = 74  # of a page of text
-WIDTH = 98  # characters of a line
-TYPE_SIZE = 7.2  # of a fixed width, so that columns stand below each other [points]
-MOST_ROWS = 2 * LINES  # of a table; the workbook and the CSV files have all
-PICTURES_A_PAGE = 2
-NAMES = ("ball", "race", "#")  # columns that name a row, and those before them
-FACTS = (26, 38, 22, 10)  # widths of block, quantity, value, unit [characters]
 
 
 def write_pdf(directory: str | Path, file: str | Path) -> Path:

@@ -1,7 +1,4 @@
-"""Part of the page on a time simulation.
-
-Part of the page on vibration.
-"""
+"""Parts of the page on a time simulation and on vibration."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -35,6 +32,17 @@ PLACED = frozenset(
         *"equation_counts energy starts states_found".split(),
     )
 )
+VIBRATION_PICTURES = {
+    "spectrum": "Velocity over frequency, with the lines that one expects of the surfaces",
+    "orders": "Velocity over the order of the shaft",
+    "envelope": "Envelope of the acceleration, and the passing frequencies",
+    "waterfall": "Acceleration over time or speed, and frequency",
+    "time": "Acceleration, velocity and displacement over the last turns",
+    "ball_loads": "Loads of the balls",
+}
+LINES = (
+    "source order_number direction frequency_Hz displacement_um velocity_um_s acceleration_m_s2"
+).split()
 
 
 def is_simulation(summary: dict[str, Any]) -> bool:
@@ -160,19 +168,6 @@ def _starts(starts: list[dict[str, Any]]) -> html.Table | None:
         for k, start in enumerate(starts, 1)
     ]
     return html.Table([("start", ""), *_head(STARTS)], rows) if len(starts) > 1 else None
-
-
-VIBRATION_PICTURES = {
-    "spectrum": "Velocity over frequency, with the lines that one expects of the surfaces",
-    "orders": "Velocity over the order of the shaft",
-    "envelope": "Envelope of the acceleration, and the passing frequencies",
-    "waterfall": "Acceleration over time or speed, and frequency",
-    "time": "Acceleration, velocity and displacement over the last turns",
-    "ball_loads": "Loads of the balls",
-}
-LINES = (
-    "source order_number direction frequency_Hz displacement_um velocity_um_s acceleration_m_s2"
-).split()
 
 
 def vibration_section(summary: dict[str, Any], folder: Path) -> str:

@@ -7,7 +7,7 @@ parts       - bodies, labels, colour bar and camera of a scene
 patch       - the shown part of one contact, read from disk
 rendering   - the process that draws, and what to do where it cannot
 scene       - what a scene shows; asks for picture, page, movie, window, GIF
-transient   - a contact over time for ParaView, and as a movie
+transient   - a contact over time for ParaView and as a movie, a simulation as a GIF
 vtk         - fields and bodies of results as VTK files
 vtk_history - motion of a simulation as steps for ParaView
 """

@@ -1,8 +1,7 @@
-"""The scene of a result directory, drawn with pyvista; as a module it draws what `scene` asks.
+"""The scene of a result folder, drawn with pyvista; as a module it draws what `scene` asks.
 
-Loads and rotation of the bearing of a scene as arrows with their sizes, and its axes.
-
-Elastic rings as a scene shows them: their displacement exaggerated, on their surface.
+Arrows show loads and rotation with their sizes; elastic rings are shown on their surface with the
+displacement exaggerated.
 """
 
 import asyncio

@@ -1,7 +1,4 @@
-"""Shapes of the pictures: patches on balls, balls, cage, rings; NumPy, SI, bearing's frame.
-
-Cells between the nodes of a grid in space.
-"""
+"""Shapes of the pictures: patches, balls, cage, rings, hexahedra; NumPy, SI, bearing's frame."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

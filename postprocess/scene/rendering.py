@@ -1,11 +1,8 @@
-"""Drawing in a process of its own: a missing OpenGL library ends that, and is an error here.
+"""Scenes drawn in a process of their own, their controls, and as one page for browsers.
 
-Controls of a scene: slider over azimuth, click on a contact, movie of one turn.
-
-The scene as one page for browsers.
-
-vtk.js draws surfaces with even colour scales; logarithmic colours come as the logarithm itself
-with a scale of its own beside the picture, and texts in space as flat letters.
+A missing OpenGL library ends that process, and is an error here. vtk.js draws surfaces with even
+colour scales; logarithmic colours come as the logarithm itself with a scale of its own beside the
+picture, and texts in space as flat letters.
 """
 
 import errno
@@ -46,6 +43,16 @@ PATIENCE = 300.0  # for one picture, which takes seconds on an idle machine [s]
 FULL = 2**22  # below so much free space a picture may have been too large for the disk [bytes]
 # colours of a frame, chosen to cover all colours, not by area, so that thin arrows keep theirs
 COLOURS = 128
+NUMBERS = "numbers"  # field data of a patch: its numbers as text
+FRAMES = 48  # of a movie of one turn
+PER_FRAME = 100  # [ms]
+LEAN = 20.0  # views of a single contact lean this far to both sides [deg]
+OFFLINE = (
+    '<meta http-equiv="Content-Security-Policy" '
+    'content="img-src data: blob:; connect-src data: blob:">'
+)
+STOPS = 24  # of the gradient of a colour scale
+LETTER = 0.32  # height of letters in ball diameters
 
 
 class RenderingError(RuntimeError):
@@ -291,12 +298,6 @@ def write_gif(frames: Sequence[Image.Image], file: Path | BinaryIO, per_frame: i
     )
 
 
-NUMBERS = "numbers"  # field data of a patch: its numbers as text
-FRAMES = 48  # of a movie of one turn
-PER_FRAME = 100  # [ms]
-LEAN = 20.0  # views of a single contact lean this far to both sides [deg]
-
-
 def patch_numbers(patch: Patch) -> str:
     """The numbers of one contact as text: load [N], pressure [GPa], films [um].
 
@@ -415,14 +416,6 @@ def write_movie(plotter: Any, file: Path) -> None:
         plotter.render()
         frames.append(Image.fromarray(plotter.screenshot(return_img=True)))
     write_gif(frames, file, PER_FRAME)
-
-
-OFFLINE = (
-    '<meta http-equiv="Content-Security-Policy" '
-    'content="img-src data: blob:; connect-src data: blob:">'
-)
-STOPS = 24  # of the gradient of a colour scale
-LETTER = 0.32  # height of letters in ball diameters
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,6 +1,6 @@
 """Results in three dimensions: bearing, contact, simulation as window, picture, page, movie.
 
-Drawing happens in a process of its own (`drawing`, `animation_frames`, `rendering`).
+Drawing happens in a process of its own (`drawing`, `transient`, `rendering`).
 """
 
 from dataclasses import asdict, dataclass
@@ -173,7 +173,7 @@ def animate(directory: StrPath, file: StrPath, options: AnimationOptions | None 
     path = with_suffix(file, ".gif")
     open_history(directory).close()
     request = asdict(options or AnimationOptions())
-    return draw("animation_frames", directory, path, request, 4.0 * PATIENCE)
+    return draw("transient", directory, path, request, 4.0 * PATIENCE)
 
 
 def view(directory: StrPath, options: SceneOptions | None = None) -> None:

@@ -1,7 +1,4 @@
-"""A contact over time for ParaView, and as a movie.
-
-The frames of a simulated bearing in motion, drawn with pyvista into a GIF.
-"""
+"""A contact over time for ParaView and as a movie, and a simulated bearing as a GIF."""
 
 import io
 import sys
@@ -41,6 +38,12 @@ PER_FRAME = 80  # [ms]
 MOVIE_SIZE = (6.4, 4.6)  # [in]
 MOVIE_DPI = 110
 SHOWN_SIDE = 1.35  # semi-axes across
+LIGHT = "#e8ebef"
+DARK = "#39424e"
+RING_COLOUR = "#c3cad3"
+FORCE_COLOURS = dict(zip(RACES, (INNER_COLOUR, OUTER_COLOUR), strict=True))
+FRAME_TIME = 60  # [ms]
+LONGEST_ARROW = 0.9  # over the ball diameter [-]
 
 
 def _whole(solution: TransientSolution, values: Array) -> Array:
@@ -169,14 +172,6 @@ def _picture(solution: TransientSolution, frame: Frame, title: str) -> Image.Ima
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     return Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
-
-
-LIGHT = "#e8ebef"
-DARK = "#39424e"
-RING_COLOUR = "#c3cad3"
-FORCE_COLOURS = dict(zip(RACES, (INNER_COLOUR, OUTER_COLOUR), strict=True))
-FRAME_TIME = 60  # [ms]
-LONGEST_ARROW = 0.9  # over the ball diameter [-]
 
 
 class Frames:

@@ -1,12 +1,8 @@
 """Fields and bodies for ParaView: fields.pvd -> fields.vtm -> one block per ball and race.
 
-Only VTK's data and file modules are used, none that could open a window.
-
-Stress below the solved pressure of contacts, as volumes for VTK; computed on request only.
-
-Elastic rings with their displacement under all balls, as hexahedra, by meshio.
-
-Stress in rings as finite bodies below their heaviest contacts, as hexahedra, by meshio.
+Stress below contacts comes as volumes, on request only; rings with their displacement or stress
+come as hexahedra, by meshio. Only VTK's data and file modules are used, none that could open a
+window.
 """
 
 from collections.abc import Callable
@@ -63,6 +59,23 @@ MARGIN = 1.15  # of the box beyond the nodes with more pressure than that [-]
 # the shorter semi-axis, Johnson, Contact Mechanics (1985), section 4.2
 DEEPEST = 2.0
 LEVELS = 26  # depths from the surface to there
+Blocks = dict[str, dict[str, str]]  # files by group and name
+Facts = dict[str, float | str]  # of a whole block, the unit in the name
+COLLECTION_FILE = "fields.pvd"
+STRESS_FILE = "subsurface.pvd"
+BLOCK_FOLDER = "vtk"
+AZIMUTH_FILE = "azimuth.pvd"
+FILM = "film thickness [um]"
+PRESSURE = "pressure [GPa]"
+TEMPERATURE = "film temperature [degC]"
+FILLED = "filled share of the gap [-]"
+# level of zlib, 1 to 9; by the default of VTK, 5, a third slower, files 1 % smaller
+COMPRESSION_LEVEL = 1
+OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
+DISPLACEMENT = "displacement [um]"
+DISTANCE = "displacement, size [um]"
+RADIAL = "displacement, radial [um]"
+COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -135,21 +148,6 @@ def _span(axis: Array, pressed: NDArray[np.bool_], semi_axis: float) -> Array:
     middle = ends.mean()
     half = 0.5 * np.ptp(ends)
     return np.asarray(middle + MARGIN * half * np.linspace(-1.0, 1.0, CELLS))
-
-
-Blocks = dict[str, dict[str, str]]  # files by group and name
-Facts = dict[str, float | str]  # of a whole block, the unit in the name
-COLLECTION_FILE = "fields.pvd"
-STRESS_FILE = "subsurface.pvd"
-BLOCK_FOLDER = "vtk"
-AZIMUTH_FILE = "azimuth.pvd"
-FILM = "film thickness [um]"
-PRESSURE = "pressure [GPa]"
-TEMPERATURE = "film temperature [degC]"
-FILLED = "filled share of the gap [-]"
-# level of zlib, 1 to 9; by the default of VTK, 5, a third slower, files 1 % smaller
-COMPRESSION_LEVEL = 1
-OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
 
 
 def write_collection(
@@ -650,11 +648,6 @@ def _write_azimuths(results: BearingResults, directory: Path, blocks: Blocks) ->
         write_text(directory / AZIMUTH_FILE, collection_text(files))
 
 
-DISPLACEMENT = "displacement [um]"
-DISTANCE = "displacement, size [um]"
-RADIAL = "displacement, radial [um]"
-
-
 def ring_file(race: str) -> str:
     """Name of the file of a ring.
 
@@ -756,9 +749,6 @@ def displacement_mesh(points: list[Array], displacements: list[Array]) -> meshio
     row = [np.full(len(part), number) for number, part in enumerate(cells, 1)]
     block = [("hexahedron", np.concatenate(cells))]
     return meshio.Mesh(place / MILLIMETRE, block, data, {"row": [np.concatenate(row)]})
-
-
-COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 
 
 def write_ring_stress(results: BearingResults, directory: Path) -> tuple[Path, ...]:

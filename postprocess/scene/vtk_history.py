@@ -1,6 +1,6 @@
 """A simulated bearing in motion, read from its history: shapes at a time, steps for ParaView.
 
-Nothing is drawn here; `animation_frames` draws the same shapes.
+Nothing is drawn here; `transient` draws the same shapes.
 """
 
 from dataclasses import dataclass

@@ -1,9 +1,4 @@
-"""Slip maps of a case.
-
-Quantities of slip maps: operation of the case and its balls, maps, curves, minimum loads.
-
-Summary of slip maps.
-"""
+"""Slip maps of a case: results, quantities and summary."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -20,10 +15,7 @@ from ..quantities import Quantity, Results, quantities, rows_of, values_of
 
 SPEED = Quantity("speed_krpm", "speed of the inner ring")  # of the axes of pictures
 OPERATION = quantities(
-    "",
-    "",
-    ("speed_rpm", "", "operation.inner_speed"),
-    *("ring_force_N", "ring_moment_N_mm", "tilt_mrad"),
+    ("speed_rpm", "", "operation.inner_speed"), *("ring_force_N", "ring_moment_N_mm", "tilt_mrad")
 )
 BALLS = tuple(  # of the equilibrium at the operation of the case
     BALL_QUANTITY[key]
@@ -34,7 +26,7 @@ BALLS = tuple(  # of the equilibrium at the operation of the case
 )
 SLIP_FACTOR = Quantity("slip_factor", "slip factor $Q_i\\,\\sin\\alpha_i/F_c$", symbol="SF")
 AXIAL_LOAD, RADIAL_LOAD = quantities(
-    "", "", ("axial_loads_N", "axial load", "axial_loads"), ("radial_loads_N", "radial load")
+    ("axial_loads_N", "axial load", "axial_loads"), ("radial_loads_N", "radial load")
 )
 WORST_FACTOR = Quantity("slip_factor_minimum", "slip factor of the worst ball", "minimum")
 SPEEDS = Quantity("speeds_rpm", "speed", "speeds")

@@ -1,9 +1,4 @@
-"""Files of slip maps.
-
-Figures of slip maps: slip factors, critical loads, minimum preload, balls.
-
-Slip maps in the terminal.
-"""
+"""Files, pictures and table of slip maps."""
 
 from collections.abc import Callable
 from functools import partial
@@ -52,6 +47,16 @@ LOAD_STYLES: dict[str, Any] = {
     "as_printed_N": {"color": OUTER_COLOUR, "linestyle": "--"},
     "skf_axial_N": {"color": REFERENCE, "linestyle": "-."},
     "skf_radial_N": {"color": REFERENCE, "linestyle": ":"},
+}
+DIGITS = ".9g"  # of numbers in tables
+SPEED_UNIT, LOAD, FACTOR = ({"units": unit} for unit in ("rad/s", "N", "1"))
+MOST_ROWS = 11  # speeds listed
+STYLE: dict[str, Any] = {"padding": (0, 2, 0, 0), "collapse_padding": True}
+COLUMNS = {  # of the balls, with the format of their numbers
+    "azimuth_deg": ".1f",
+    "inner_load_N": ".1f",
+    "inner_contact_angle_deg": ".2f",
+    "centrifugal_force_N": ".2f",
 }
 
 
@@ -119,8 +124,7 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
     bar.set_ticks(ticks, labels=[f"{results.limit * 10.0**v:.3g}" for v in ticks])
     if shown.count():
         bar.ax.set_ylim(min(float(shown.min()), -0.05), max(float(shown.max()), 0.05))
-    axes.set_xlabel(SPEED.label)
-    axes.set_ylabel(AXIAL_LOAD.label)
+    axes.set(xlabel=SPEED.label, ylabel=AXIAL_LOAD.label)
     axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
 
 
@@ -224,8 +228,7 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
         axes.plot(*at, "o", color=INNER_COLOUR, markersize=4)
         style: Any = {"textcoords": "offset points", "ha": "right", "fontsize": 7}
         axes.annotate(f"{at[1]:.0f} N", at, xytext=(-6, 3), **style)
-    axes.set_xlabel(SPEED.label)
-    axes.set_ylabel("minimum load [N]")
+    axes.set(xlabel=SPEED.label, ylabel="minimum load [N]")
     axes.set_xlim(x[0], x[minimum.count - 1])
     axes.set_ylim(bottom=0.0)
     axes.legend(loc="upper left")
@@ -253,8 +256,7 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
         axes.plot(azimuths, finite / results.printed_force, "D", label=label, **style)
     style = {"color": INK, "linewidth": 1.0, "linestyle": "--"}
     axes.axhline(results.limit, label=f"limit {results.limit:g}", **style)
-    axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
-    axes.set_ylabel(SLIP_FACTOR.label)
+    axes.set(xlabel=BALL_QUANTITY["azimuth_deg"].label, ylabel=SLIP_FACTOR.label)
     every = -(-len(azimuths) // MOST_TICKS)
     axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])
     highest = float(finite.max()) / (results.printed_force or 1.0)
@@ -281,10 +283,6 @@ def _ball_bars(axes: Axes, azimuths: Array, factors: Array, slips: Any) -> None:
     style |= {"xycoords": axes.get_xaxis_transform(), "color": REFERENCE}
     for azimuth in azimuths[~(factors > NO_LOAD)]:
         axes.annotate("no\nload", (azimuth, 0.0), xytext=(0, 2), **style)
-
-
-DIGITS = ".9g"  # of numbers in tables
-SPEED_UNIT, LOAD, FACTOR = ({"units": unit} for unit in ("rad/s", "N", "1"))
 
 
 def write_slip(results: SlipResults, directory: str | Path) -> tuple[str, ...]:
@@ -371,16 +369,6 @@ def _variables(results: SlipResults) -> Variables:
             ),
         }
     return variables
-
-
-MOST_ROWS = 11  # speeds listed
-STYLE: dict[str, Any] = {"padding": (0, 2, 0, 0), "collapse_padding": True}
-COLUMNS = {  # of the balls, with the format of their numbers
-    "azimuth_deg": ".1f",
-    "inner_load_N": ".1f",
-    "inner_contact_angle_deg": ".2f",
-    "centrifugal_force_N": ".2f",
-}
 
 
 def slip_table(results: SlipResults) -> Group:

@@ -1,9 +1,4 @@
-"""Stiffness of a bearing over speed.
-
-Stiffness over speed as a bearing element of the rotor code ROSS.
-
-Summary of the stiffness over speed.
-"""
+"""Stiffness of a bearing over speed: results, summary, and the element of the rotor code ROSS."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -14,8 +9,17 @@ from oilfilm.bearing.studies.preload import StiffnessOverSpeed
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si
 
-from ..files import plain
+from ..files import CsvTable, plain
+from ..netcdf_write import SPEED_COLUMN, Variables
 from ..quantities import STIFFNESS_ORDER, STIFFNESS_UNITS, Quantity, Results, rows_of
+
+# ROSS' x, y, z (z along the shaft) in ours
+ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
+SPEED = Quantity("speeds_rpm", "speed of the inner ring", "speeds")
+STIFFNESS = Quantity("stiffness_N_um", "stiffness")
+TILTING_STIFFNESS = Quantity("tilting_stiffness_N_m_mrad", "tilting stiffness")
+DAMPING = "ross: damping {:g} N s/m as given, the equilibrium has none"
+MIXED = {"units": "SI: N, m, rad, N m"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,10 +33,6 @@ class StiffnessResults(Results):
     def converged(self) -> bool:
         """True if there is an equilibrium at every speed."""
         return bool(self.study.converged.all())
-
-
-# ROSS' x, y, z (z along the shaft) in ours
-ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Array]:
@@ -75,12 +75,6 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
     }
 
 
-SPEED = Quantity("speeds_rpm", "speed of the inner ring", "speeds")
-STIFFNESS = Quantity("stiffness_N_um", "stiffness")
-TILTING_STIFFNESS = Quantity("tilting_stiffness_N_m_mrad", "tilting stiffness")
-DAMPING = "ross: damping {:g} N s/m as given, the equilibrium has none"
-
-
 def stiffness_summary(results: StiffnessResults) -> dict[str, Any]:
     """The study as plain JSON: speeds [r/min], matrices in [N/m], [N/rad], [N m/rad].
 
@@ -111,3 +105,55 @@ def stiffness_summary(results: StiffnessResults) -> dict[str, Any]:
     }
     head = results.head(results.converged, [*lost, DAMPING.format(results.damping)])
     return head | dict(plain(document)) | {"timing_s": results.timing}
+
+
+def stiffness_columns(results: StiffnessResults) -> dict[str, CsvTable]:
+    """Tables of the stiffness over speed and for ROSS by the names of their files.
+
+    Parameters
+    ----------
+    results : StiffnessResults
+        Stiffness over speed of the case.
+
+    Returns
+    -------
+    dict[str, CsvTable]
+        Header and rows by name.
+    """
+    study = results.study
+    names = [
+        f"k {a} {b} [{unit}]"
+        for a, units in zip(STIFFNESS_ORDER, STIFFNESS_UNITS, strict=True)
+        for b, unit in zip(STIFFNESS_ORDER, units, strict=True)
+    ]
+    matrices = study.matrices.reshape(len(study.speeds), len(names))
+    ross = ross_table(study, results.damping)
+    return {
+        "stiffness": ([SPEED_COLUMN, *names], np.column_stack([SPEED.value(study), matrices])),
+        "ross_bearing": (ross, np.column_stack(list(ross.values()))),
+    }
+
+
+def stiffness_variables(results: StiffnessResults) -> Variables:
+    """Stiffness and place of the ring over `speed` [rad/s].
+
+    Parameters
+    ----------
+    results : StiffnessResults
+        Stiffness over speed of the case.
+
+    Returns
+    -------
+    Variables
+        Dimensions, values and attributes by name.
+    """
+    study = results.study
+    freedoms = np.array(STIFFNESS_ORDER, dtype=object)
+    return {
+        "speed": (("speed",), np.asarray(study.speeds), {"units": "rad/s"}),
+        "freedom": (("freedom",), freedoms, {}),
+        "freedom_2": (("freedom_2",), freedoms, {}),
+        "stiffness": (("speed", "freedom", "freedom_2"), study.matrices, MIXED),
+        "displacement": (("speed", "freedom"), study.displacements, MIXED),
+        "converged": (("speed",), study.converged.astype(np.int8), {}),
+    }

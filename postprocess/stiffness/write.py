@@ -1,34 +1,31 @@
-"""Files of the stiffness over speed, for scripts and for the rotor code ROSS.
-
-Figure of the stiffness over speed.
-
-Stiffness over speed in the terminal.
-"""
+"""Files, picture and table of the stiffness over speed."""
 
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from matplotlib.figure import Figure
 from rich.console import Group
 from rich.text import Text
 
-from ..files import CsvTable
-from ..netcdf_write import SPEED_COLUMN, StudyFiles, Variables, write_study
+from ..netcdf_write import StudyFiles, write_study
 from ..plot_style import titled_panels, write_figure
-from ..quantities import STIFFNESS_ORDER, STIFFNESS_UNITS, number, number_table, titled
+from ..quantities import STIFFNESS_ORDER, number, number_table, titled
 from .results import (
     SPEED,
     STIFFNESS,
     TILTING_STIFFNESS,
     StiffnessResults,
-    ross_table,
+    stiffness_columns,
     stiffness_summary,
+    stiffness_variables,
 )
 
 COLOURS = ("#1f4e8c", "#c1440e", "#3a7d44", "#7a4fa3", "#8a6d1d")
 SMALL_COUPLING = 1e-3  # of the largest stiffness: couplings below are not drawn [-]
+ROUND_OFF = 1e-9  # of the largest entry: shown as zero [-]
+HEADERS = ("r/min", "k_xx", "k_yy", "k_zz", "k_yz", "k_xy", "tilt y", "tilt z")
+ENTRIES = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 1))  # of translation
 
 
 def write_stiffness_plot(results: StiffnessResults, directory: Path) -> None:
@@ -71,14 +68,10 @@ def draw_stiffness(figure: Figure, results: StiffnessResults) -> None:
             label = f"k {STIFFNESS_ORDER[i]}{STIFFNESS_ORDER[j]}"
             left.plot(speeds, values, "--", linewidth=1.0, color=COLOURS[i + j], label=label)
     for axes, quantity in ((left, STIFFNESS), (right, TILTING_STIFFNESS)):
-        axes.set_xlabel(SPEED.label)
-        axes.set_ylabel(quantity.label)
+        axes.set(xlabel=SPEED.label, ylabel=quantity.label)
         axes.grid(linewidth=0.3, alpha=0.5)
         axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
         axes.legend()
-
-
-MIXED = {"units": "SI: N, m, rad, N m"}
 
 
 def write_stiffness(results: StiffnessResults, directory: Path) -> tuple[str, ...]:
@@ -99,44 +92,10 @@ def write_stiffness(results: StiffnessResults, directory: Path) -> tuple[str, ..
     files = StudyFiles(
         kind="stiffness",
         document=stiffness_summary(results),
-        tables=_tables(results),
-        variables=_variables(results),
+        tables=stiffness_columns(results),
+        variables=stiffness_variables(results),
     )
     return write_study(files, directory, lambda: write_stiffness_plot(results, directory))
-
-
-def _tables(results: StiffnessResults) -> dict[str, CsvTable]:
-    study = results.study
-    names = [
-        f"k {a} {b} [{unit}]"
-        for a, units in zip(STIFFNESS_ORDER, STIFFNESS_UNITS, strict=True)
-        for b, unit in zip(STIFFNESS_ORDER, units, strict=True)
-    ]
-    matrices = study.matrices.reshape(len(study.speeds), len(names))
-    ross = ross_table(study, results.damping)
-    return {
-        "stiffness": ([SPEED_COLUMN, *names], np.column_stack([SPEED.value(study), matrices])),
-        "ross_bearing": (ross, np.column_stack(list(ross.values()))),
-    }
-
-
-def _variables(results: StiffnessResults) -> Variables:
-    """Stiffness and place of the ring over `speed` [rad/s]."""
-    study = results.study
-    freedoms = np.array(STIFFNESS_ORDER, dtype=object)
-    return {
-        "speed": (("speed",), np.asarray(study.speeds), {"units": "rad/s"}),
-        "freedom": (("freedom",), freedoms, {}),
-        "freedom_2": (("freedom_2",), freedoms, {}),
-        "stiffness": (("speed", "freedom", "freedom_2"), study.matrices, MIXED),
-        "displacement": (("speed", "freedom"), study.displacements, MIXED),
-        "converged": (("speed",), study.converged.astype(np.int8), {}),
-    }
-
-
-ROUND_OFF = 1e-9  # of the largest entry: shown as zero [-]
-HEADERS = ("r/min", "k_xx", "k_yy", "k_zz", "k_yz", "k_xy", "tilt y", "tilt z")
-ENTRIES = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 1))  # of translation
 
 
 def stiffness_table(results: StiffnessResults) -> Group:

@@ -1,7 +1,4 @@
-"""Temperatures of a bearing over the speed, and over time from a start on.
-
-Summary of the temperatures over speed and time.
-"""
+"""Temperatures of a bearing over speed, and over time from a start on: results and summary."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,25 +14,6 @@ from oilfilm.ehl.units import from_si
 
 from ..files import plain
 from ..quantities import Quantity, Results, rows_of, values_of
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class TemperatureResults(Results):
-    """Temperatures of one case over speed and time."""
-
-    speed: float  # of the shaft in the case [rad/s]
-    heating: SelfHeatingSolution  # at that speed
-    branch: SpeedBranch
-    warm_up: WarmUp
-
-    @property
-    def converged(self) -> bool:
-        """True if the speed of the case has a balance, the branch a known end, and the course its
-        full time.
-        """
-        known = self.branch.limited_by is not SpeedLimit.NO_STATE
-        return self.heating.converged and known and self.warm_up.ended
-
 
 SPEED = Quantity("speed_rpm", "speed of the shaft", "speed")
 LIMIT = Quantity("limiting_speed_rpm", "limiting speed by heat", "branch.limit")
@@ -56,6 +34,24 @@ ENDS = {
         "there the films reach the highest temperature of lubricants that is reckoned with"
     ),
 }
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TemperatureResults(Results):
+    """Temperatures of one case over speed and time."""
+
+    speed: float  # of the shaft in the case [rad/s]
+    heating: SelfHeatingSolution  # at that speed
+    branch: SpeedBranch
+    warm_up: WarmUp
+
+    @property
+    def converged(self) -> bool:
+        """True if the speed of the case has a balance, the branch a known end, and the course its
+        full time.
+        """
+        known = self.branch.limited_by is not SpeedLimit.NO_STATE
+        return self.heating.converged and known and self.warm_up.ended
 
 
 def temperatures_summary(results: TemperatureResults) -> dict[str, Any]:

@@ -1,9 +1,4 @@
-"""Files of the temperatures over speed and time.
-
-Figure of the temperatures over speed and over time.
-
-Temperatures over speed and time in the terminal.
-"""
+"""Files, pictures and tables of temperatures over speed and time."""
 
 from functools import partial
 from pathlib import Path
@@ -32,6 +27,18 @@ LINES = (  # key, name, colour
     ("oil_temperature_C", "oil", "#8a6d1d"),
     ("housing_temperature_C", "housing", "#7a4fa3"),
 )
+KELVIN = {"units": "K"}
+COLUMNS = (  # title and key; of the parts those that differ most
+    ("films", "film_temperature_C"),
+    ("inner", "inner_ring_temperature_C"),
+    ("balls", "balls_temperature_C"),
+    ("outer", "outer_ring_loaded_temperature_C"),
+    ("oil", "oil_temperature_C"),
+    ("housing", "housing_temperature_C"),
+    ("P_d µm", "clearance_um"),
+    ("heat W", "power_W"),
+)
+ROWS = 12  # at most, of a course
 
 
 def write_temperatures_plot(results: TemperatureResults, directory: Path) -> None:
@@ -75,8 +82,7 @@ def draw_temperatures(figure: Figure, results: TemperatureResults) -> None:
             "turns back" if results.branch.limited_by is SpeedLimit.RUNAWAY else "end of the range"
         )
         over_speed.plot([limit], [FILM.value(fastest.state)], "kx", label=f"limit: {word}")
-    over_speed.set_xlabel(SPEED.label)
-    over_speed.set_ylabel("temperature [°C]")
+    over_speed.set(xlabel=SPEED.label, ylabel="temperature [°C]")
     over_speed.set_xlim(left=0.0)
     over_speed.legend()
     course = document["warm_up"]["course"]
@@ -94,9 +100,6 @@ def _lines(axes: Axes, rows: list[dict[str, Any]], over: str, scale: float) -> N
     places = [scale * row[over] for row in rows]
     for key, name, colour in LINES:
         axes.plot(places, [row[key] for row in rows], color=colour, linewidth=1.0, label=name)
-
-
-KELVIN = {"units": "K"}
 
 
 def write_temperatures(results: TemperatureResults, directory: Path) -> tuple[str, ...]:
@@ -146,19 +149,6 @@ def _variables(results: TemperatureResults) -> Variables:
         "course": (("time", "node"), warm.temperatures, KELVIN),
         "clearance": (("time",), warm.clearance, {"units": "m"}),
     }
-
-
-COLUMNS = (  # title and key; of the parts those that differ most
-    ("films", "film_temperature_C"),
-    ("inner", "inner_ring_temperature_C"),
-    ("balls", "balls_temperature_C"),
-    ("outer", "outer_ring_loaded_temperature_C"),
-    ("oil", "oil_temperature_C"),
-    ("housing", "housing_temperature_C"),
-    ("P_d µm", "clearance_um"),
-    ("heat W", "power_W"),
-)
-ROWS = 12  # at most, of a course
 
 
 def temperatures_table(document: dict[str, Any]) -> Group:

@@ -1,5 +1,5 @@
 """Results of traction tables.
 
-results - traction tables of a case
-write   - files of traction tables
+results - traction tables of a case, and their summary
+write   - files, pictures and table of traction tables
 """

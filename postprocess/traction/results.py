@@ -1,7 +1,4 @@
-"""Traction tables of a case.
-
-Summary of traction tables.
-"""
+"""Traction tables of a case: results and summary."""
 
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass

@@ -1,9 +1,4 @@
-"""Files of traction tables.
-
-Traction curves over the slide-roll ratio, and maps of the traction over sliding and spin.
-
-Traction tables in the terminal.
-"""
+"""Files, pictures and table of traction tables."""
 
 from functools import partial
 from math import sqrt
@@ -26,6 +21,8 @@ from .results import TractionResults, traction_summary
 COLOURS = ("#1f4e8c", "#3a7d44", "#8a6d1d", "#c1440e")
 CURVE_POINTS = 161
 MAP_POINTS = 61
+RANGES = ("race", "load [N]", "speed [m/s]", "films", "largest µ", "error 95 %", "largest")
+PLACES = ("race", "load [N]", "speed [m/s]", "slide/roll", "µ, film", "µ, full", "film ratio")
 
 
 def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Path]:
@@ -152,10 +149,6 @@ def save_tables(results: TractionResults, path: Path) -> None:
         save_race_tables(results.tables, path)
     else:
         save_temperature_tables(results.over_temperature, path)
-
-
-RANGES = ("race", "load [N]", "speed [m/s]", "films", "largest µ", "error 95 %", "largest")
-PLACES = ("race", "load [N]", "speed [m/s]", "slide/roll", "µ, film", "µ, full", "film ratio")
 
 
 def traction_table(results: TractionResults) -> Group:

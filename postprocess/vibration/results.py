@@ -1,9 +1,4 @@
-"""A vibration and what is looked at.
-
-Levels, lines and spectra of a vibration, evenly sampled.
-
-The motion that is looked at: of the sensor, the outer ring, or the inner one.
-"""
+"""A vibration: results, the motion that is measured, its levels, lines and spectra."""
 
 from dataclasses import dataclass
 from math import log2, pi, sqrt
@@ -20,6 +15,13 @@ from oilfilm.ehl.units import RPM
 from ..quantities import Results
 
 ENERGY_LIMIT = 1.0e-3  # of stored energy and works: a larger imbalance is flagged [-]
+# bands of ISO 15242-2 at 1800 r/min [Hz]; they scale with the speed
+BANDS = {"low": (50.0, 300.0), "medium": (300.0, 1800.0), "high": (1800.0, 10000.0)}
+BAND_SPEED = 1800.0 * RPM  # [rad/s]
+ANDERON = 7.5e-6  # for each square root of an octave [m/s]
+EDGE = 0.45  # of the sample rate, up to which the filter against aliasing passes [-]
+PIECES = 60  # of a waterfall, one beside the other
+COLUMNS = 200  # of its picture
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,15 +38,6 @@ class VibrationResults(Results):
     def converged(self) -> bool:
         """True if the motion stayed finite and energies balance."""
         return self.run.energy_balance_error <= ENERGY_LIMIT  # false of what is not a number
-
-
-# bands of ISO 15242-2 at 1800 r/min [Hz]; they scale with the speed
-BANDS = {"low": (50.0, 300.0), "medium": (300.0, 1800.0), "high": (1800.0, 10000.0)}
-BAND_SPEED = 1800.0 * RPM  # [rad/s]
-ANDERON = 7.5e-6  # for each square root of an octave [m/s]
-EDGE = 0.45  # of the sample rate, up to which the filter against aliasing passes [-]
-PIECES = 60  # of a waterfall, one beside the other
-COLUMNS = 200  # of its picture
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,11 +1,4 @@
-"""Files of a vibration: pictures, record, spectra, sound, summary.
-
-The vibration as sound: a WAVE file of 16 bits.
-
-Pictures of a vibration.
-
-Levels and lines of a vibration in the terminal.
-"""
+"""Files of a vibration, pictures, record, spectra and sound, and its table."""
 
 import io
 import wave
@@ -32,7 +25,6 @@ from ..plot_style import (
     INK,
     INNER_COLOUR,
     OUTER_COLOUR,
-    PAGE_WIDTH,
     REFERENCE,
     titled_panels,
     write_figures,
@@ -55,6 +47,23 @@ from .summary import vibration_summary
 
 FULL = 0.9  # of the largest value that 16 bits hold
 LIMIT = 32767
+FLOOR = 1e-6  # of the largest line, below which nothing is drawn [-]
+DEPTH = 60.0  # of the colours of a waterfall [dB]
+SHOWN_TURNS = 4.0  # of the shaft, in the picture over time
+LEAST_ORDER = 0.1  # of the shaft, lowest frequency of a spectrum [-]
+SHOWN_PASSES = 8.0  # highest frequency of an envelope, over that of the inner ring's passes [-]
+MARKERS = {
+    "cage": REFERENCE,
+    "ball_pass_outer": OUTER_COLOUR,
+    "ball_pass_inner": INNER_COLOUR,
+    "ball_spin": BALL_COLOUR,
+}
+AUDIO_FILE = "vibration.wav"
+LINE_KEYS = (
+    "source order_number direction frequency_Hz displacement_um velocity_um_s acceleration_m_s2"
+).split()
+SHOWN = 14  # lines at most
+HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
 
 
 def write_audio(signal: Array, rate: float, path: Path) -> float:
@@ -86,19 +95,6 @@ def write_audio(signal: Array, rate: float, path: Path) -> float:
         file.writeframes(values.tobytes())
     write_bytes(path, content.getvalue())
     return largest / FULL
-
-
-FLOOR = 1e-6  # of the largest line, below which nothing is drawn [-]
-DEPTH = 60.0  # of the colours of a waterfall [dB]
-SHOWN_TURNS = 4.0  # of the shaft, in the picture over time
-LEAST_ORDER = 0.1  # of the shaft, lowest frequency of a spectrum [-]
-SHOWN_PASSES = 8.0  # highest frequency of an envelope, over that of the inner ring's passes [-]
-MARKERS = {
-    "cage": REFERENCE,
-    "ball_pass_outer": OUTER_COLOUR,
-    "ball_pass_inner": INNER_COLOUR,
-    "ball_spin": BALL_COLOUR,
-}
 
 
 def write_vibration_plots(
@@ -208,8 +204,7 @@ def draw_spectrum(
                 axes.axvline(edge, color=REFERENCE, linewidth=0.5, linestyle=":")
         note = "dots: lines expected from the form of the surfaces; dotted: bands of ISO 15242-2"
         axes.set_title(f"{note}, scaled with the speed", fontsize=7)
-    axes.set_xlabel("frequency [Hz]")
-    axes.set_ylabel("velocity [µm/s]")
+    axes.set(xlabel="frequency [Hz]", ylabel="velocity [µm/s]")
 
 
 def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
@@ -234,8 +229,7 @@ def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, docum
     axes.set_xlim(0.0, min(result.frequency[-1], 6.0 * passes["ball_pass_inner"] / shaft))
     _mark(axes, {name: f / shaft for name, f in passes.items()}, "-")
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
-    axes.set_xlabel("order [-]")
-    axes.set_ylabel("velocity [µm/s]")
+    axes.set(xlabel="order [-]", ylabel="velocity [µm/s]")
 
 
 def draw_envelope(
@@ -254,11 +248,9 @@ def draw_envelope(
     document : Any
         Summary of the results in named units.
     """
-    figure.set_size_inches(PAGE_WIDTH, 3.2)
     band = envelope_band(results)
     title = f"{results.title}: envelope of {band[0]:.0f} to {band[1]:.0f} Hz"
-    figure.suptitle(title, fontsize=8.5)
-    axes = figure.subplots()
+    axes = titled_panels(figure, title, 3.2)
     size = envelope(seen.acceleration, seen.rate, band)
     result = spectrum(size, seen.rate)
     axes.plot(result.frequency, result.amplitude, color=INK, linewidth=0.7)
@@ -301,8 +293,7 @@ def draw_waterfall(
     mesh = axes.pcolormesh(place, frequency, levels, vmin=top - DEPTH, vmax=top, rasterized=True)
     bar = figure.colorbar(mesh, ax=axes)
     bar.set_label(f"acceleration [dB re {results.reference:g} m/s²]")
-    axes.set_xlabel(label)
-    axes.set_ylabel("frequency [Hz]")
+    axes.set(xlabel=label, ylabel="frequency [Hz]")
     loud = frequency[levels.max(axis=1) > top - DEPTH]
     axes.set_ylim(0.0, min(1.1 * loud[-1], 0.5 * seen.rate))
 
@@ -330,8 +321,7 @@ def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, docume
         colour = INK if j == 0 else BALL_COLOUR
         values = run.loads[shown, balls + j]
         axes.plot(from_si("x_ms", time[shown]), values, color=colour, linewidth=0.6)
-    axes.set_xlabel("time [ms]; ball 1 in black")
-    axes.set_ylabel("load at the outer race [N]")
+    axes.set(xlabel="time [ms]; ball 1 in black", ylabel="load at the outer race [N]")
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.set_ylim(bottom=0.0)
 
@@ -360,12 +350,6 @@ def _mark(axes: Any, places: dict[str, float], style: str, *, named: bool = True
         label = name.replace("_", " ") if named else None
         colour = MARKERS[name]
         axes.axvline(place, color=colour, linewidth=0.8, linestyle=style, alpha=0.7, label=label)
-
-
-AUDIO_FILE = "vibration.wav"
-LINE_KEYS = (
-    "source order_number direction frequency_Hz displacement_um velocity_um_s acceleration_m_s2"
-).split()
 
 
 def write_vibration(
@@ -456,10 +440,6 @@ def _variables(results: VibrationResults, seen: Measured) -> Variables:
     for name, (first, last, axis, unit) in rings.items():
         variables[name] = (("time", axis), motion[:, first:last], {"units": unit})
     return variables
-
-
-SHOWN = 14  # lines at most
-HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
 
 
 def vibration_table(document: dict[str, Any]) -> Group:

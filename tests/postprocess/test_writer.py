@@ -20,7 +20,7 @@ def test_failed_picture_is_a_message(contact_results, tmp_path, monkeypatch):
     def broken(results, directory):
         raise RuntimeError("no fonts")
 
-    monkeypatch.setattr("oilfilm.postprocess.writer.run.write_contact_plots", broken)
+    monkeypatch.setattr("oilfilm.postprocess.writer.write_contact_plots", broken)
     problems = write_results(contact_results, tmp_path)
     assert problems == ("plots not written: RuntimeError: no fonts",)
     document = json.loads((tmp_path / "summary.json").read_text(encoding="utf-8"))

@@ -11,7 +11,7 @@ from oilfilm.cases.batch.results import load_results, write_batch
 from oilfilm.cases.batch.sweep import sweep_from_text
 from oilfilm.cases.format.document import BearingFile, ContactFile
 from oilfilm.ehl.units import UNITS, unit_of, without_unit
-from oilfilm.postprocess.compare.summary import _group
+from oilfilm.postprocess.compare import _group
 
 from ..batch.test_batch import HerePool
 

@@ -10,8 +10,7 @@ from oilfilm.cases import load_case, run_case
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.postprocess import summary
-from oilfilm.postprocess.bearing.duty_cycle import duty_cycle_rows
-from oilfilm.postprocess.bearing.summary import rating_rows
+from oilfilm.postprocess.bearing.summary import duty_cycle_rows, rating_rows
 
 CASE = """\
 schema_version = 1

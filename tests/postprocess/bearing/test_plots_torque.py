@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from oilfilm.bearing.torque.breakdown import NAMES, TorqueBreakdown
 from oilfilm.bearing.torque.integrated import IntegratedTorque, SolvedShear
 from oilfilm.bearing.torque.models import ModelTorque, summed
-from oilfilm.postprocess.bearing.plots_torque import KINDS, draw_models, draw_torque
+from oilfilm.postprocess.bearing.plots import KINDS, draw_models, draw_torque
 from oilfilm.postprocess.bearing.quantities import TORQUE_MODELS
 
 

@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 from oilfilm.cases.cli.main import app
 from oilfilm.postprocess import open_results, summary
 from oilfilm.postprocess.bearing.write import write_bearing_netcdf
-from oilfilm.postprocess.compare.summary import compare, comparison_table, relative
+from oilfilm.postprocess.compare import compare, comparison_table, relative
 from oilfilm.postprocess.contact import plots
 from oilfilm.postprocess.contact.plots import Optics, intensity, write_interferogram, write_line_cut
 from oilfilm.postprocess.contact.summary import ContactResults, open_contact

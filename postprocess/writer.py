@@ -1,32 +1,27 @@
-"""All files of a run, written by one process.
-
-Files for ParaView and pictures of a run, in parts that several processes can make.
-
-The summary of a run, of a bearing or of a single contact.
-
-Numbers of a run: netCDF and CSV, and last the summary, which says what could not be drawn.
-"""
+"""All files of a run in one folder; files for ParaView and pictures in parts for processes."""
 
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from ..bearing.plots import write_bearing_plots
-from ..bearing.results import BearingResults
-from ..bearing.summary import bearing_summary
-from ..bearing.write import write_bearing_netcdf, write_contacts_csv
-from ..contact.plots import write_contact_plots
-from ..contact.summary import ContactResults, contact_summary
-from ..contact.write import write_contact_netcdf
-from ..files import CONTACTS_FILE, SUMMARY_FILE, attempt, write_json
-from ..netcdf_write import FIELDS_FILE
-from ..quantities import PARAVIEW
-from ..scene.vtk import write_collection, write_ring_deformed, write_ring_stress, write_subsurface
+from .bearing.plots import write_bearing_plots
+from .bearing.results import BearingResults
+from .bearing.summary import bearing_summary
+from .bearing.write import write_bearing_netcdf, write_contacts_csv
+from .contact.plots import write_contact_plots
+from .contact.summary import ContactResults, contact_summary
+from .contact.write import write_contact_netcdf
+from .files import CONTACTS_FILE, SUMMARY_FILE, attempt, write_json
+from .netcdf_write import FIELDS_FILE
+from .quantities import PARAVIEW
+from .scene.vtk import write_collection, write_ring_deformed, write_ring_stress, write_subsurface
+
+RunResults = BearingResults | ContactResults
 
 
 def write_extras(
-    results: BearingResults | ContactResults, folder: Path, part: tuple[str, int] | None = None
+    results: RunResults, folder: Path, part: tuple[str, int] | None = None
 ) -> tuple[str, ...]:
     """Write files for ParaView and the pictures; or one part of them, by its kind and number from
     0.
@@ -56,14 +51,14 @@ def write_extras(
 
 
 def _write_plots(
-    results: BearingResults | ContactResults, folder: Path, picture: tuple[str, int] | None
+    results: RunResults, folder: Path, picture: tuple[str, int] | None
 ) -> tuple[str, ...]:
     if isinstance(results, BearingResults):
         return write_bearing_plots(results, folder, picture)
     return write_contact_plots(results, folder)
 
 
-def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:
+def _write_vtk(results: RunResults, folder: Path) -> None:
     write_collection(results, folder)
     if isinstance(results, BearingResults):
         write_subsurface(results, folder)
@@ -71,7 +66,7 @@ def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:
         write_ring_deformed(results, folder)
 
 
-def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
+def summary(results: RunResults) -> dict[str, Any]:
     """Results as one JSON document in named units, the keys as published.
 
     Parameters
@@ -99,7 +94,7 @@ def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
 
 
 def write_numbers(
-    results: BearingResults | ContactResults, folder: Path, extras: Callable[[], tuple[str, ...]]
+    results: RunResults, folder: Path, extras: Callable[[], tuple[str, ...]]
 ) -> tuple[str, ...]:
     """Write the numbers of a run: netCDF, CSV and summary.
 
@@ -136,9 +131,7 @@ def write_numbers(
     return problems
 
 
-def write_results(
-    results: BearingResults | ContactResults, directory: str | Path
-) -> tuple[str, ...]:
+def write_results(results: RunResults, directory: str | Path) -> tuple[str, ...]:
     """Write netCDF, CSV, VTK, pictures, last the summary; files of the same names are replaced.
 
     Parameters

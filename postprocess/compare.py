@@ -1,9 +1,4 @@
-"""Two results side by side: what differs in the input and in the numbers, and by how much.
-
-Differences of two results.
-
-A comparison as tables for a terminal of 80 columns.
-"""
+"""Two results side by side: differences of input and numbers, and their tables."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -18,9 +13,26 @@ from rich.text import Text
 
 from oilfilm.ehl.units import unit_of
 
-from ..batch.results import main_results
-from ..files import read_summary
-from ..quantities import is_number, number
+from .batch.results import main_results
+from .files import read_summary
+from .quantities import is_number, number
+
+NOT_COMPARED = frozenset(
+    "oilfilm case messages timing_s sweep file resumed key keys point".split()
+)
+SOLUTION_KEYS = frozenset(  # how a result was computed
+    "domain points iterations residual mass_imbalance message cycles fft_equivalents "
+    "flooded_fft_equivalents wall_s imbalance relative_error energy_error "
+    "energy_balance_error".split()
+)
+REPEATED_BLOCK = "power_balance"  # block of a bearing that stands under its torque, too
+# share of the magnitude of a quantity [-]: a smaller difference is round-off of the solvers
+ROUND_OFF = 1e-9
+ZERO_ROUND_OFF = 1e-12  # of any unit of a summary: less is round-off of zero
+# share of the magnitude of a quantity [-]: a component that is smaller is compared to this
+MIN_MAGNITUDE = 0.01
+ASSUMED = "assumed"  # list of keys of the input, in any order
+MOST_ROWS = 25  # of the differences of all results, the largest first
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,23 +93,6 @@ class Comparison:
             "main": [difference.document() for difference in self.main],
             "results": [difference.document() for difference in self.results],
         }
-
-
-NOT_COMPARED = frozenset(
-    "oilfilm case messages timing_s sweep file resumed key keys point".split()
-)
-SOLUTION_KEYS = frozenset(  # how a result was computed
-    "domain points iterations residual mass_imbalance message cycles fft_equivalents "
-    "flooded_fft_equivalents wall_s imbalance relative_error energy_error "
-    "energy_balance_error".split()
-)
-REPEATED_BLOCK = "power_balance"  # block of a bearing that stands under its torque, too
-# share of the magnitude of a quantity [-]: a smaller difference is round-off of the solvers
-ROUND_OFF = 1e-9
-ZERO_ROUND_OFF = 1e-12  # of any unit of a summary: less is round-off of zero
-# share of the magnitude of a quantity [-]: a component that is smaller is compared to this
-MIN_MAGNITUDE = 0.01
-ASSUMED = "assumed"  # list of keys of the input, in any order
 
 
 def compare(first: str | Path, second: str | Path) -> Comparison:
@@ -301,9 +296,6 @@ def _error_names(path: str) -> Iterator[str]:
     words = last.split("_")
     for k in range(1, len(words) + 1):
         yield block + dot + "_".join([*words[:k], "uncertainty", *words[k:]])
-
-
-MOST_ROWS = 25  # of the differences of all results, the largest first
 
 
 def comparison_table(comparison: Comparison) -> Group:
