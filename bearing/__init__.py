@@ -1,14 +1,13 @@
 """Ball bearings: geometry, materials, quasi-static equilibrium, and the lubricated contacts it
 yields.
 
-catalogue   - bearings of the catalogue as geometry and materials
 contacts    - the lubricated contacts that follow from an equilibrium: shape, motion, stress
 dynamics    - time simulation of a ball bearing
-files       - files that are there as a whole or not at all
+files       - files that appear complete or not at all
 films       - films of the contacts, from the computed film to the operating one
 fits        - fits and clearances
 friction    - friction of balls on races: laws, balance of the balls, traction equilibrium
-geometry    - internal geometry of a ball bearing
+geometry    - internal geometry of a ball bearing; bearings of the catalogue
 heating     - temperature of a bearing from its friction
 library     - bearings, materials and lubricants by name, with sources
 material    - solid bodies: moduli, densities, thermal properties, and the reduced modulus

@@ -1,7 +1,9 @@
-from .catalogue import load_bearing
 from .contacts.contact import BearingContact
 from .contacts.contacts import contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
+from .dynamics.simulation import simulate
+from .films.film import ContactFilm
+from .films.operating import contact_films
 from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
 from .friction.equilibrium import solve_traction_equilibrium
 from .friction.law import BallTraction
@@ -12,22 +14,21 @@ from .geometry import (
     Row,
     clearance_to_contact_angle,
     contact_angle_to_clearance,
+    load_bearing,
     reduced_radii,
 )
 from .library.bearings import list_bearings, load_catalogue_entry
 from .library.catalogue import typical_geometry
-from .library.lubricants import (
-    Grease,
-    library_lubricant,
-    list_greases,
-    list_lubricants,
-    load_grease,
-)
+from .library.lubricants import Grease, list_greases, list_lubricants, load_grease, load_lubricant
 from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
 from .operation import BallKinematics, Curvature, Operation, QuasistaticModel, RatingInput
-from .quasistatic.solution import QuasistaticSolution
+from .quasistatic.solution import (
+    Frequencies,
+    QuasistaticSolution,
+    bearing_frequencies,
+    kinematic_frequencies,
+)
 from .quasistatic.solver import solve_quasistatic
-from .rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
 from .rating.geometry_estimate import CatalogueData, estimate_bearing, estimate_geometry
 from .rating.life import LifeRating, bearing_life
 from .studies.preload import (
@@ -39,6 +40,7 @@ from .studies.preload import (
     stiffness_over_speed,
 )
 from .studies.slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
+from .torque.breakdown import TorqueBreakdown, friction_torque
 
 __all__ = [
     "Arrangement",
@@ -49,6 +51,7 @@ __all__ = [
     "BearingType",
     "CatalogueData",
     "ClearanceBudget",
+    "ContactFilm",
     "ContactStress",
     "Curvature",
     "Fit",
@@ -66,6 +69,7 @@ __all__ = [
     "SlipStudy",
     "StiffnessOverSpeed",
     "TemperatureRise",
+    "TorqueBreakdown",
     "Truncation",
     "bearing_frequencies",
     "bearing_life",
@@ -73,13 +77,14 @@ __all__ = [
     "clearance_to_contact_angle",
     "contact_angle_to_clearance",
     "contact_conditions",
+    "contact_films",
     "contact_stress",
     "critical_curves",
     "duplex",
     "estimate_bearing",
     "estimate_geometry",
+    "friction_torque",
     "kinematic_frequencies",
-    "library_lubricant",
     "list_bearings",
     "list_greases",
     "list_lubricants",
@@ -87,12 +92,14 @@ __all__ = [
     "load_bearing",
     "load_catalogue_entry",
     "load_grease",
+    "load_lubricant",
     "load_material",
     "minimum_preload",
     "preload_offset",
     "preloaded_row",
     "reduced_modulus",
     "reduced_radii",
+    "simulate",
     "slip_factors",
     "slip_surface",
     "solve_quasistatic",

@@ -1,20 +1,16 @@
-"""Internal geometry of a ball bearing: groove curvatures, clearance, free contact angle, reduced
-radii.
+"""Internal geometry of a ball bearing: grooves, clearance, free contact angle, reduced radii, rows
+of balls, shoulders of the rings.
 
 The outer groove's centre of curvature stands still; the inner one is A = r_i + r_o - D away from
 it when a ball just touches both races. With the grooves facing each other (axial position zero)
 their centres are A - Pd/2 apart, hence cos(free angle) = 1 - Pd/(2 A) (Harris and Kotzalas,
 Rolling Bearing Analysis).
 
-Rows of balls on one inner ring: their positions and the offsets of their grooves.
-
-All rows have the same bearing. The undisplaced inner ring is the reference: there the middle of a
-row's inner groove lies at `axial_position`, that of its outer groove `offset` behind. A row
-touches at an offset of the free axial position A sin(free angle) and is preloaded beyond it; a
-positive offset loads it as a push of the inner ring to +x does. Back to back, left row +, right
-row -; face to face the other way round; tandem, both alike.
-
-Diameters of the shoulders of a bearing's rings, given or estimated.
+All rows on one inner ring have the same bearing. The undisplaced inner ring is the reference:
+there the middle of a row's inner groove lies at `axial_position`, that of its outer groove
+`offset` behind. A row touches at an offset of the free axial position A sin(free angle) and is
+preloaded beyond it; a positive offset loads it as a push of the inner ring to +x does. Back to
+back, left row +, right row -; face to face the other way round; tandem, both alike.
 """
 
 from collections.abc import Sequence
@@ -25,12 +21,25 @@ from math import acos, asin, cos, isfinite, pi, radians, sqrt
 import numpy as np
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import to_si
 
-from .material import Material, reduced_modulus
+from .library.bearings import load_catalogue_entry
+from .material import Material, load_material, reduced_modulus
 
 # free contact angle above which a bearing of no given type counts as one of angular contact [rad]:
 # deep groove bearings with a normal clearance have up to 13.5 degrees, nominal ones begin at 15
 ANGULAR_CONTACT = radians(14.25)
+
+# shoulders of deep groove bearings where none are given: height above the raceway over the ball
+# diameter [-]; the 35 bearings 60, 62, 63 of the catalogue with the diameters that SKF prints have
+# 0.198 (median), 0.164 to 0.208. Angular contact bearings have two unlike shoulders: no estimate
+ESTIMATED_HEIGHT = 0.2
+
+LENGTHS = (  # of `Bearing`, keys of an entry with their unit
+    *("ball_diameter_mm", "pitch_diameter_mm", "inner_groove_radius_mm"),
+    *("outer_groove_radius_mm", "bore_mm", "outside_diameter_mm", "width_mm"),
+    *("inner_shoulder_diameter_mm", "outer_shoulder_diameter_mm"),
+)
 
 
 class BearingType(Enum):
@@ -456,12 +465,6 @@ def per_ball(bearing: Bearing, values: Sequence[float]) -> Array:
     return np.repeat(np.asarray(values, dtype=np.float64), bearing.balls)
 
 
-# shoulders of deep groove bearings where none are given: height above the raceway over the ball
-# diameter [-]; the 35 bearings 60, 62, 63 of the catalogue with the diameters that SKF prints have
-# 0.198 (median), 0.164 to 0.208. Angular contact bearings have two unlike shoulders: no estimate
-ESTIMATED_HEIGHT = 0.2
-
-
 def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None:
     """Diameter of a ring's shoulders, prescribed or estimated.
 
@@ -488,3 +491,53 @@ def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None
     groove = bearing.inner_groove_radius if inner else bearing.outer_groove_radius
     depth = groove - ESTIMATED_HEIGHT * bearing.ball_diameter
     return 2.0 * (centre - depth if inner else centre + depth), True
+
+
+def load_bearing(name: str) -> Bearing:
+    """Bearing of the catalogue, with the materials of its entry.
+
+    `load_catalogue_entry` has the sources and the ranges of estimated values.
+
+    Parameters
+    ----------
+    name : str
+        a name that `catalogue_name` knows
+
+    Returns
+    -------
+    Bearing
+        geometry and materials, SI
+
+    Raises
+    ------
+    ValueError
+        if no bearing has this name
+
+    Examples
+    --------
+    >>> from oilfilm.bearing import load_bearing
+    >>> bearing = load_bearing("6208")
+    >>> bearing.balls, f"{1e3 * bearing.ball_diameter:.4g} mm"
+    (9, '12 mm')
+    """
+    entry = load_catalogue_entry(name)
+    lengths = {key.removesuffix("_mm"): to_si(key, entry.get(key)) for key in LENGTHS}
+    clearance = to_si("diametral_clearance_um", entry.get("diametral_clearance_um"))
+    if clearance is None:
+        clearance = contact_angle_to_clearance(
+            to_si("free_contact_angle_deg", entry["free_contact_angle_deg"]),
+            lengths["inner_groove_radius"],
+            lengths["outer_groove_radius"],
+            lengths["ball_diameter"],
+        )
+    ring = load_material(entry["ring_material"])
+    return Bearing(
+        name=entry["name"],
+        balls=entry["balls"],
+        diametral_clearance=clearance,
+        ball_material=load_material(entry["ball_material"]),
+        inner_ring_material=ring,
+        outer_ring_material=ring,
+        type=BearingType(entry["type"]),
+        **lengths,
+    )

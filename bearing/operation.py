@@ -41,7 +41,16 @@ class Curvature(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class QuasistaticModel:
-    """Assumptions of the bearing model."""
+    """Assumptions of the bearing model.
+
+    Examples
+    --------
+    >>> from oilfilm import QuasistaticModel
+    >>> from oilfilm.bearing import BallKinematics
+    >>> model = QuasistaticModel(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
+    >>> model.rings is None
+    True
+    """
 
     ball_kinematics: BallKinematics = BallKinematics.HALF_AND_HALF
     curvature: Curvature = Curvature.OPERATING

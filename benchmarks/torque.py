@@ -17,7 +17,7 @@ from oilfilm.bearing.friction.coulomb import balanced_friction
 from oilfilm.bearing.friction.law import BallTraction
 from oilfilm.bearing.friction.laws import LawTraction
 from oilfilm.bearing.friction.tables import build_race_tables
-from oilfilm.bearing.torque.breakdown import torque_breakdown
+from oilfilm.bearing.torque.breakdown import friction_torque
 from oilfilm.bearing.torque.integrated import law_torque
 from oilfilm.cases import Case, load_case, run_case
 from oilfilm.cases.format.case import case_of_document
@@ -59,7 +59,7 @@ def measure(axial: float, radial: float) -> tuple[float, ...]:
     contacts = contact_conditions(state, case.lubricant)
     return (
         spent(lambda: solve_quasistatic(case.bearing, operation, case.model)),
-        spent(lambda: torque_breakdown(state, contacts, case.lubricant, case.friction)),
+        spent(lambda: friction_torque(state, contacts, case.lubricant, case.friction)),
         spent(lambda: balanced_friction(state, contacts, 0.05, lines=True)),
         spent(lambda: balanced_friction(state, contacts, 0.05)),
     )

@@ -18,7 +18,7 @@ import numpy as np
 
 from oilfilm.bearing.films.formula import hertz_size, plain_film
 from oilfilm.bearing.friction._kernels import film_frictions
-from oilfilm.bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
+from oilfilm.bearing.friction.film_nodes import FilmOnSurface, joined_nodes, unsolved_nodes
 from oilfilm.bearing.friction.films import MIN_SLIDING
 from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from oilfilm.ehl.atlas.films import atlas_load
@@ -95,7 +95,7 @@ def errors(conditions):
     slides = tuple(np.ascontiguousarray(part) for part in motions.T[:3])
     solved = -sliding_forces(film_quadrature(solution, law), slides, np.zeros(len(motions)), 0.0)
     film = plain_film(conditions, solution.film_central)
-    own, block = unsolved_nodes([ShearedFilm(film, 0.0, size[1])] * len(motions), SHEAR, None)
+    own, block = unsolved_nodes([FilmOnSurface(film, 0.0, size[1])] * len(motions), SHEAR, None)
     *films, own = joined_nodes([block], own)
     friction, slope = np.empty((len(motions), 4)), np.empty((len(motions), 4, 4))
     film_frictions(*films, motions, own, MIN_SLIDING, friction, slope)

@@ -20,6 +20,16 @@ def compiled(function: Callable[..., Any]) -> Any:
     numba keeps the machine code in a folder and compares only the file of the kernel itself. But
     the code of kernels of other files that it calls is in there, too. Hence a change of any of
     `kernel_sources` makes all of that folder's kernels be compiled anew.
+
+    Parameters
+    ----------
+    function : Callable[..., Any]
+        function to compile
+
+    Returns
+    -------
+    Any
+        kernel
     """
     return _kernel(function, fastmath=False)
 
@@ -27,6 +37,16 @@ def compiled(function: Callable[..., Any]) -> Any:
 def summing(function: Callable[..., Any]) -> Any:
     """A kernel as `compiled` whose sums over nodes are computed as several sums side by side,
     which takes a quarter of the time; results differ in rounding, and by the machine.
+
+    Parameters
+    ----------
+    function : Callable[..., Any]
+        function to compile
+
+    Returns
+    -------
+    Any
+        kernel
     """
     return _kernel(function, fastmath={"reassoc", "nsz"})
 
@@ -36,6 +56,16 @@ def inlined(function: Callable[..., Any]) -> Any:
 
     For kernels that call large ones and are called once: compiled on their own, they and every
     kernel above them would optimise all of these again.
+
+    Parameters
+    ----------
+    function : Callable[..., Any]
+        function to compile
+
+    Returns
+    -------
+    Any
+        kernel
     """
     return njit(inline="always", nogil=True, fastmath=False, error_model="numpy")(function)
 
@@ -70,7 +100,15 @@ def _log_compilations() -> None:
 
 @cache
 def forget_old_kernels(folder: Path, digest: str) -> None:
-    """Drop the indices of compiled kernels that do not come from the sources of a digest."""
+    """Drop the indices of compiled kernels that do not come from the sources of a digest.
+
+    Parameters
+    ----------
+    folder : Path
+        folder with the machine code of kernels
+    digest : str
+        digest of the sources, see `kernel_digest`
+    """
     stamp = folder / f".kernels-{digest}"
     if stamp.exists():
         return

@@ -1,6 +1,5 @@
-r"""Operating conditions of one lubricated contact.
-
-Velocities of two surfaces over their contact: rolling, sliding, spin, curvature slip.
+r"""Operating conditions of one lubricated contact, and the velocities of its surfaces: rolling,
+sliding, spin, curvature slip.
 
 Body 1 lies below the film, body 2 above; n points from 1 into 2, x along the entrainment and y
 across, x cross y = n. Both bodies turn as rigid ones about the contact's centre, where they have
@@ -30,6 +29,12 @@ from .oil.lubricant import InletLayer, Lubricant
 from .options import require_finite, require_not_negative, require_positive
 from .solid.layered import Coating
 
+# share of the faster surface's speed: a mean velocity below it entrains no oil that a film could
+# be solved for
+SMALLEST_ENTRAINMENT = 1e-6
+
+MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactConditions:
@@ -56,15 +61,16 @@ class ContactConditions:
     # (v_1 - v_2)/u_m, v the surface speeds at right angles to the entrainment, from x towards y;
     # their mean is zero by the definition of the entrainment's direction [-]
     lateral_slide_ratio: float = 0.0
-    # of body 1 relative to body 2 about the normal into body 2, x cross y [rad/s]
+    # angular velocity of body 1 relative to body 2 about the normal into body 2, x cross y [rad/s]
     spin: float = 0.0
     # (omega_1 + omega_2)/2 about the same normal, the rotation of the entrainment over the contact
     # [rad/s]; None: body 2 does not turn, and it is half the spin
     mean_spin: float | None = None
-    # of one of the bodies; E' and all groups and scales are then those of the uncoated half
-    # spaces, one of them of the coating's material
+    # coating of one of the bodies; E' and all groups and scales are then those of the uncoated
+    # half spaces, one of them of the coating's material
     coating: Coating | None = None
-    # of body 1, a ball, for the gap far from the contact [m]; None: body 2 counts as a plane
+    # radius of body 1, a ball, for the gap far from the contact [m]; None: body 2 counts as a
+    # plane
     ball_radius: float | None = None
     inlet_layer: InletLayer | None = None  # lengths in [m]; None: flooded
 
@@ -99,10 +105,6 @@ class SurfaceMotion(NamedTuple):
     entrainment_angle: float  # from x towards y [rad]
     slide_roll_ratio: float  # along the entrainment [-]
     lateral_slide_ratio: float  # at right angles to it [-]
-
-
-# of the faster surface: a mean velocity below it entrains no oil that a film could be solved for
-SMALLEST_ENTRAINMENT = 1e-6
 
 
 def surface_motion(
@@ -215,9 +217,6 @@ class MoesConditions:
         require_positive(self, "load_parameter", "radius_ratio")
         require_not_negative(self, "lubricant_parameter")
         require_finite(self, "entrainment_angle")
-
-
-MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
 
 
 def curvature_height(curvature: Array | float, width: Array | float, y: Array) -> Array:

@@ -1,7 +1,4 @@
-"""Options of the contact solver.
-
-Ranges of input values; an error names the field.
-"""
+"""Options of the contact solver, and checks of input values, whose errors name the field."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass

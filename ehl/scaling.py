@@ -67,7 +67,8 @@ class ScaledContact:
     frame_angle: float  # of the grid's X, from the principal direction x towards y [rad]
     velocity_x: float  # of the entrainment over u_m along the grid's X, at the origin
     velocity_y: float
-    # of the entrainment about the normal, Omega a/u_m: u = velocity_x - rotation Y, and so on
+    # rotation of the entrainment about the normal, Omega a/u_m: u = velocity_x - rotation Y, and
+    # so on
     rotation: float
     half_extent_x: float  # of the Hertz ellipse along the grid's X, in units of a
     half_extent_y: float
@@ -83,7 +84,7 @@ class ScaledContact:
     semi_axis_x: float | None  # a [m]
     film_scale: float | None  # a^2/Rx [m]
     coating: ScaledCoating | None = None
-    # of a law that is none of the closed forms above, which are then not used
+    # oil of a law that is none of the closed forms above, which are then not used
     oil: Lubricant | None = None
     # thickness in units of a^2/Rx over positions along the grid's Y in units of a; None: flooded
     inlet_layer: InletLayer | None = None

@@ -89,7 +89,7 @@ class OilSupply:
     # fraction of the gap that oil fills
     outlet_layer: Array | None = None
     filled: Array | None = None
-    # what the law gave, None: solved behind the layer; and the moment of the flooded pressure in
+    # factors of the law, None: solved behind the layer; and the moment of the flooded pressure in
     # the box, over p_h a^3, with what makes it that by the heat of its flow
     law: StarvationFactors | None = None
     flooded_moment: tuple[float, float] = (0.0, 0.0)
@@ -138,6 +138,16 @@ class ContactSolution:
     along x; Y = y/a. The grid's x is the principal direction nearest to the entrainment; in a
     circular contact it is the entrainment's, as with finite elements. SI properties need
     dimensional conditions and are None otherwise.
+
+    Examples
+    --------
+    >>> from oilfilm import MoesConditions, Lubricant, SolverOptions, solve_contact
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
+    >>> contact = MoesConditions(load_parameter=20.0, lubricant_parameter=5.0, lubricant=oil)
+    >>> solution = solve_contact(contact, SolverOptions(points=65))
+    >>> film = solution.film_central_dimensionless
+    >>> solution.converged, abs(film.value - film.finest) <= film.uncertainty
+    (True, True)
     """
 
     conditions: ContactConditions | MoesConditions

@@ -1,6 +1,7 @@
 from .bearing.results import BearingResults
 from .contact.summary import ContactResults
 from .netcdf_read import open_results
+from .scene.scene import view
 from .writer.run import summary, write_extras, write_numbers, write_results
 
 __all__ = [
@@ -8,6 +9,7 @@ __all__ = [
     "ContactResults",
     "open_results",
     "summary",
+    "view",
     "write_extras",
     "write_numbers",
     "write_results",

@@ -48,6 +48,12 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     ------
     ValueError
         Without results, or if the file is damaged, not of oilfilm, or of a newer program.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> with oilfilm.open_results("6208_full_ceramic_results") as tree:  # doctest: +SKIP
+    ...     print(tree.attrs["kind"], list(tree.children))
     """
     path = _data_file(Path(directory))
     tree = _open_tree(path)

@@ -279,7 +279,7 @@ def write_figures(
         Folder of the pictures.
     figures : Iterable[tuple[str, Callable[[Figure], object]]]
         Path without suffix and function that draws, of each picture.
-    hurried : Callable[[], bool], default lambda: False
+    is_interrupted : Callable[[], bool], default lambda: False
         Asked before each picture; once it is true no further one is drawn.
 
     Returns

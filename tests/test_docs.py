@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import csv
 import importlib
 import json
@@ -9,7 +10,9 @@ import os
 import re
 import subprocess
 import sys
+from inspect import isclass
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
@@ -53,13 +56,80 @@ def test_every_page_is_in_the_navigation():
     assert sorted(navigation) == sorted([*pages, "gallery.md", "reference/changelog.md"])
 
 
-@pytest.mark.parametrize(
-    "page", [*sorted(DOCS.rglob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"], ids=lambda path: path.stem
-)
+PAGES = [*sorted(DOCS.rglob("*.md")), *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md"))]
+SOURCES = [*sorted((ROOT / "tools").rglob("*.py")), *sorted((ROOT / "benchmarks").glob("*.py"))]
+PARTS = "bearing|cases|ehl|postprocess"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
 def test_paths_on_a_page_exist(page):
-    packages = "bearing|benchmarks|cases|docs|ehl|postprocess|tests|tools"
-    paths = re.findall(rf"(?<![\w/.])((?:{packages})/[\w/.-]*\w)", page.read_text(encoding="utf-8"))
+    folders = f"{PARTS}|benchmarks|docs|oilfilm|packaging|tests|tools"
+    paths = re.findall(rf"(?<![\w/.])((?:{folders})/[\w/.-]*\w)", page.read_text(encoding="utf-8"))
     assert [path for path in paths if not (ROOT / path).exists()] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
+def test_names_of_the_program_on_a_page_exist(page):
+    assert [name for name in names_in(page) if not is_found(name)] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
+def test_names_on_a_page_have_the_one_import_name(page):
+    """Words as `bearing.bore_mm` are keys of a case file, else they lack `oilfilm.`."""
+    words = re.findall(rf"`\"?(?<![\w.])((?:{PARTS})\.[a-z]\w*(?:\.\w+)*)", page.read_text(encoding="utf-8"))
+    assert [word for word in words if not is_key(word)] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
+def test_imports_in_the_python_of_a_page_are_of_one_name(page):
+    for code in re.findall(r"^```python\n(.*?)^```$", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE):
+        for node in ast.walk(ast.parse(code)):
+            modules = [node.module] if isinstance(node, ast.ImportFrom) else []
+            modules += [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            assert not {module.partition(".")[0] for module in modules} & set(PARTS.split("|"))
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("oilfilm"):
+                names = [f"{node.module}.{alias.name}" for alias in node.names]
+                assert [name for name in names if not is_found(name)] == []
+
+
+@pytest.mark.parametrize("file", SOURCES, ids=lambda path: path.stem)
+def test_names_of_the_program_in_a_tool_exist(file):
+    assert [name for name in names_in(file) if not is_found(name)] == []
+
+
+def names_in(file):
+    """Dotted names below `oilfilm` in a text."""
+    text = file.read_text(encoding="utf-8")
+    return sorted(set(re.findall(r"(?<![\w./-])(oilfilm(?:\.[A-Za-z_]\w*)+)(?!\w|\.\w|/)", text)) - {"oilfilm.oils"})
+
+
+def is_found(name):
+    """True for a module, an attribute of one, or of a class; for `oilfilm.oils`, a group of entry points, not asked."""
+    parts = name.split(".")
+    for count in range(len(parts), 0, -1):
+        try:
+            thing = importlib.import_module(".".join(parts[:count]))
+        except ModuleNotFoundError:
+            continue
+        for attribute in parts[count:]:
+            fields = getattr(thing, "__annotations__", {})
+            if not hasattr(thing, attribute) and attribute not in fields:
+                return False
+            thing = getattr(thing, attribute, None)
+        return True
+    return False
+
+
+def is_key(word):
+    """True for a key of case files, by its table."""
+    from oilfilm.cases.format.document import BearingFile, ContactFile
+
+    table, key = word.split(".")[:2]
+    fields = {**ContactFile.model_fields, **BearingFile.model_fields}
+    if table not in fields:
+        return False
+    kinds = [kind for kind in (fields[table].annotation, *get_args(fields[table].annotation)) if isclass(kind)]
+    return any(key in getattr(kind, "model_fields", {}) for kind in kinds)
 
 
 def test_printed_numbers_name_their_source():
@@ -88,6 +158,13 @@ def test_the_gallery_shows_the_slip_cases():
         assert f"oilfilm slip {case}\n" in parts[case]
         assert f"(images/{case}.png)" in parts[case]
     assert parts["hirano_7000C"].count("(images/") == 3
+
+
+def test_links_of_the_change_log_exist_on_its_page():
+    changelog = importlib.import_module("site_pages").changelog()
+    links = [link for link in re.findall(r"\]\(([^)#]+)", changelog) if "://" not in link]
+    assert links
+    assert [link for link in links if not (DOCS / "reference" / link).exists()] == []
 
 
 def test_the_page_of_commands_names_every_command_and_option():

@@ -1,14 +1,9 @@
-"""The contacts of a solved bearing as lubricated contacts.
-
-Hertz contacts of many balls at once: `ehl.closed_form.hertz.hertz_contact`, to round-off, in a
-tenth of the time.
-"""
+"""The contacts of a solved bearing as lubricated contacts."""
 
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import elliprd, elliprf
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.closed_form.film import MAX_FILM_OVER_RADIUS, film_nijenbanning_central
@@ -19,99 +14,8 @@ from oilfilm.ehl.oil.lubricant import Lubricant
 from ..geometry import Race, contact_modulus, reduced_radii, row_directions
 from ..operation import BallKinematics, Curvature
 from ..quasistatic.solution import QuasistaticSolution
-from .contact import RACES, BearingContact
+from .contact import RACES, BearingContact, hertz_contacts
 from .motion import BearingContacts, motion_map_of_axes
-
-NEWTON_STEPS = 60
-STEP_TOLERANCE = 1.0e-14  # of ln k, relative, at which Newton's method has converged [-]
-CIRCLE = 1.0e-4  # k^2 - 1 below which the derivative is that of the circle [-]
-
-
-def hertz_contacts(
-    load: Array, radius_x: Array, radius_y: Array, reduced_modulus: Array
-) -> list[HertzContact]:
-    """Ellipses, pressures and approaches of contacts under loads, Hertz (1882).
-
-    Parameters
-    ----------
-    load : Array
-        normal loads, above zero, shape (N,) [N]
-    radius_x, radius_y : Array
-        reduced radii of curvature in x and y, shape (N,) [m]
-    reduced_modulus : Array
-        E', shape (N,) [Pa]
-
-    Returns
-    -------
-    list[HertzContact]
-        one dry contact for each load
-    """
-    k = ellipse_ratios(radius_x / radius_y)
-    f = np.cbrt(2.0 / np.pi * elliprd(0.0, k**2, 1.0))
-    g = 3.0 / (2.0 * np.pi * k * f**2)
-    d = 3.0 / np.pi * elliprf(0.0, 1.0, k**2) / f
-    size = np.cbrt(load / (reduced_modulus * radius_x**2))
-    semi_axis_x = f * size * radius_x
-    values = {
-        "load": load,
-        "radius_x": radius_x,
-        "radius_y": radius_y,
-        "reduced_modulus": reduced_modulus,
-        "semi_axis_x": semi_axis_x,
-        "semi_axis_y": k * semi_axis_x,
-        "pressure": g * size * reduced_modulus,
-        "approach": d * size**2 * radius_x,
-    }
-    return [
-        HertzContact(**dict(zip(values, row, strict=True)))
-        for row in np.stack(list(values.values()), axis=1).tolist()
-    ]
-
-
-def ellipse_ratios(radius_ratio: Array) -> Array:
-    """Ratios of the semi-axes k = b/a, as `ehl.closed_form.hertz.ellipse_ratio` computes one.
-
-    Newton's method in ln k, kept inside the bracket between (Rx/Ry)^-1 and (Rx/Ry)^-1/4.
-
-    Parameters
-    ----------
-    radius_ratio : Array
-        Rx/Ry, shape (N,) [-]
-
-    Returns
-    -------
-    Array
-        b/a, shape (N,) [-]
-    """
-    target = np.log(radius_ratio)
-    low, high = np.minimum(-target, -0.25 * target), np.maximum(-target, -0.25 * target)
-    t = -2.0 / 3.0 * target  # exact slope at the circle
-    for _ in range(NEWTON_STEPS):
-        residual, slope = _log_radius_ratios(t)
-        residual -= target
-        low, high = np.where(residual > 0.0, t, low), np.where(residual > 0.0, high, t)
-        ahead = t - residual / slope
-        ahead = np.where((low <= ahead) & (ahead <= high), ahead, 0.5 * (low + high))
-        change = np.abs(ahead - t).max(initial=0.0)
-        t = ahead
-        if change <= STEP_TOLERANCE * max(1.0, float(np.abs(t).max(initial=0.0))):
-            break
-    return np.exp(t)
-
-
-def _log_radius_ratios(t: Array) -> tuple[Array, Array]:
-    """ln(Rx/Ry) [-] at k = exp(t) and its slope [-]; d(R_D)/dk follows from the common integral of
-    both.
-    """
-    k2 = np.exp(2.0 * t)
-    along_x = elliprd(0.0, k2, 1.0)
-    along_y = elliprd(0.0, 1.0, k2)
-    away = np.abs(k2 - 1.0) > CIRCLE
-    mixed = np.where(
-        away, (along_x - along_y) / np.where(away, k2 - 1.0, 1.0), 9.0 * np.pi / 16.0 * k2**-1.25
-    )
-    return np.log(along_y / along_x), -3.0 + mixed / along_y + k2 * mixed / along_x
-
 
 # entrainment or rolling over the speed of the rings below which there is none [-]
 STANDSTILL = 1.0e-12
@@ -137,6 +41,18 @@ def contact_conditions(
     -------
     tuple of BearingContact
         `BearingContacts`: row by row and ball by ball, inner then outer, 2 Z entries a row.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> operation = oilfilm.Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0))
+    >>> state = oilfilm.solve_quasistatic(oilfilm.load_bearing("6208"), operation)
+    >>> oil = oilfilm.load_lubricant("iso vg 68", operation.temperature)
+    >>> contacts = oilfilm.contact_conditions(state, oil)
+    >>> loaded = [contact for contact in contacts if contact.hertz is not None]
+    >>> heaviest = max(loaded, key=lambda contact: contact.hertz.load)
+    >>> heaviest.race.value, f"{heaviest.hertz.load:.0f} N"
+    ('outer', '1572 N')
     """
     motions = _motions(solution)
     light = NEGLIGIBLE_LOAD * float(max(solution.inner_load.max(), solution.outer_load.max()))
@@ -187,7 +103,7 @@ def with_oil(
 
 
 class _Motion(NamedTuple):
-    """Of ball against race at a contact, x along the entrainment."""
+    """Motion of ball against race at a contact, x along the entrainment."""
 
     speed: float  # entrainment along e_t [m/s]
     rolling: float  # magnitude [rad/s]
@@ -229,14 +145,14 @@ def _motions(solution: QuasistaticSolution) -> list[_Motion]:
 
 def _contact(
     solution: QuasistaticSolution,
-    place: tuple[int, Race],
+    number: tuple[int, Race],
     motion: _Motion,
     hertz: HertzContact | None,
     axes: tuple[Array, Array],
     oil: tuple[Lubricant, float],
 ) -> BearingContact:
     """One of them; `oil`: with the load under which a thick film is left out [N]."""
-    (index, race), (origin, rows) = place, axes
+    (index, race), (origin, rows) = number, axes
     inner = race is Race.INNER
     load = float((solution.inner_load if inner else solution.outer_load)[index])
     angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
@@ -315,7 +231,7 @@ def _conditions(
 
 
 def _floats(conditions: ContactConditions) -> bool:
-    """Whether the film is so thick that the gap is no paraboloid, by a formula that gives 1.2
+    """The film is so thick that the gap is no paraboloid, by a formula that gives 1.2
     times the solved film there.
     """
     film = film_nijenbanning_central(conditions)

@@ -109,7 +109,7 @@ def electrical_lack(bearing: Bearing, contacts: Contacts, films: Films) -> str:
         return "a ring of silicon nitride insulates"
     unknown = [m.name for m in (*rings, bearing.ball_material) if not _is_classified(m)]
     if unknown:
-        return f"whether {unknown[0]!r} conducts is not known"
+        return f"it is not known whether {unknown[0]!r} conducts"
     if not _paths(bearing, contacts, films):
         return "no ball has solved films that converged at both races"
     for contact, film in zip(contacts, films, strict=True):

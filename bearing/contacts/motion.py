@@ -1,4 +1,5 @@
-"""Motion of balls over their races: rolling, sliding and spin of both surfaces in each contact.
+"""Motion of balls over their races, rolling, sliding and spin of both surfaces in each contact,
+and the traction of the films there.
 
 In the frame that turns with the ball's centre at the orbit speed w_m, the ball has the angular
 velocity w = (w_x, w_r, w_t) along e_x, e_r, e_t and the race (Omega - w_m) e_x. At the contact's
@@ -7,8 +8,6 @@ of the track, R = d_m/2 -+ D/2 cos(angle) (inner, outer). Both bodies' motions a
 the contact's axes x, y, n as k = (velocity x, velocity y, angular speed about n, about y); the
 ball's less the race's is (S_x, S_y, spin, rolling) of `oilfilm.ehl.conditions.ContactKinematics`.
 `MotionMap` is this linear map, and every other kinematics of ball on race an evaluation of it.
-
-Traction at the contacts of a bearing: shear of their films at the motion of ball and race.
 """
 
 from collections.abc import Iterable, Sequence
@@ -28,6 +27,13 @@ from oilfilm.ehl.traction.shear import TractionResult, integrate_traction
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact, groove_curvature_radius
+
+# along x of the films whose shear is summed, at most, in the balance of the balls and in the
+# torque: with the nodes of one and of the other the rings' power misses the heat by what the mesh
+# changes of a friction that nearly vanishes, half of the heat of a 6306 with little oil. A 6306 at
+# 10 kN, films on 1025 nodes, takes 201.039 N mm so and 201.037 by all nodes, in a quarter of the
+# time
+TRACTION_POINTS = 513
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -149,14 +155,40 @@ class BearingContacts(tuple[BearingContact, ...]):
     def of(
         cls, solution: QuasistaticSolution, contacts: Iterable[BearingContact]
     ) -> "BearingContacts":
-        """Contacts of an equilibrium, speeds in [rad/s]."""
+        """Contacts of an equilibrium.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+        contacts : Iterable[BearingContact]
+            its contacts
+
+        Returns
+        -------
+        BearingContacts
+            the contacts, with bearing and speeds of its rings
+        """
         made = cls(contacts)
         made.bearing = solution.bearing
         made.ring_speeds = (solution.operation.inner_speed, solution.operation.outer_speed)
         return made
 
     def moves_as(self, bearing: Bearing, ring_speeds: tuple[float, float]) -> bool:
-        """Whether the contacts are those of a bearing with its rings at these speeds [rad/s]."""
+        """Check whether the contacts are those of a bearing with its rings at these speeds.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            the bearing
+        ring_speeds : tuple[float, float]
+            of the inner and the outer ring [rad/s]
+
+        Returns
+        -------
+        bool
+            true if they are
+        """
         return self.bearing is bearing and self.ring_speeds == ring_speeds
 
     @cached_property
@@ -168,7 +200,7 @@ class BearingContacts(tuple[BearingContact, ...]):
 def _motion_map(
     bearing: Bearing, ring_speeds: tuple[float, float], contacts: Sequence[BearingContact]
 ) -> MotionMap:
-    """As `motion_map`, at speeds of the inner and the outer ring [rad/s]."""
+    """The map of `motion_map`, at speeds of the inner and the outer ring [rad/s]."""
     inner = np.array([contact.race is Race.INNER for contact in contacts], dtype=np.bool_)
     angle = np.array([contact.contact_angle for contact in contacts])
     ball = np.array([contact.ball - 1 for contact in contacts], dtype=np.int64)
@@ -221,7 +253,7 @@ def _map_of_axes(
     axle: Array,
     ball: NDArray[np.int64],
 ) -> MotionMap:
-    """As `motion_map_of_axes`, at speeds of the inner and the outer ring [rad/s]."""
+    """The map of `motion_map_of_axes`, at speeds of the inner and the outer ring [rad/s]."""
     radius = 0.5 * bearing.ball_diameter
     side = np.where(inner, -1.0, 1.0)
     track = 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(angle))
@@ -321,14 +353,6 @@ def bearing_kinematics(
         curvature_width=np.inf if hertz is None else hertz.semi_axis_y,
         curvature_difference=0.0 if hertz is None else 1.0 / hertz.radius_x - 2.0 * ball_curvature,
     )
-
-
-# along x of the films whose shear is summed, at most, in the balance of the balls and in the
-# torque: with the nodes of one and of the other the rings' power misses the heat by what the mesh
-# changes of a friction that nearly vanishes, half of the heat of a 6306 with little oil. A 6306 at
-# 10 kN, films on 1025 nodes, takes 201.039 N mm so and 201.037 by all nodes, in a quarter of the
-# time
-TRACTION_POINTS = 513
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

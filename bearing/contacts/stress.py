@@ -1,37 +1,32 @@
-r"""Stress below a loaded contact, and sliding in it.
+r"""Stress in and below a loaded contact, sliding in it, and the shoulders that cut its ellipse.
 
-The ellipse, pressure and stresses are those of the dry Hertz contact. Sliding is that of the ball
-hypotheses: none in the middle, spin about the normal, and the difference of radii across the
-curved contact (Heathcote).
+1. Below the contact: ellipse, pressure and stresses are those of the dry Hertz contact. Sliding is
+   that of the ball hypotheses: none in the middle, spin about the normal, and the difference of
+   radii across the curved contact (Heathcote).
 
-Ellipses and the shoulders of their groove: distance, what a shoulder cuts off, and the
-pressure of what is left.
+2. Shoulders: the edge of the groove lies y = r sin(shoulder angle - abs(contact angle)) from the
+   middle of the ellipse, r the radius of the groove; both shoulders of a ring are alike. With
+   s = y/b a semi-ellipsoid of pressure has (1 - s)^2 (2 + s)/4 of its load beyond the edge. The
+   pressure of the cut ellipse is estimated by slices: a slender ellipse is a row of line contacts,
+   each with the load that its approach d gives, q ~ d - y^2/(2 R_y), and the pressure p ~ sqrt(q),
+   exact for Hertz' pressure, p = p_h sqrt(1 - t^2) with t = y/b. The load that is cut off raises
+   the approach to e times Hertz' one,
 
-The edge lies y = r sin(shoulder angle - |contact angle|) from the middle of the ellipse, r the
-radius of the groove; both shoulders of a ring are alike. With s = y/b a semi-ellipsoid of pressure
-has (1 - s)^2 (2 + s)/4 of its load beyond the edge.
+   .. math:: \int (e - t^2)\, dt = 4/3, \qquad p = p_h \sqrt{e - t^2}
 
-Pressure of a cut ellipse, an estimate by slices. A slender ellipse is a row of line contacts,
-each with the load that its approach d gives, q ~ d - y^2/(2 R_y), and the pressure p ~ sqrt(q):
-exact for Hertz' pressure, p = p_h sqrt(1 - t^2) with t = y/b. The load that is cut off raises the
-approach to e times Hertz' one,
+   over the part of -sqrt(e) < t < sqrt(e) between the shoulders. Against half-spaces whose contact
+   ends at the edge (tests/verification/test_cut_ellipse.py) the pressure in the middle is right
+   within 3 % for s from 0.5. Near the edge it rises above the estimate, by up to 0.16 p_h at half
+   a semi-axis in the rolling direction, to 1.2 to 1.9 times at a tenth of it, and without bound at
+   a sharp edge, whose blend then decides; a corner gives way more than the half-space.
 
-.. math:: \int (e - t^2)\, dt = 4/3, \qquad p = p_h \sqrt{e - t^2}
-
-over the part of -sqrt(e) < t < sqrt(e) between the shoulders. Against half-spaces whose contact
-ends at the edge (tests/verification/test_cut_ellipse.py) the pressure in the middle is right
-within 3 % for s from 0.5. Near the edge it rises above the estimate, by up to 0.16 p_h at half a
-semi-axis in the rolling direction, to 1.2 to 1.9 times at a tenth of it, and without bound at a
-sharp edge, whose blend then decides; a corner gives way more than the half-space.
-
-Largest tension in the surfaces of a contact, which opens ring cracks in ceramics.
-
-Without a film the closed form of the dry, frictionless Hertz contact, at the end of an axis of the
-ellipse. With one the stress in the surfaces of ring and ball as half-spaces under the pressure
-and the shear of the solved film, in the ring together with the hoop tension of its groove.
-Friction adds to the tension behind the contact, for a circle about pi (4 + nu)/8 times the
-coefficient times p_h (Hamilton and Goodman, 1966), so that it counts from coefficients of some
-per cent on. Left out: asperities, and what the body's finite size changes.
+3. Largest tension in the surfaces, which opens ring cracks in ceramics: without a film the closed
+   form of the dry, frictionless Hertz contact, at the end of an axis of the ellipse; with one the
+   stress in the surfaces of ring and ball as half-spaces under the pressure and the shear of the
+   solved film, in the ring together with the hoop tension of its groove. Friction adds to the
+   tension behind the contact, for a circle about pi (4 + nu)/8 times the coefficient times p_h
+   (Hamilton and Goodman, 1966), so that it counts from coefficients of some per cent on. Left out:
+   asperities, and the changes by a body's finite size.
 """
 
 from collections.abc import Iterator, Sequence
@@ -56,11 +51,24 @@ from oilfilm.ehl.traction.shear import shear_fields
 
 from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..quasistatic.solution import QuasistaticSolution
-from ._kernels import largest_sliding_speeds
 from .contact import BearingContact, groove_curvature_radius, groove_radius
 from .motion import ContactTraction, ball_speeds, motion_map
 
 HERTZ_LOAD = 4.0 / 3.0  # integral of 1 - t^2 over the whole ellipse [-]
+
+# points at which pressure times sliding is evaluated, around and across half the ellipse
+ANGLES = 180
+RINGS = 40
+COLUMNS = (  # of `ContactStress`, as they are computed
+    *("mean_pressure", "shear_maximum", "shear_depth", "orthogonal_shear", "orthogonal_depth"),
+    *("sliding_speed", "pressure_sliding"),
+)
+
+POINTS = 257  # of a film along x at most; every second one is left out until it has no more [-]
+# The pressure of a nearly dry contact ends with a vertical slope: the largest tension approaches
+# its limit like the square root of the mesh, 1/(sqrt 2 - 1) differences of half a grid and a whole
+# one beyond; four of them enclose the closed forms of dry contacts on 65 to 513 points (tests)
+BEYOND = 4.0  # error over the difference of half a grid and a whole one [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -203,15 +211,6 @@ def _load_beyond(s: float) -> float:
     return 0.25 * (1.0 - s) ** 2 * (2.0 + s)
 
 
-# points at which pressure times sliding is evaluated, around and across half the ellipse
-ANGLES = 180
-RINGS = 40
-COLUMNS = (  # of `ContactStress`, as they are computed
-    *("mean_pressure", "shear_maximum", "shear_depth", "orthogonal_shear", "orthogonal_depth"),
-    *("sliding_speed", "pressure_sliding"),
-)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactStress:
     """Stress and sliding of one loaded contact."""
@@ -321,10 +320,16 @@ def largest_sliding(
     product
         largest pressure times sliding speed, shape (n,) [W/m^2]
     """
-    shapes = np.stack([ellipses[0], ellipses[1], spin, 0.5 * rolling / radius], axis=1)
-    largest = np.empty((len(shapes), 2))
-    largest_sliding_speeds(shapes, *_ellipse_points(), largest)
-    return largest[:, 0], ellipses[2] * largest[:, 1]
+    along, across, pressure = _ellipse_points()
+    semi_axis_x, semi_axis_y, spin, curved = (
+        values[:, None, None] for values in (*ellipses[:2], spin, 0.5 * rolling / radius)
+    )
+    y = semi_axis_y * across
+    slide_x = y * (curved * y - spin)
+    slide_y = semi_axis_x * spin * along
+    square = slide_x * slide_x + slide_y * slide_y
+    speed = np.sqrt(square.max(axis=(1, 2)))
+    return speed, ellipses[2] * np.sqrt((square * pressure * pressure).max(axis=(1, 2)))
 
 
 @cache
@@ -337,13 +342,6 @@ def _ellipse_points() -> tuple[Array, Array, Array]:
     angle = np.linspace(-0.5 * pi, 0.5 * pi, ANGLES // 2 + 1)[:, None]
     radius = np.linspace(0.0, 1.0, RINGS + 1)
     return radius * np.cos(angle), radius * np.sin(angle), np.sqrt(1.0 - radius**2)
-
-
-POINTS = 257  # of a film along x at most; every second one is left out until it has no more [-]
-# The pressure of a nearly dry contact ends with a vertical slope: the largest tension approaches
-# its limit like the square root of the mesh, 1/(sqrt 2 - 1) differences of half a grid and a whole
-# one beyond; four of them enclose the closed forms of dry contacts on 65 to 513 points (tests)
-BEYOND = 4.0  # error over the difference of half a grid and a whole one [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,11 +1,23 @@
-"""Balls in pockets and the cage on its guiding lands, compiled."""
+"""Balls in pockets, the films around them, and the cage on its guiding lands, compiled."""
 
 import numpy as np
 
 from oilfilm.ehl.compiled import compiled, inlined
 
-from ._race_kernels import add_load, elastic_force, land_film, normal_force, point_velocity, ramped
-from ._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times, vector
+from ._race_kernels import elastic_force, land_film, normal_force, ramped
+from ._state_kernels import (
+    accumulate,
+    add_load,
+    ball_motion,
+    cross,
+    dot,
+    minus,
+    norm,
+    plus,
+    point_velocity,
+    times,
+    vector,
+)
 from .arrays import (
     CAGE_LOAD,
     CAGE_ROTATION,
@@ -21,11 +33,11 @@ from .arrays import (
     WORK,
 )
 
-# of the film around a ball: cosine and sine of the angle of its places [-]; 8 of them hold shear
+# angles of the places of the film around a ball [rad], with cosine and sine [-]; 8 hold shear
 # and squeeze to 0.4 % up to an eccentricity of 0.9, to 4 % at 0.98
 POCKET_FILM_ANGLES = 0.25 * np.pi * (np.arange(8) + 0.5)
 POCKET_FILM_DIRECTIONS = np.stack((np.cos(POCKET_FILM_ANGLES), np.sin(POCKET_FILM_ANGLES)))
-# of `pocket_films`: gap that a matrix is of [m], 0 for none; steps between two; the matrix
+# columns of `pocket_films`: gap of a matrix [m], 0 for none; steps between two; the matrix
 GAP, INTERVAL, MATRIX = range(3)
 GAP_CHANGE = 0.2  # of the gap, up to which a matrix holds [-]
 
@@ -55,16 +67,16 @@ def pocket_film_points(c):
 
 
 @compiled
-def pocket_film_gap(play, place):
+def pocket_film_gap(play, position):
     """Gap of the narrow side of a ball at a place in its pocket, negative where pressed [m]."""
-    across, axial = place
+    across, axial = position
     return play - np.sqrt(across * across + axial * axial)
 
 
 @compiled
-def pocket_film_circle(c, frame, play, place):
+def pocket_film_circle(c, frame, play, position):
     """Directions towards the narrow side and across it, play, eccentricity and its `a`."""
-    across, axial = place
+    across, axial = position
     e = np.sqrt(across * across + axial * axial)
     u, w = (across / e, axial / e) if e > 1e-15 else (1.0, 0.0)
     _, around, axis = frame
@@ -88,7 +100,7 @@ def pocket_film_point(c, belt, k):
 
 
 @compiled
-def pocket_film(c, frame, play, place, velocity, turn):
+def pocket_film(c, frame, play, position, velocity, turn):
     """Force and moment of the oil between ball and pocket on the ball, and the power lost.
 
     Around the ball the film is h = play (1 - eps cos(phi)); it is sheared by the sliding, and
@@ -97,10 +109,10 @@ def pocket_film(c, frame, play, place, velocity, turn):
     a = eps/(1 + root(1 - eps^2)): between an even spacing and Sommerfeld's (1904), which is that
     of the narrow side.
 
-    place: of the ball around and along the axis; velocity, turn: relative to the pocket. Where the
-    middle plane is a mirror, half of the places do.
+    position: of the ball around and along the axis; velocity, turn: relative to the pocket. Where
+    the middle plane is a mirror, half of the places do.
     """
-    belt = pocket_film_circle(c, frame, play, place)
+    belt = pocket_film_circle(c, frame, play, position)
     axis = frame[2]
     force = (0.0, 0.0, 0.0)
     moment = (0.0, 0.0, 0.0)
@@ -121,13 +133,13 @@ def pocket_film(c, frame, play, place, velocity, turn):
 
 
 @compiled
-def film_matrix(c, frame, play, place, velocity, film):
+def film_matrix(c, frame, play, position, velocity, film):
     """`pocket_film` as a matrix over velocity and angular velocity of the ball, squeezed where it
     comes nearer now; with the gap that it is of.
     """
     film[:] = 0.0
-    film[GAP] = max(pocket_film_gap(play, place), c.film_least)
-    belt = pocket_film_circle(c, frame, play, place)
+    film[GAP] = max(pocket_film_gap(play, position), c.film_least)
+    belt = pocket_film_circle(c, frame, play, position)
     matrix = film[MATRIX:].reshape((6, 6))
     for k in range(pocket_film_points(c)):
         normal, pull, squeeze = pocket_film_point(c, belt, k)
@@ -152,8 +164,8 @@ def film_matrix(c, frame, play, place, velocity, film):
 
 @compiled
 def straight_place(matrix, normal, pull, push, radius):
-    """What one place adds to a film's matrix of motions in the middle plane, y and z, and of turns
-    about the axis.
+    """Contribution of one place to a film's matrix of motions in the middle plane, y and z, and
+    turns about the axis.
     """
     n_x, n_y, n_z = normal
     arm = radius * pull
@@ -170,7 +182,7 @@ def straight_place(matrix, normal, pull, push, radius):
 
 @compiled
 def film_matrix_is_valid(c, film, gap):
-    """Whether a matrix is there, of about a gap."""
+    """There is a matrix, of about this gap."""
     change = abs(max(gap, c.film_least) - film[GAP])
     return film[GAP] > 0.0 and change <= GAP_CHANGE * film[GAP]
 
@@ -206,14 +218,14 @@ def film_rows(film, first, velocity, turn):
 
 
 @compiled
-def pocket_frame(c, body, place, turned):
+def pocket_frame(c, body, direction, turned):
     """Directions of a pocket: outward along its axis, around the cage, along the cage's axis.
 
-    place: direction (y, z) of the pocket in the cage; turned: that of the cage's own z = 0.
+    direction: direction (y, z) of the pocket in the cage; turned: that of the cage's own z = 0.
     """
     axis = body.axis
-    e1 = place[0] * turned[0] - place[1] * turned[1]
-    e2 = place[1] * turned[0] + place[0] * turned[1]
+    e1 = direction[0] * turned[0] - direction[1] * turned[1]
+    e2 = direction[1] * turned[0] + direction[0] * turned[1]
     if c.mirrored:
         return (0.0, e1, e2), (0.0, -e2, e1), axis
     tilted = e1 * axis[1] + e2 * axis[2]
@@ -224,7 +236,7 @@ def pocket_frame(c, body, place, turned):
 
 @compiled
 def pocket_motion(c, body, frame, position):
-    """Where a ball stands in its pocket: normal and distance from the middle, and its place around
+    """Position of a ball in its pocket: normal and distance from the middle, and its place around
     and along the axis.
     """
     outward, around, axis = frame
@@ -272,12 +284,12 @@ def film_now(p, film, frame, play, motion):
         force, moment, lost = film_by_matrix(p.constants, film, velocity, turn)
     else:
         force, moment, lost = pocket_film(p.constants, frame, play, place, velocity, turn)
-    ratio = p.given[OIL_VISCOSITY]
+    ratio = p.prescribed[OIL_VISCOSITY]
     return times(ratio, force), times(ratio, moment), ratio * lost
 
 
 @inlined
-def ball_in_pocket(p, ball, memory, body, turned, y, j):
+def ball_in_pocket(p, ball, impact_speeds, body, turned, y, j):
     """Forces of its pocket on a ball and back: contact with friction, film all around the ball.
 
     turned: direction (y, z) of the cage's own z = 0.
@@ -296,7 +308,7 @@ def ball_in_pocket(p, ball, memory, body, turned, y, j):
     relative = minus(velocity, point_velocity(body, position))
     spin = minus(turn, body.turn)
     rate = dot(relative, normal)
-    push = normal_force(law, distance - play, rate, memory[POCKET * c.balls + j])
+    push = normal_force(law, distance - play, rate, impact_speeds[POCKET * c.balls + j])
     out[CONTACT.load] = push
     out[CONTACT.approach] = distance - play
     out[CONTACT.approach_speed] = rate
@@ -325,15 +337,15 @@ def cage_direction(y):
 
 
 @compiled
-def pocket_forces(p, balls, memory, body, y):
+def pocket_forces(p, balls, impact_speeds, body, y):
     """Forces of pockets on balls, and back."""
     turned = cage_direction(y)
     for j in range(p.constants.balls):
-        ball_in_pocket(p, balls[j], memory, body, turned, y, j)
+        ball_in_pocket(p, balls[j], impact_speeds, body, turned, y, j)
 
 
 @compiled
-def land_contact(p, memory, side, eccentricity, velocity, slide_about):
+def land_contact(p, impact_speeds, side, eccentricity, velocity, slide_about):
     """Solid contact of cage and land where the gap is used up: normal force, its direction (y, z),
     friction, power stored; slide_about: sliding speed by the rotations.
     """
@@ -348,7 +360,7 @@ def land_contact(p, memory, side, eccentricity, velocity, slide_about):
     rate = vy * uy + vz * uz
     out[CONTACT.approach] = approach
     out[CONTACT.approach_speed] = rate
-    push = normal_force(law, approach, rate, memory[LAND * c.balls + side])
+    push = normal_force(law, approach, rate, impact_speeds[LAND * c.balls + side])
     out[CONTACT.load] = push
     slide = slide_about + uy * vz - uz * vy
     grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp)
@@ -357,7 +369,7 @@ def land_contact(p, memory, side, eccentricity, velocity, slide_about):
 
 
 @compiled
-def cage_land(p, memory, side, ring, cage):
+def cage_land(p, impact_speeds, side, ring, cage):
     """One land of the guiding ring and the cage: film, its friction, and the solid contact.
 
     The friction of the film is the journal's, the couple of its force the sleeve's; the journal is
@@ -379,7 +391,7 @@ def cage_land(p, memory, side, ring, cage):
     # 2. film
     mean = 0.5 * (cage_speed + ring_speed)
     gap = c.land_radius, c.land_clearance, c.land_width
-    viscosity = c.film_viscosity * p.given[OIL_VISCOSITY]
+    viscosity = c.film_viscosity * p.prescribed[OIL_VISCOSITY]
     fy, fz, factor = land_film(*gap, viscosity, ey, ez, vy, vz, mean)
     shear = -factor * 2.0 * np.pi * viscosity * c.land_radius**3
     turning = shear * c.land_width / c.land_clearance * speed_difference
@@ -387,7 +399,7 @@ def cage_land(p, memory, side, ring, cage):
     # 3. solid contact with friction
     slide_about = journal * c.land_radius * speed_difference
     motion = (ey, ez), (vy, vz)
-    push, uy, uz, grip, stored_power = land_contact(p, memory, side, *motion, slide_about)
+    push, uy, uz, grip, stored_power = land_contact(p, impact_speeds, side, *motion, slide_about)
     fy = fy - push * uy - grip * uz
     fz = fz - push * uz + grip * uy
     turning += journal * c.land_radius * grip

@@ -50,8 +50,8 @@ def sliding_rate(p, ball):
 
 @compiled
 def friction_is_stiff(p, balls):
-    """Whether a step cannot resolve the sliding of some ball."""
-    h = p.pace[0]
+    """A step cannot resolve the sliding of some ball."""
+    h = p.implicit_step[0]
     for j in range(p.constants.balls):
         ball = balls[j]
         # shares of the loads are at most LOAD_CHANGE: most balls need no more than this
@@ -178,11 +178,11 @@ def motion_of(c, race, body, y, ball):
 
 @compiled
 def implicit_friction(p, balls, y, inner, outer):
-    """Make friction implicit over the step `p.pace` where it is stiff; forces, loads and powers
-    are those of all other parts before.
+    """Make friction implicit over the step `p.implicit_step` where it is stiff; forces, loads and
+    powers are those of all other parts before.
     """
     c = p.constants
-    h = p.pace[0]
+    h = p.implicit_step[0]
     for j in range(c.balls):
         ball = balls[j]
         rate = sliding_rate(p, ball)

@@ -1,8 +1,9 @@
-"""Dormand and Prince's method of order 5(4) around the equations of motion, compiled as a whole.
+"""Dormand and Prince's method of order 5(4) around the equations of motion, with its step control
+and the slopes of the friction in the motions, compiled as a whole.
 
 Coefficients: Dormand and Prince (1980), J. Comput. Appl. Math. 6, 19-26; test for stiffness:
 Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.2. The last stage of a
-step is the first of the next. After a step the memory of the impacts is brought up to date; that
+step is the first of the next. After a step the speeds of the impacts are brought up to date; that
 of a contact does not change while it lasts, and does not count while there is none, so the
 derivative stays valid. Work and dissipation are integrated along, outside the error control.
 """
@@ -41,12 +42,21 @@ from ._race_kernels import (
     friction_by_slopes,
     friction_law,
     load_changed,
-    point_velocity,
     set_friction,
     set_slopes,
     slopes_hold,
 )
-from ._state_kernels import ball_motion, ball_turn, minus, norm, plus, times, vector, velocities
+from ._state_kernels import (
+    ball_motion,
+    ball_turn,
+    minus,
+    norm,
+    plus,
+    point_velocity,
+    times,
+    vector,
+    velocities,
+)
 from .arrays import (
     ACCUMULATORS,
     BODIES,
@@ -76,6 +86,41 @@ LONGEST_INTERVAL = 8.0  # [steps]
 STEEP = 0.1
 LARGE = 0.25
 SMALL = 0.05
+
+OF_BODIES = -1  # in place of a ball: a coordinate of ring or cage
+
+A = np.array(
+    [
+        [1 / 5, 0, 0, 0, 0, 0],
+        [3 / 40, 9 / 40, 0, 0, 0, 0],
+        [44 / 45, -56 / 15, 32 / 9, 0, 0, 0],
+        [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0],
+        [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656, 0],
+        [35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84],
+    ]
+)
+C = np.array([1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
+E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
+STAGES = 7
+# rows of the stages beside the seven derivatives: states of stage 6 and 7
+STATE_6 = 7
+STATE_7 = 8
+STAGE_ROWS = 9
+# step control: new step = safety times step times error^(-1/5), between the two limits
+SAFETY = 0.9
+SMALLEST_FACTOR = 0.2
+LARGEST_FACTOR = 5.0
+FEW_ERRORS = (SAFETY / LARGEST_FACTOR) ** 5  # a step grows by the largest factor below them
+# stiff: h |lambda| beyond the edge of the stability region in fifteen steps, fewer than six not
+STIFF_BOUND = 3.25
+STIFF_STEPS = 15
+SOFT_STEPS = 6
+DONE, TOO_SMALL, STIFF, NOT_FINITE = range(4)
+STEPS, REJECTED, STIFF_SEEN, SOFT_SEEN, EVALUATIONS = range(5)  # of the counters
+COUNTERS = 5
+SEPARATED, IN_CONTACT, IN_IMPACT = range(3)  # states of a contact
+# duration of an elastic impact over largest approach by speed, Hertz (1882)
+HERTZ_DURATION = 2.943
 
 
 @compiled
@@ -143,7 +188,9 @@ def renew_friction(data, y, step, time, speed):
     c = p.constants
     if p.friction_kind == FRICTIONLESS or costs_little(data.friction_inner.coefficient):
         return False
-    inner, outer, _ = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
+    inner, outer, _ = place_bodies(
+        c.balls, y, p.prescribed[INNER_SPEED], p.prescribed[OUTER_SPEED]
+    )
     some = False
     for race in range(2):
         body = inner if race == INNER else outer
@@ -197,7 +244,7 @@ def renew_pockets(p, balls, y, step, time, speed):
     if c.cage_mass <= 0.0 or c.film_viscosity * c.pocket_height <= 0.0:
         return False
     some = False
-    _, _, body = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
+    _, _, body = place_bodies(c.balls, y, p.prescribed[INNER_SPEED], p.prescribed[OUTER_SPEED])
     turned = cage_direction(y)
     for j in range(c.balls):
         ball = balls[j]
@@ -212,19 +259,16 @@ def renew_pockets(p, balls, y, step, time, speed):
         place = pocket_motion(c, body, frame, position)[2]
         relative = minus(velocity, point_velocity(body, position))
         motion = (place, relative, minus(turn, body.turn))
-        time_of_film = p.given[OIL_VISCOSITY] * time
+        time_of_film = p.prescribed[OIL_VISCOSITY] * time
         renew_pocket(c, frame, ball.pocket_play, motion, film, time_of_film, speed)
     return some
 
 
-OF_BODIES = -1  # in place of a ball: a coordinate of ring or cage
-
-
 @compiled
-def ball_of(balls, place):
+def ball_of(balls, index):
     """The ball that a coordinate or speed of the state vector belongs to, or `OF_BODIES`."""
     first = velocities(balls)
-    inside = place - BODIES if place < first else place - first - BODIES
+    inside = index - BODIES if index < first else index - first - BODIES
     if inside < 0:
         return OF_BODIES
     return (inside // 3) % balls
@@ -232,7 +276,7 @@ def ball_of(balls, place):
 
 @compiled
 def balls_act_alone(c):
-    """Whether no ball acts on another but through ring and cage, and each stands for itself."""
+    """No ball acts on another but through ring and cage, and each stands for itself."""
     return c.symmetric_copies == 1 and c.cage_mass > 0.0
 
 
@@ -241,12 +285,12 @@ def ball_alone(data, bodies, y, j):
     """Contacts of one ball: forces on it, added to the loads of rings and cage."""
     p = data.bearing
     ball = data.balls[j]
-    memory = data.memory
+    impact_speeds = data.impact_speeds
     inner, outer, cage = bodies
     ball.forces[:] = 0.0
-    ball_on_race(p, ball, data.friction_inner, memory, INNER, inner, y, j)
-    ball_on_race(p, ball, data.friction_outer, memory, OUTER, outer, y, j)
-    ball_in_pocket(p, ball, memory, cage, cage_direction(y), y, j)
+    ball_on_race(p, ball, data.friction_inner, impact_speeds, INNER, inner, y, j)
+    ball_on_race(p, ball, data.friction_outer, impact_speeds, OUTER, outer, y, j)
+    ball_in_pocket(p, ball, impact_speeds, cage, cage_direction(y), y, j)
 
 
 @compiled
@@ -264,9 +308,9 @@ def columns_of_ball(data, t, j, base, owner, scale, out):
     """
     p = data.bearing
     c = p.constants
-    y = data.whole
-    acceleration = schedule_at(data.times, data.schedule, t, p.given)
-    bodies = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
+    y = data.full_state
+    acceleration = schedule_at(data.times, data.schedule, t, p.prescribed)
+    bodies = place_bodies(c.balls, y, p.prescribed[INNER_SPEED], p.prescribed[OUTER_SPEED])
     total = p.loads.copy()
     p.loads[:] = 0.0
     ball_alone(data, bodies, y, j)
@@ -315,40 +359,6 @@ def jacobian(t, y, data, scale, out):
     if alone:
         for j in range(c.balls):
             columns_of_ball(data, t, j, base, owner, scale, out)
-
-
-A = np.array(
-    [
-        [1 / 5, 0, 0, 0, 0, 0],
-        [3 / 40, 9 / 40, 0, 0, 0, 0],
-        [44 / 45, -56 / 15, 32 / 9, 0, 0, 0],
-        [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0],
-        [9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656, 0],
-        [35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84],
-    ]
-)
-C = np.array([1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
-E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
-STAGES = 7
-# rows of the stages beside the seven derivatives: states of stage 6 and 7
-STATE_6 = 7
-STATE_7 = 8
-STAGE_ROWS = 9
-# step control: new step = safety times step times error^(-1/5), between the two limits
-SAFETY = 0.9
-SMALLEST_FACTOR = 0.2
-LARGEST_FACTOR = 5.0
-FEW_ERRORS = (SAFETY / LARGEST_FACTOR) ** 5  # a step grows by the largest factor below them
-# stiff: h |lambda| beyond the edge of the stability region in fifteen steps, fewer than six not
-STIFF_BOUND = 3.25
-STIFF_STEPS = 15
-SOFT_STEPS = 6
-DONE, TOO_SMALL, STIFF, NOT_FINITE = range(4)
-STEPS, REJECTED, STIFF_SEEN, SOFT_SEEN, EVALUATIONS = range(5)  # of the counters
-COUNTERS = 5
-SEPARATED, IN_CONTACT, IN_IMPACT = range(3)  # states of a contact
-# duration of an elastic impact over largest approach by speed, Hertz (1882)
-HERTZ_DURATION = 2.943
 
 
 @inlined
@@ -402,7 +412,7 @@ def duration(law, mass, speed):
 
 @compiled
 def contact_state(c, law, approach, speed, age, before):
-    """Whether a ball is separated from a race, in contact, or in an impact: within the duration of
+    """State of a ball: separated from a race, in contact, or in an impact, within the duration of
     an elastic one of the speed at which the contact began. Impact turns to contact, not back.
     """
     if approach <= 0.0:
@@ -415,15 +425,15 @@ def contact_state(c, law, approach, speed, age, before):
 
 
 @compiled
-def remember_onset(memory, onset, place, contact, floor, t):
+def remember_onset(impact_speeds, onset, row, contact, floor, t):
     """Speed of approach and time of an open contact; those of a closed one stay as it began."""
     if contact[CONTACT.approach] <= 0.0:
-        memory[place] = max(floor, contact[CONTACT.approach_speed])
-        onset[place] = t
+        impact_speeds[row] = max(floor, contact[CONTACT.approach_speed])
+        onset[row] = t
 
 
 @compiled
-def after_step(p, balls, memory, t, h, history):
+def after_step(p, balls, impact_speeds, t, h, history):
     """Memory of the impacts, and the time spent separated, in contact and in impacts."""
     c = p.constants
     onset = history.onset
@@ -434,17 +444,17 @@ def after_step(p, balls, memory, t, h, history):
             place = race * c.balls + j
             contact = balls[j].race_out[race]
             age = t - onset[place]
-            speed = memory[place]
+            speed = impact_speeds[place]
             state = contact_state(
                 c, p.normal[race], contact[CONTACT.approach], speed, age, states[race, j]
             )
             states[race, j] = state
             shares[race, j, state] += h
-            remember_onset(memory, onset, place, contact, c.floor, t)
+            remember_onset(impact_speeds, onset, place, contact, c.floor, t)
     for j in range(c.balls):
-        remember_onset(memory, onset, POCKET * c.balls + j, balls[j].pocket_out, c.floor, t)
+        remember_onset(impact_speeds, onset, POCKET * c.balls + j, balls[j].pocket_out, c.floor, t)
     for side in range(2):
-        remember_onset(memory, onset, LAND * c.balls + side, p.land_out[side], c.floor, t)
+        remember_onset(impact_speeds, onset, LAND * c.balls + side, p.land_out[side], c.floor, t)
 
 
 @compiled
@@ -476,21 +486,21 @@ def add_film_work(p, balls, y):
 
 
 @compiled
-def remember_turns(balls, whole):
+def remember_turns(balls, full_state):
     """Angular velocities of the balls as the last `solved_derivative` had them."""
     for j in range(balls.size):
         place = ball_turn(balls.size, j)
         for i in range(3):
-            balls[j].turns[i] = whole[place + i]
+            balls[j].turns[i] = full_state[place + i]
 
 
 @compiled
-def turn_balls(balls, whole, h, attitude):
+def turn_balls(balls, full_state, h, attitude):
     """Attitudes (w, x, y, z) after a step, right after `solved_derivative` at its end: the
     rotation by the mean angular velocity, O(h^2).
     """
     for j in range(balls.size):
-        after = vector(whole, ball_turn(balls.size, j))
+        after = vector(full_state, ball_turn(balls.size, j))
         a, b, c = times(0.25 * h, plus(vector(balls[j].turns, 0), after))
         half = np.sqrt(a * a + b * b + c * c)
         s = np.sin(half) / half if half > 0.0 else 1.0
@@ -504,7 +514,7 @@ def turn_balls(balls, whole, h, attitude):
         attitude[j, 1] = w * q1 + a * q0 + b * q3 - c * q2
         attitude[j, 2] = w * q2 - a * q3 + b * q0 + c * q1
         attitude[j, 3] = w * q3 + a * q2 - b * q1 + c * q0
-    remember_turns(balls, whole)
+    remember_turns(balls, full_state)
 
 
 @compiled
@@ -526,29 +536,29 @@ def longest_step(p, balls, control):
 def trial_step(t, y, step, data, control, scale, k, trial, counters):
     """Stages of a step, its error, and whether a law of friction was asked at its end."""
     p = data.bearing
-    p.pace[0] = step
+    p.implicit_step[0] = step
     stages(t, y, step, data, k, trial)
     counters[EVALUATIONS] += STAGES - 1
     error = error_norm(k, step, scale)
     if not error <= 1.0:
         return error, False
     number = counters[STEPS] + 1
-    renewed = renew_friction(data, data.whole, number, step, control.speed)
-    pockets = renew_pockets(p, data.balls, data.whole, number, step, control.speed)
+    renewed = renew_friction(data, data.full_state, number, step, control.speed)
+    pockets = renew_pockets(p, data.balls, data.full_state, number, step, control.speed)
     return error, pockets or renewed
 
 
 @inlined
 def accept_step(t, y, step, data, k, renewed, history, counters):
-    """State, attitudes, memory of impacts and work of films after a step that ends at t."""
-    turn_balls(data.balls, data.whole, step, history.attitude)
+    """State, attitudes, speeds of impacts and work of films after a step that ends at t."""
+    turn_balls(data.balls, data.full_state, step, history.attitude)
     copy(k[STATE_7], y)
     if renewed:
         solved_derivative(t, y, data, k[0])
         counters[EVALUATIONS] += 1
     else:
         copy(k[STAGES - 1], k[0])
-    after_step(data.bearing, data.balls, data.memory, t, step, history)
+    after_step(data.bearing, data.balls, data.impact_speeds, t, step, history)
     add_film_work(data.bearing, data.balls, y)
     counters[STEPS] += 1
 
@@ -599,7 +609,7 @@ def advance(t, y, end, h, data, control, scale, k, trial, history, counters):
 
 @compiled
 def count_stiff(value, counters):
-    """Whether the problem looked stiff in fifteen steps with fewer than six that did not."""
+    """The problem looked stiff in fifteen steps with fewer than six that did not."""
     if value > STIFF_BOUND:
         counters[SOFT_SEEN] = 0
         counters[STIFF_SEEN] += 1
@@ -617,8 +627,8 @@ def sample(y, data, history, record, row):
     An open contact has no film there; its film goes on over the gap for `add_film_work` alone.
     """
     p = data.bearing
-    put(y, data.solved, data.whole)
-    copy(data.whole, record.state[row])
+    put(y, data.solved, data.full_state)
+    copy(data.full_state, record.state[row])
     for j in range(p.constants.balls):
         ball = data.balls[j]
         for race in range(2):
@@ -626,7 +636,7 @@ def sample(y, data, history, record, row):
             if ball.race_out[race, CONTACT.approach] <= 0.0:
                 record.races[row, race, j, CONTACT.film] = 0.0
         copy(ball.pocket_out, record.pockets[row, j])
-    energies(data.whole, data, record.energy[row])
+    energies(data.full_state, data, record.energy[row])
     copy(p.loads[INNER], record.loads[row, :LOAD_COLUMNS])
     copy(p.loads[CAGE_LOAD], record.loads[row, LOAD_COLUMNS:])
     copy_rows(history.states, record.contact_state[row])
@@ -636,17 +646,17 @@ def sample(y, data, history, record, row):
 @compiled
 def begin_steps(data):
     """Before steps, right after `solved_derivative` of the state."""
-    remember_turns(data.balls, data.whole)
+    remember_turns(data.balls, data.full_state)
     mark_films(data.bearing, data.balls)
 
 
 @compiled
 def end_step(t, y, step, data, history):
-    """After a step to a time `t` and `solved_derivative` there: attitudes, memory of impacts, work
+    """After a step to a time `t` and `solved_derivative` there: attitudes, speeds of impacts, work
     of films.
     """
-    turn_balls(data.balls, data.whole, step, history.attitude)
-    after_step(data.bearing, data.balls, data.memory, t, step, history)
+    turn_balls(data.balls, data.full_state, step, history.attitude)
+    after_step(data.bearing, data.balls, data.impact_speeds, t, step, history)
     add_film_work(data.bearing, data.balls, y)
 
 
@@ -654,13 +664,13 @@ def end_step(t, y, step, data, history):
 def advance_samples(t, y, h, data, control, scale, k, trial, history, counters, record):
     """`advance` to each time of a record, and its rows. Status, rows written, time, next step."""
     p = data.bearing
-    p.pace[0] = h
+    p.implicit_step[0] = h
     forget_slopes(data.balls)
     solved_derivative(t, y, data, k[0])
-    renew_friction(data, data.whole, counters[STEPS], h, control.speed)
-    renew_pockets(p, data.balls, data.whole, counters[STEPS], h, control.speed)
+    renew_friction(data, data.full_state, counters[STEPS], h, control.speed)
+    renew_pockets(p, data.balls, data.full_state, counters[STEPS], h, control.speed)
     solved_derivative(t, y, data, k[0])
-    remember_turns(data.balls, data.whole)
+    remember_turns(data.balls, data.full_state)
     mark_films(p, data.balls)
     for row in range(record.time.size):
         end = record.time[row]

@@ -93,29 +93,31 @@ def schedule_at(times, schedule, t, out):
 
 
 @compiled
-def places_between(before, after, span, share, out):
+def places_between(before, after, span, fraction, out):
     """Places of the ring and their rates between two rows, by the cubic that has both at either
     end (Hermite).
     """
-    left = 1.0 - share
+    left = 1.0 - fraction
     for i in range(RING):
         start, end = before[PRESCRIBED_DISPLACEMENT + i], after[PRESCRIBED_DISPLACEMENT + i]
         first, final = before[PRESCRIBED_RATE + i], after[PRESCRIBED_RATE + i]
-        bend = left * (span * first - end + start) - share * (span * final - end + start)
-        out[PRESCRIBED_DISPLACEMENT + i] = start + share * (end - start) + share * left * bend
-        slope = (left - share) * bend - share * left * (first + final) * span
-        slope += 2.0 * share * left * (end - start)
+        bend = left * (span * first - end + start) - fraction * (span * final - end + start)
+        out[PRESCRIBED_DISPLACEMENT + i] = (
+            start + fraction * (end - start) + fraction * left * bend
+        )
+        slope = (left - fraction) * bend - fraction * left * (first + final) * span
+        slope += 2.0 * fraction * left * (end - start)
         out[PRESCRIBED_RATE + i] = (end - start + slope) / span
 
 
 @compiled
-def place_ring(balls, held, given, y):
+def place_ring(balls, constrained, prescribed, y):
     """The inner ring where it is held: places and speeds of the state."""
     first = velocities(balls)
     for i in range(RING):
-        if held[i] > 0.0:
-            y[i] = given[PRESCRIBED_DISPLACEMENT + i]
-            y[first + i] = given[PRESCRIBED_RATE + i]
+        if constrained[i] > 0.0:
+            y[i] = prescribed[PRESCRIBED_DISPLACEMENT + i]
+            y[first + i] = prescribed[PRESCRIBED_RATE + i]
 
 
 @compiled
@@ -168,7 +170,7 @@ def tilting_equations(p, y, rate, dy):
     coupling.
     """
     c = p.constants
-    gyro = c.ring_polar * p.given[INNER_SPEED]
+    gyro = c.ring_polar * p.prescribed[INNER_SPEED]
     load = p.loads[INNER]
     wy = y[rate]
     wz = y[rate + 1]
@@ -176,10 +178,10 @@ def tilting_equations(p, y, rate, dy):
     for i in range(2):
         tilt = RING_TILT + i
         w = y[rate + i]
-        given = p.given[PRESCRIBED_MOMENT + i]
+        moment = p.prescribed[PRESCRIBED_MOMENT + i]
         dy[tilt] = w
-        dy[rate + i] = p.free[tilt] * (given + coupled[i]) / c.ring_transverse
-        p.power[WORK.loads] += (p.free[tilt] * given - p.held[tilt] * coupled[i]) * w
+        dy[rate + i] = p.free[tilt] * (moment + coupled[i]) / c.ring_transverse
+        p.power[WORK.loads] += (p.free[tilt] * moment - p.constrained[tilt] * coupled[i]) * w
 
 
 @compiled
@@ -189,13 +191,13 @@ def ring_equations(p, t, y, acceleration, body, dy):
     """
     c = p.constants
     free = p.free
-    held = p.held
-    given = p.given
+    constrained = p.constrained
+    prescribed = p.prescribed
     load = p.loads[INNER]
     power = p.power
     first = velocities(c.balls)
-    spin = given[INNER_SPEED]
-    fx, fy, fz = vector(given, PRESCRIBED_FORCE)
+    spin = prescribed[INNER_SPEED]
+    fx, fy, fz = vector(prescribed, PRESCRIBED_FORCE)
     if c.unbalance != 0.0:
         phase = y[ring_angle(c.balls)] + c.unbalance_phase
         co, si = np.cos(phase), np.sin(phase)
@@ -214,7 +216,7 @@ def ring_equations(p, t, y, acceleration, body, dy):
         dy[i] = v
         force = pushes[i] + load[FORCE + i] - c.ring_damping * v
         dy[first + i] = free[i] * (force * mobility + c.gravity[i])
-        power[WORK.loads] += (free[i] * pushes[i] - held[i] * load[FORCE + i]) * v
+        power[WORK.loads] += (free[i] * pushes[i] - constrained[i] * load[FORCE + i]) * v
         power[WORK.support] += free[i] * c.ring_damping * v * v
     tilting_equations(p, y, first + RING_TILT, dy)
     power[WORK.drive_inner] -= spin * dot(vector(load, MOMENT), body.axis)
@@ -278,12 +280,12 @@ def motion_rates(t, y, data, dy):
     """Rates of the state vector; contact states and powers are left in `KernelData`."""
     p = data.bearing
     balls = data.balls
-    memory = data.memory
+    impact_speeds = data.impact_speeds
     c = p.constants
-    given = p.given
-    acceleration = schedule_at(data.times, data.schedule, t, given)
-    place_ring(c.balls, p.held, given, y)
-    inner, outer, cage = place_bodies(c.balls, y, given[INNER_SPEED], given[OUTER_SPEED])
+    prescribed = p.prescribed
+    acceleration = schedule_at(data.times, data.schedule, t, prescribed)
+    place_ring(c.balls, p.constrained, prescribed, y)
+    inner, outer, cage = place_bodies(c.balls, y, prescribed[INNER_SPEED], prescribed[OUTER_SPEED])
     p.power[:] = 0.0
     p.loads[:] = 0.0
     for j in range(c.balls):
@@ -291,12 +293,12 @@ def motion_rates(t, y, data, dy):
     # 1. races and balls
     for race in range(2):  # written out, the number of a race would be compiled for by itself
         law = data.friction_inner if race == INNER else data.friction_outer
-        race_forces(p, balls, law, memory, race, inner if race == INNER else outer, y)
+        race_forces(p, balls, law, impact_speeds, race, inner if race == INNER else outer, y)
     # 2. pockets, or balls that meet
     if c.cage_mass > 0.0:
-        pocket_forces(p, balls, memory, cage, y)
+        pocket_forces(p, balls, impact_speeds, cage, y)
     elif c.symmetric_copies == 1:
-        ball_collisions(p, balls, memory, y)
+        ball_collisions(p, balls, impact_speeds, y)
     # 3. friction that is stiff, balls that are not solved, and lands
     if friction_is_stiff(p, balls):
         implicit_friction(p, balls, y, inner, outer)
@@ -306,13 +308,13 @@ def motion_rates(t, y, data, dy):
     if c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS:
         ring = inner if c.guide == GUIDED_BY_INNER_RING else outer
         for side in range(2):
-            cage_land(p, memory, side, ring, cage)
+            cage_land(p, impact_speeds, side, ring, cage)
     # 4. equations of motion
     for j in range(c.balls):
         ball_rates(p, balls[j], y, j, dy)
     ring_equations(p, t, y, acceleration, inner, dy)
     cage_equations(p, y, cage, dy)
-    dy[ring_angle(c.balls)] = given[INNER_SPEED]
+    dy[ring_angle(c.balls)] = prescribed[INNER_SPEED]
     first = accumulators(c.balls)
     for k in range(p.power.size):
         dy[first + k] = p.power[k]
@@ -337,8 +339,8 @@ def solved_derivative(t, y, data, dy):
     """`motion_rates` of the coordinates that are solved; the others rest where `whole` has them,
     or go where the schedule holds them. `data`: `KernelData`.
     """
-    put(y, data.solved, data.whole)
-    motion_rates(t, data.whole, data, data.rates)
+    put(y, data.solved, data.full_state)
+    motion_rates(t, data.full_state, data, data.rates)
     take(data.rates, data.solved, dy)
 
 

@@ -1,19 +1,32 @@
-"""Balls on races, compiled: where and how they meet, friction, forces."""
+"""Balls on races, compiled: normal force of Hertz or of a solved film, damping, friction by a law
+or by its slopes, and what both races do to a ball.
+"""
 
 import numpy as np
 
 from oilfilm.ehl.compiled import compiled, inlined
-from oilfilm.ehl.traction._kernels import CENTRAL_FILM as TABLE_CENTRAL_FILM
 from oilfilm.ehl.traction._kernels import (
+    CENTRAL_FILM,
     LOAD_POWER,
     hertz_friction,
     straight_friction,
     table_lookup,
 )
 
-from ._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times, vector
+from ._state_kernels import (
+    accumulate,
+    add_load,
+    ball_motion,
+    cross,
+    dot,
+    minus,
+    norm,
+    plus,
+    point_velocity,
+    times,
+    vector,
+)
 from .arrays import (
-    CENTRAL_FILM,
     CONTACT,
     DAMPING,
     EXPONENT,
@@ -28,6 +41,7 @@ from .arrays import (
     LINEAR,
     MOMENT,
     POCKET,
+    RACE_FILM,
     ROLL_MOMENT,
     SPIN_MOMENT,
     STIFFNESS,
@@ -36,8 +50,26 @@ from .arrays import (
     RaceMotion,
 )
 
-# of the film of a land; beyond it its forces stay and the solid contact takes over [-]
+# largest eccentricity of the film of a land; beyond, its forces stay and the solid contact counts
+# [-]
 ECCENTRICITY_LIMIT = 0.95
+
+# rows and columns of the axes of a table
+LOAD, SPEED = range(2)
+FIRST, DENSITY, NODES = range(3)
+NEWTON_STEPS = 40
+# last step of Newton's iteration over the approach; the error left is its square [-]
+STEP_TOLERANCE = 1.0e-9
+
+FORCES = 4  # F_x, F_y, M_n, M_y: those that sliding changes
+MOTIONS = 3  # slide_x, slide_y, spin
+STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
+# load over that of the slopes, either way, up to which they hold [-]
+LOAD_CHANGE = 2.0
+# differences that slopes are taken from: over the entrainment [-], and at least [m/s]
+DIFFERENCE = 1.0e-6
+LEAST_DIFFERENCE = 1.0e-9
+SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that of the ball [-]
 
 
 @compiled
@@ -74,19 +106,6 @@ def damped(law, elastic, speed, impact_speed):
 def ramped(friction, slide, ramp):
     """Coefficient of friction that rises linearly up to a sliding speed `ramp`."""
     return friction if slide >= ramp else friction * slide / ramp
-
-
-@compiled
-def point_velocity(body, point):
-    """Velocity of a point of a body."""
-    return plus(body.velocity, cross(body.turn, minus(point, body.centre)))
-
-
-@compiled
-def add_load(load, body, point, force):
-    """Add a force at a point to the force on a body and to the moment about its centre."""
-    accumulate(load, FORCE, force)
-    accumulate(load, MOMENT, cross(minus(point, body.centre), force))
 
 
 @compiled
@@ -142,7 +161,7 @@ def land_film(radius, clearance, width, viscosity, ex, ey, vx, vy, mean_speed):
 
 
 @compiled
-def ball_collisions(p, balls, memory, y):
+def ball_collisions(p, balls, impact_speeds, y):
     """Each ball and the next one: Hertz contact with Coulomb friction, in the places of the
     pockets, of which there are none.
     """
@@ -162,7 +181,7 @@ def ball_collisions(p, balls, memory, y):
         approach = 2.0 * c.ball_radius - distance
         relative = minus(velocity, other_velocity)
         rate = dot(relative, normal)
-        push = normal_force(law, approach, rate, memory[POCKET * c.balls + j])
+        push = normal_force(law, approach, rate, impact_speeds[POCKET * c.balls + j])
         out[CONTACT.load] = push
         out[CONTACT.approach] = approach
         out[CONTACT.approach_speed] = rate
@@ -183,14 +202,6 @@ def ball_collisions(p, balls, memory, y):
         accumulate(next_forces, MOMENT, moment)
 
 
-# of the axes of a table: rows, and columns
-LOAD, SPEED = range(2)
-FIRST, DENSITY, NODES = range(3)
-NEWTON_STEPS = 40
-# last step of Newton's iteration over the approach; the error left is its square [-]
-STEP_TOLERANCE = 1.0e-9
-
-
 @compiled
 def smallest_load(axes):
     """Smallest load of a table."""
@@ -198,9 +209,9 @@ def smallest_load(axes):
 
 
 @compiled
-def weights(place, axis):
+def weights(position, axis):
     """Index, weights and slopes of a uniform cubic B-spline at a place clamped to its axis."""
-    t = min(max(place - axis[FIRST], 0.0) * axis[DENSITY], axis[NODES] - 1.0)
+    t = min(max(position - axis[FIRST], 0.0) * axis[DENSITY], axis[NODES] - 1.0)
     i = min(max(int(t), 0), int(axis[NODES]) - 2)
     t -= i
     r = 1.0 - t
@@ -211,7 +222,7 @@ def weights(place, axis):
 
 
 @compiled
-def film_and_slope(axes, scalars, load, at_speed, share):
+def film_and_slope(axes, scalars, load, at_speed, fraction):
     """A share of the central film at a load and the weights of a speed, and its slope over the
     load.
 
@@ -224,11 +235,11 @@ def film_and_slope(axes, scalars, load, at_speed, share):
     logarithm = 0.0
     steep = 0.0
     for a in range(4):
-        c = scalars[i + a, j : j + 4, TABLE_CENTRAL_FILM]
+        c = scalars[i + a, j : j + 4, CENTRAL_FILM]
         mean = v[0] * c[0] + v[1] * c[1] + v[2] * c[2] + v[3] * c[3]
         logarithm += w[a] * mean
         steep += d[a] * mean
-    film = share * np.exp(logarithm)
+    film = fraction * np.exp(logarithm)
     beyond = (place - axis[FIRST]) * axis[DENSITY] >= axis[NODES] - 1.0
     return film, 0.0 if beyond else film * steep * axis[DENSITY] * LOAD_POWER * place / load
 
@@ -263,17 +274,6 @@ def elastic_approach(axes, scalars, law, distance, speed):
     return np.nan  # no root: the step in time is rejected
 
 
-FORCES = 4  # F_x, F_y, M_n, M_y: those that sliding changes
-MOTIONS = 3  # slide_x, slide_y, spin
-STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
-# load over that of the slopes, either way, up to which they hold [-]
-LOAD_CHANGE = 2.0
-# of the differences that slopes are taken from: over the entrainment [-], and at least [m/s]
-DIFFERENCE = 1.0e-6
-LEAST_DIFFERENCE = 1.0e-9
-SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that of the ball [-]
-
-
 @compiled
 def friction_law(mirrored, coefficient, table, load, speed, motions, friction):
     """Friction of the law: a row of numbers, as the kernels of `oilfilm.ehl.traction` write them.
@@ -296,14 +296,14 @@ def friction_law(mirrored, coefficient, table, load, speed, motions, friction):
 
 @compiled
 def load_changed(linear, load):
-    """Whether there are no slopes of about this load."""
+    """There are no slopes of about this load."""
     base = linear[LINEAR.load]
     return not base <= LOAD_CHANGE * load or load > LOAD_CHANGE * base or base <= 0.0
 
 
 @compiled
 def slopes_hold(linear, load, motion):
-    """Whether slopes are there, of about this load, and of rolling the same way round."""
+    """Slopes are there, of about this load, and of rolling the same way round."""
     if load_changed(linear, load):
         return False
     return dot(motion.x_axis, vector(linear, LINEAR.x_axis)) > 0.0
@@ -330,15 +330,15 @@ def friction_by_slopes(mirrored, linear, load, motion, friction):
 
 
 @compiled
-def straight_by_slopes(linear, share, d_x, friction):
+def straight_by_slopes(linear, load_ratio, d_x, friction):
     """`friction_by_slopes` where all sliding is along the entrainment: F_x and M_y alone."""
-    growth = 1.0 + (share - 1.0) / 3.0
+    growth = 1.0 + (load_ratio - 1.0) / 3.0
     last = FORCES - 1
-    friction[0] = share * (linear[LINEAR.friction] + linear[LINEAR.slopes] * d_x)
+    friction[0] = load_ratio * (linear[LINEAR.friction] + linear[LINEAR.slopes] * d_x)
     moment = linear[LINEAR.friction + last] + linear[LINEAR.slopes + MOTIONS * last] * d_x
     friction[1] = 0.0
     friction[2] = 0.0
-    friction[last] = share * growth * growth * moment
+    friction[last] = load_ratio * growth * growth * moment
     for k in range(FORCES, FRICTION_COLUMNS):
         friction[k] = linear[LINEAR.friction + k]
 
@@ -571,7 +571,7 @@ def add_friction(c, motion, body, along, roll, forces, load):
 
 
 @inlined
-def ball_on_race(p, ball, data, memory, race, body, y, j):
+def ball_on_race(p, ball, data, impact_speeds, race, body, y, j):
     """Forces of one race on a ball and back; powers; state of the contact."""
     c = p.constants
     kind = p.friction_kind
@@ -586,7 +586,7 @@ def ball_on_race(p, ball, data, memory, race, body, y, j):
     elastic = elastic_force(law, approach)
     race_friction(c, kind, data, elastic, motion, ball.linear[race], friction)
     if kind == TABLE:
-        film = friction[CENTRAL_FILM]
+        film = friction[RACE_FILM]
     out = ball.race_out[race]
     record_contact(motion, approach, film, friction, out)
     if approach <= 0.0:
@@ -595,7 +595,7 @@ def ball_on_race(p, ball, data, memory, race, body, y, j):
     if kind == FILM:
         push = max(0.0, elastic + friction[FILM_DAMPING] * rate)
     else:
-        push = damped(law, elastic, rate, memory[race * c.balls + j])
+        push = damped(law, elastic, rate, impact_speeds[race * c.balls + j])
     out[CONTACT.load] = push
     # 2. power lost
     power[WORK.friction_inner + race] -= (
@@ -615,7 +615,7 @@ def ball_on_race(p, ball, data, memory, race, body, y, j):
 
 
 @compiled
-def race_forces(p, balls, data, memory, race, body, y):
+def race_forces(p, balls, data, impact_speeds, race, body, y):
     """Forces of one race on every ball and back; powers; states of the contacts."""
     for j in range(p.constants.balls):
-        ball_on_race(p, balls[j], data, memory, race, body, y, j)
+        ball_on_race(p, balls[j], data, impact_speeds, race, body, y, j)

@@ -1,10 +1,12 @@
-"""Places in the state vector (`layout`) and vectors of three components, for the other kernels."""
+"""Places in the state vector (`arrays`), vectors of three components and loads of bodies, for the
+other kernels.
+"""
 
 import numpy as np
 
 from oilfilm.ehl.compiled import compiled
 
-from .arrays import BODIES
+from .arrays import BODIES, FORCE, MOMENT
 
 
 @compiled
@@ -101,3 +103,16 @@ def norm(a):
 def cross(a, b):
     """Vector product."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@compiled
+def point_velocity(body, point):
+    """Velocity of a point of a body."""
+    return plus(body.velocity, cross(body.turn, minus(point, body.centre)))
+
+
+@compiled
+def add_load(load, body, point, force):
+    """Add a force at a point to the force on a body and to the moment about its centre."""
+    accumulate(load, FORCE, force)
+    accumulate(load, MOMENT, cross(minus(point, body.centre), force))

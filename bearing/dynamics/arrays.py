@@ -1,13 +1,12 @@
-"""Numbers and arrays that the compiled equations of motion share, and the names of their rows and
-columns; SI, vectors along x (axial), y (load line) and z, inertial.
+"""Arrays that the compiled equations of motion share, the state vector, and the names of their
+rows and columns; SI, vectors along x (axial), y (load line) and z, inertial.
 
 `EquationData` is assembled once a simulation. All of fixed size stands in two structured arrays,
 one record for the bearing and one for each ball, which compiled functions hand on by reference:
-`KernelData`. Kernels write scratch arrays and the memory of the impacts there, and the fields of
+`KernelData`. Kernels write scratch arrays and the speeds of the impacts there, and the fields of
 `EquationData` are views of them.
 
-The state vector: positions, velocities, angle of the inner ring, energy accumulators.
-
+The state vector has positions, velocities, the angle of the inner ring and energy accumulators.
 Positions: ring x, y, z, tilt y, tilt z; cage x, y, z, rotation about x, tilt y, tilt z; x, y, z of
 each ball. Velocities: the same, then the angular velocities of the balls, all along inertial axes.
 A ball's attitude does not enter its equations of motion; it is advanced beside them (`attitude`).
@@ -23,7 +22,7 @@ from oilfilm.ehl.arrays import Array
 
 Vector = tuple[float, float, float]
 
-# rows of `normal` and, times the number of balls, first places in `memory`
+# rows of `normal` and, times the number of balls, first places in `impact_speeds`
 INNER, OUTER, POCKET, LAND = range(4)
 CAGE_LOAD = 2  # row of `loads` after INNER and OUTER
 STIFFNESS, EXPONENT, DAMPING = range(3)  # columns of `normal`
@@ -50,12 +49,25 @@ PRESCRIBED_COLUMNS = 18
 
 # columns of `friction`, as the kernels of `oilfilm.ehl.traction` write them
 FORCE_X, FORCE_Y, SPIN_MOMENT, ROLL_MOMENT = range(4)
-CENTRAL_FILM = 5
+RACE_FILM = 5
 FILM_DAMPING = 7
 FRICTION_COLUMNS = 8
 
 STEP_LOAD, STEP_FILM = range(2)  # columns of `films` [N], [m]
 KINETIC, ELASTIC, POTENTIAL = range(3)  # columns of the stored energies [J]
+
+POCKET_COLUMNS = 3
+
+OF_RACES = ("race_out", "films", "linear")  # fields of a ball with a row for each race
+
+RING = 5  # coordinates of the ring; also the place of the cage's first
+CAGE = 6
+BODIES = RING + CAGE  # place of the balls' first coordinate
+# places among the coordinates of the ring, and of the cage
+RING_TILT = 3
+CAGE_ROTATION = 3
+CAGE_TILT = 4
+FREE_TURN = BODIES + 3  # in `EquationData.free`, after the positions of a ball
 
 
 class ContactColumns(NamedTuple):
@@ -110,7 +122,6 @@ class WorkColumns(NamedTuple):
 
 
 RACE_COLUMNS = len(ContactColumns._fields)
-POCKET_COLUMNS = 3
 ACCUMULATORS = len(WorkColumns._fields)
 CONTACT = ContactColumns(*range(RACE_COLUMNS))
 LINEAR = LinearColumns(
@@ -236,12 +247,12 @@ BEARING = np.dtype(
         ("friction_kind", np.int64),
         ("mechanical", np.int64),
         ("free", np.float64, (17,)),
-        ("held", np.float64, (5,)),
-        ("given", np.float64, (PRESCRIBED_COLUMNS,)),
+        ("constrained", np.float64, (5,)),
+        ("prescribed", np.float64, (PRESCRIBED_COLUMNS,)),
         ("friction", np.float64, (FRICTION_COLUMNS,)),
         ("land_out", np.float64, (2, POCKET_COLUMNS)),
         ("predicted_friction", np.float64, (4,)),
-        ("pace", np.float64, (1,)),
+        ("implicit_step", np.float64, (1,)),
         ("system", np.float64, (6, 7)),
         ("power", np.float64, (ACCUMULATORS,)),
         ("loads", np.float64, (3, LOAD_COLUMNS)),
@@ -263,7 +274,6 @@ BALL = np.dtype(
     ],
     align=True,
 )
-OF_RACES = ("race_out", "films", "linear")  # fields of a ball with a row for each race
 
 
 class KernelData(NamedTuple):
@@ -275,9 +285,9 @@ class KernelData(NamedTuple):
     friction_outer: FrictionData
     times: Array
     schedule: Array
-    memory: Array
+    impact_speeds: Array
     solved: NDArray[np.int64]
-    whole: Array
+    full_state: Array
     rates: Array
 
 
@@ -290,7 +300,7 @@ class EquationData(NamedTuple):
     friction_inner: FrictionData
     friction_outer: FrictionData
     free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
-    held: Array  # 1 for coordinates of the ring whose place is given, else 0, shape (5,)
+    constrained: Array  # 1 for coordinates of the ring whose place is given, else 0, shape (5,)
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
     pocket_direction: Array  # direction (y, z) of each pocket in the cage, shape (Z, 2) [-]
     pocket_play: Array  # radial, of each pocket, shape (Z,) [m]
@@ -299,8 +309,8 @@ class EquationData(NamedTuple):
     # is held [m], [rad], its rate, viscosity [-]; shape (n, PRESCRIBED_COLUMNS)
     schedule: Array
     # speed of the impact that began each contact [m/s]: inner, outer, pocket of each ball, lands
-    memory: Array
-    given: Array  # scratch: the schedule at a time, shape (PRESCRIBED_COLUMNS,)
+    impact_speeds: Array
+    prescribed: Array  # scratch: the schedule at a time, shape (PRESCRIBED_COLUMNS,)
     friction: Array  # scratch: friction of one ball on a race, shape (FRICTION_COLUMNS,)
     forces: Array  # scratch: force and moment on each ball, shape (Z, 6) [N], [N m]
     race_out: Array  # state of the races' contacts, shape (2, Z, RACE_COLUMNS)
@@ -309,24 +319,34 @@ class EquationData(NamedTuple):
     films: Array  # load and film of the races' contacts after the last step, shape (2, Z, 2)
     # friction of the races linearised, shape (2, Z, LINEAR.size); no slopes where the law counts
     linear: Array
-    pocket_films: Array  # of the pockets as matrices, shape (Z, 38); `contact._belt_kernels`
+    pocket_films: Array  # of the pockets as matrices, shape (Z, 38); `_cage_kernels`
     predicted_friction: Array  # scratch: forces and moments by slopes, shape (4,)
-    pace: Array  # step that friction is implicit over, shape (1,); 0: not [s]
+    implicit_step: Array  # step that friction is implicit over, shape (1,); 0: not [s]
     system: Array  # scratch: equations of a ball's acceleration, shape (6, 7)
     power: Array  # into and out of the accumulators [W], shape (ACCUMULATORS,)
     loads: Array  # of the contacts on inner ring, outer ring and cage, shape (3, 6) [N], [N m]
     # places in the state vector of what is solved: coordinates, speeds, then all that follows them
     solved: NDArray[np.int64]
     mechanical: int  # of them under error control, the coordinates and speeds
-    whole: Array  # scratch: state vector, the coordinates that are not solved at rest [SI]
+    full_state: Array  # scratch: state vector, the coordinates that are not solved at rest [SI]
     rates: Array  # scratch: its rates
     turns: Array  # scratch: angular velocities of the balls before a step, shape (Z, 3) [rad/s]
     kernel: KernelData  # all of it, as the kernels take it
 
 
 def equation_data(**fields: Any) -> EquationData:
-    """`EquationData` of given fields: those of fixed size are copied into the two structured
-    arrays, the others are the arrays given.
+    """`EquationData` of fields: those of fixed size are copied into the two structured arrays, the
+    others are the arrays themselves.
+
+    Parameters
+    ----------
+    **fields : Any
+        the fields of `EquationData` but `kernel`
+
+    Returns
+    -------
+    EquationData
+        the data
     """
     bearing = np.zeros(1, BEARING)
     balls = np.zeros(len(fields["pocket_angle"]), BALL)
@@ -344,18 +364,21 @@ def equation_data(**fields: Any) -> EquationData:
 
 
 def changed_data(data: EquationData, **fields: Any) -> EquationData:
-    """`EquationData` with other values of some fields, in structured arrays of its own."""
+    """`EquationData` with other values of some fields, in structured arrays of its own.
+
+    Parameters
+    ----------
+    data : EquationData
+        data of a simulation
+    **fields : Any
+        fields of `EquationData` that change
+
+    Returns
+    -------
+    EquationData
+        the changed data
+    """
     return equation_data(**data._asdict() | fields)
-
-
-RING = 5  # coordinates of the ring; also the place of the cage's first
-CAGE = 6
-BODIES = RING + CAGE  # place of the balls' first coordinate
-# places among the coordinates of the ring, and of the cage
-RING_TILT = 3
-CAGE_ROTATION = 3
-CAGE_TILT = 4
-FREE_TURN = BODIES + 3  # in `EquationData.free`, after the positions of a ball
 
 
 class Layout:

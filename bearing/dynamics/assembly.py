@@ -1,6 +1,5 @@
-"""From bearing, operation and model to the arrays of the compiled equations.
-
-Numbers of the model in closed form: normal contact, drag of a ball, speed of the cage.
+"""Arrays of the compiled equations of motion from bearing, operation and model, and the numbers of
+the model in closed form: normal contact, drag of a ball, speed of the cage.
 """
 
 from math import pi, sqrt
@@ -17,7 +16,7 @@ from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import reduced_modulus
 from ..operation import Operation
 from ..quasistatic.kinematics import ball_mass
-from ..rating.frequencies import kinematic_cage_speed
+from ..quasistatic.solution import kinematic_cage_speed
 from .arrays import (
     ACCUMULATORS,
     CAGE,
@@ -48,6 +47,19 @@ from .friction import check_film
 from .initial import StartingPoint
 from .inputs import CageBody, DynamicsModel, Guidance, LoadType, NormalLaw, RaceStiffness
 from .reduction import solved_indices
+
+HERTZ_EXPONENT = 1.5
+RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
+# fraction of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed
+# its energies to 0.1 of the work without it, to 3e-4 with it [-]
+ROLLING_SHARE = 3.0
+# friction that follows the entrainment reverses, in a bearing that comes to rest, over at least
+# this part of its fastest entrainment, up to the speed of Coulomb's ramp: at rest it would jump
+REST_SHARE = 1.0e-2  # [-]
+REST_BAND = RampedCoulomb.slide_full  # [m/s]
+NO_CAGE = CageBody(
+    mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0
+)
 
 
 def damping_factor(law: NormalLaw, restitution: float) -> float:
@@ -215,20 +227,6 @@ def cage_drag_of_torque(bearing: Bearing, operation: Operation, torque: float) -
     return torque / speed**2 if speed != 0.0 else 0.0
 
 
-HERTZ_EXPONENT = 1.5
-RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
-# fraction of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed
-# its energies to 0.1 of the work without it, to 3e-4 with it [-]
-ROLLING_SHARE = 3.0
-# friction that follows the entrainment reverses, in a bearing that comes to rest, over at least
-# this part of its fastest entrainment, up to the speed of Coulomb's ramp: at rest it would jump
-REST_SHARE = 1.0e-2  # [-]
-REST_BAND = RampedCoulomb.slide_full  # [m/s]
-NO_CAGE = CageBody(
-    mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0
-)
-
-
 def assemble(
     bearing: Bearing, operation: Operation, model: DynamicsModel, point: StartingPoint
 ) -> EquationData:
@@ -268,14 +266,14 @@ def assemble(
         friction_inner=races[0],
         friction_outer=races[1],
         free=free,
-        held=np.array([load is None for load in operation.loads], dtype=np.float64),
+        constrained=np.array([load is None for load in operation.loads], dtype=np.float64),
         pocket_angle=np.asarray(azimuth),
         pocket_direction=np.stack((np.cos(azimuth), np.sin(azimuth)), axis=1),
         pocket_play=0.5 * np.array((cage or NO_CAGE).clearances(n)),
         times=np.array(model.times, dtype=np.float64),
         schedule=schedule,
-        memory=np.full(3 * n + 2, model.normal.impact_floor),
-        given=np.zeros(PRESCRIBED_COLUMNS),
+        impact_speeds=np.full(3 * n + 2, model.normal.impact_floor),
+        prescribed=np.zeros(PRESCRIBED_COLUMNS),
         friction=np.zeros(FRICTION_COLUMNS),
         forces=np.zeros((n, LOAD_COLUMNS)),
         race_out=np.zeros((2, n, RACE_COLUMNS)),
@@ -286,7 +284,7 @@ def assemble(
         loads=np.zeros((3, LOAD_COLUMNS)),
         solved=indices,
         mechanical=_mechanical(indices, n),
-        whole=np.zeros(Layout(n).size),
+        full_state=np.zeros(Layout(n).size),
         rates=np.zeros(Layout(n).size),
         turns=np.zeros((n, 3)),
     )
@@ -371,7 +369,7 @@ def _clock_arrays(balls: int) -> dict[str, Array]:
         "linear": np.zeros((2, balls, LINEAR.size)),
         "predicted_friction": np.zeros(4),
         "pocket_films": np.zeros((balls, 38)),
-        "pace": np.zeros(1),
+        "implicit_step": np.zeros(1),
         "system": np.zeros((6, 7)),
     }
 

@@ -160,7 +160,7 @@ def cage_body(
         geometry of the row
     material : Material
         material of the cage
-    **given : float | tuple[float, ...] | Guidance | None
+    **prescribed : float | tuple[float, ...] | Guidance | None
         any of `mass`, `polar_inertia`, `transverse_inertia` [kg, kg m^2], `thickness`, `width`,
         `pocket_clearance` (diametral) [m], `pocket_friction` [-], `film_least` [m], `guidance`,
         `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],

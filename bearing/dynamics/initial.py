@@ -11,10 +11,9 @@ from oilfilm.ehl.arrays import Array
 from ..geometry import Bearing
 from ..operation import Operation
 from ..quasistatic.kinematics import centrifugal_force
-from ..quasistatic.solution import QuasistaticSolution
+from ..quasistatic.solution import QuasistaticSolution, kinematic_cage_speed
 from ..quasistatic.solver import solve_quasistatic
 from ..quasistatic.symmetric import solve_symmetric, unknowns
-from ..rating.frequencies import kinematic_cage_speed
 from .arrays import (
     BODIES,
     CAGE_ROTATION,
@@ -166,7 +165,7 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
 def initial_state(
     bearing: Bearing, data: EquationData, point: StartingPoint, start: Start
 ) -> Array:
-    """State vector at time zero, see `layout`.
+    """State vector at time zero, see `arrays`.
 
     Parameters
     ----------

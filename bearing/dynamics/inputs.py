@@ -1,6 +1,5 @@
-"""Inputs of a time simulation: cage, contact laws, drag, schedule, accuracy; frozen, SI.
-
-Choices of a time simulation, in the words of case files; they need no solver.
+"""Inputs of a time simulation: cage, contact laws, drag, schedule, accuracy; frozen, SI. Choices
+are enumerations in the words of case files.
 """
 
 from collections.abc import Mapping, Sequence
@@ -298,7 +297,7 @@ class Schedule:
         )
 
 
-def smooth(time: Array, place: Array, at: Array) -> tuple[Array, Array]:
+def smooth(time: Array, position: Array, at: Array) -> tuple[Array, Array]:
     """Position and rate by a piecewise cubic that does not overshoot, at rest at both ends.
 
     Fritsch and Butland (1984).
@@ -307,7 +306,7 @@ def smooth(time: Array, place: Array, at: Array) -> tuple[Array, Array]:
     ----------
     time : Array
         times of the rows, rising, shape (n,) [s]
-    place : Array
+    position : Array
         positions there, shape (n,) [m] or [rad]
     at : Array
         times of the result, shape (m,) [s]
@@ -321,7 +320,7 @@ def smooth(time: Array, place: Array, at: Array) -> tuple[Array, Array]:
     """
     # a row like the first before it, and like the last behind: there the curve is level
     t = np.concatenate([[time[0] - 1.0], time, [time[-1] + 1.0]])
-    curve = PchipInterpolator(t, np.concatenate([place[:1], place, place[-1:]]))
+    curve = PchipInterpolator(t, np.concatenate([position[:1], position, position[-1:]]))
     return np.asarray(curve(at)), np.asarray(curve(at, 1))
 
 

@@ -52,7 +52,7 @@ class SimulationState:
     time: float  # [s]
     step: float  # [s]
     y: Array  # state vector [SI]
-    memory: Array  # speed at the onset of each contact [m/s], shape (3 Z + 2,)
+    impact_speeds: Array  # speed at the onset of each contact [m/s], shape (3 Z + 2,)
     onset: Array  # its time [s]
     contact_state: NDArray[np.int8]  # as in `Record`, shape (2, Z)
     shares: Array  # time spent separated, in contact, in an impact [s], shape (2, Z, 3)

@@ -31,7 +31,7 @@ from .record import ContactHistory, Record, SimulationState
 
 MIRRORED = (LoadType.RADIAL, LoadType.PLANAR)
 SYMMETRIC = (*MIRRORED, LoadType.AXIAL)
-LANDS = 2  # places of the lands, the last of the memory of impacts
+LANDS = 2  # places of the lands, the last of the speeds of the impacts
 
 
 def solved_indices(free: Array, balls: int) -> NDArray[np.int64]:
@@ -73,9 +73,9 @@ def derivative(t: float, y: Array, data: EquationData, dy: Array) -> None:
     dy : Array
         rates, written [SI]
     """
-    data.whole[:] = y
+    data.full_state[:] = y
     solved_derivative(t, y[data.solved], data.kernel, np.empty(data.solved.size))
-    y[:] = data.whole
+    y[:] = data.full_state
     dy[:] = data.rates
 
 
@@ -123,11 +123,11 @@ class SolvedMotion:
             onset, state and times of the contacts
         """
         selected = state.y[_first_indices(self.balls, self.solved)]
-        self.data.whole[:] = selected
+        self.data.full_state[:] = selected
         history = ContactHistory(state.onset, state.contact_state, state.shares, state.attitude)
         if self.solved < self.balls:
             contacts = _first_contacts(self.balls)
-            self.data.memory[:] = state.memory[contacts]
+            self.data.impact_speeds[:] = state.impact_speeds[contacts]
             history = ContactHistory(
                 onset=state.onset[contacts],
                 states=state.contact_state[:, :1].copy(),
@@ -148,11 +148,11 @@ class SolvedMotion:
         history : ContactHistory
             history of their contacts
         """
-        self.data.whole[self.data.solved] = y
-        state.y[:] = all_states(self.data.whole[None], self.balls, self.solved)[0]
+        self.data.full_state[self.data.solved] = y
+        state.y[:] = all_states(self.data.full_state[None], self.balls, self.solved)[0]
         if self.solved < self.balls:
             contacts = _all_contacts(self.balls)
-            state.memory[:] = self.data.memory[contacts]
+            state.impact_speeds[:] = self.data.impact_speeds[contacts]
             state.onset[:] = history.onset[contacts]
             state.contact_state[:] = history.states
             state.shares[:] = history.shares
@@ -230,7 +230,7 @@ def _one_ball(data: EquationData) -> EquationData:
         pocket_angle=data.pocket_angle[:1].copy(),
         pocket_direction=data.pocket_direction[:1].copy(),
         pocket_play=data.pocket_play[:1].copy(),
-        memory=data.memory[_first_contacts(balls)],
+        impact_speeds=data.impact_speeds[_first_contacts(balls)],
         forces=np.zeros((1, LOAD_COLUMNS)),
         race_out=data.race_out[:, :1].copy(),
         pocket_out=data.pocket_out[:1].copy(),
@@ -239,7 +239,7 @@ def _one_ball(data: EquationData) -> EquationData:
         pocket_films=data.pocket_films[:1].copy(),
         solved=indices,
         mechanical=indices.size - (layout.size - layout.mechanical),
-        whole=np.zeros(layout.size),
+        full_state=np.zeros(layout.size),
         rates=np.zeros(layout.size),
         turns=np.zeros((1, 3)),
     )
@@ -260,12 +260,12 @@ def _first_indices(balls: int, solved: int) -> NDArray[np.int64]:
 
 
 def _first_contacts(balls: int) -> NDArray[np.int64]:
-    """Places in the memory of impacts of the first ball's and the lands'."""
+    """Places in the speeds of the impacts of the first ball's and the lands'."""
     return np.concatenate([balls * np.arange(3), 3 * balls + np.arange(LANDS)])
 
 
 def _all_contacts(balls: int) -> NDArray[np.int64]:
-    """Inverse of `_first_contacts`: where each contact's memory stands in that of one ball."""
+    """Inverse of `_first_contacts`: the place of each contact's speed in those of one ball."""
     return np.concatenate([np.repeat(np.arange(3), balls), 3 + np.arange(LANDS)])
 
 

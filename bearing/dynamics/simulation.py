@@ -1,6 +1,5 @@
-"""The time simulation: steps to each sample, hands records on in pieces, keeps the energies.
-
-A simulation on disk, to go on from where it stood.
+"""The time simulation: steps to each sample, hands records on in pieces, keeps the energies, and
+goes on from a file of its state.
 """
 
 import io
@@ -53,11 +52,23 @@ STEP_ANGLE = 0.8
 # impacts kept it to 1.5e-3 in 2000 steps of 0.8, to 1.1e-4 in steps of 0.4
 UNDAMPED_ANGLE = 0.4
 LAND_ADVICE = "; the film of the cage's land stiffens as its gap closes: a wider one, thinner oil"
-LINEARISED = ("linear", "pocket_films", "pace")  # of the data of the equations
+LINEARISED = ("linear", "pocket_films", "implicit_step")  # of the data of the equations
 FAILURES = {
     TOO_SMALL: "steps of {step:.1g} s at t = {t:.6g} s do not lead on; try a larger "
     "tolerance, friction ramp or impact floor, or less load{land}",
     NOT_FINITE: "the state is not finite at t = {t:.6g} s",
+}
+
+FORMAT = 3
+# field of the state by its key in a restart file
+ARRAYS = {
+    "y": "y",
+    "memory": "impact_speeds",
+    "onset": "onset",
+    "contact_state": "contact_state",
+    "shares": "shares",
+    "attitude": "attitude",
+    "counters": "counters",
 }
 
 
@@ -308,6 +319,51 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
     return from_state(bearing, operation, model, (point, data, y))
 
 
+def simulate(
+    bearing: Bearing, operation: Operation, model: DynamicsModel
+) -> tuple[Simulation, Record]:
+    """Simulate a bearing from its start to the end time of the model.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds [rad/s] and loads [N], [N m] of the inner ring
+    model : DynamicsModel
+        cage, contact laws, schedule and options
+
+    Returns
+    -------
+    run : Simulation
+        the simulation at its end, or where a step failed: see `converged` and `messages`
+    record : Record
+        motion, forces and powers at the sample times, SI
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> from oilfilm.bearing.dynamics.bodies import ring_body
+    >>> from oilfilm.bearing.dynamics.friction import RaceFriction
+    >>> from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
+    >>> bearing = oilfilm.load_bearing("6208")
+    >>> model = DynamicsModel(
+    ...     options=DynamicsOptions(end_time=1e-4, sample_interval=1e-5),
+    ...     ring=ring_body(bearing),
+    ...     friction=RaceFriction(),
+    ... )
+    >>> operation = oilfilm.Operation(inner_speed=300.0, force=(1000.0, 0.0, 0.0))
+    >>> run, record = oilfilm.simulate(bearing, operation, model)
+    >>> run.converged, record.time.size
+    (True, 10)
+    """
+    run = simulation(bearing, operation, model)
+    record = empty_record(np.empty(0), bearing.balls)
+    for piece in run.pieces():
+        record = join(record, piece)
+    return run, record
+
+
 def from_state(
     bearing: Bearing,
     operation: Operation,
@@ -339,7 +395,7 @@ def from_state(
         time=0.0,
         step=FIRST_STEP,
         y=y,
-        memory=data.memory,
+        impact_speeds=data.impact_speeds,
         onset=np.full(3 * n + 2, -np.inf),
         contact_state=np.zeros((2, n), dtype=np.int8),
         shares=np.zeros((2, n, 3)),
@@ -359,10 +415,6 @@ def from_state(
         start_energy=float(energy.sum()),
         messages=list(point.messages),
     )
-
-
-FORMAT = 3
-ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counters")
 
 
 def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
@@ -388,7 +440,7 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         "start_energy": simulation.start_energy,
     }
     stream = io.BytesIO()
-    arrays = {name: getattr(state, name) for name in ARRAYS}
+    arrays = {key: getattr(state, name) for key, name in ARRAYS.items()}
     np.savez(stream, head=np.array(json.dumps(head)), **arrays)
     write_bytes(path, stream.getvalue())
 
@@ -414,7 +466,7 @@ def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         with path.open("rb") as stream, np.load(stream, allow_pickle=False) as data:
             head = json.loads(str(data["head"]))
             current = head.get("format") == FORMAT
-            arrays = {name: data[name] for name in ARRAYS if current}
+            arrays = {key: data[key] for key in ARRAYS if current}
     except Exception as error:  # of zip files, compression, text, whatever is damaged
         raise ValueError(f"{path}: no restart file, or a damaged one") from error
     if not current:
@@ -423,8 +475,8 @@ def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         )
     if head.get("case") != case:
         raise ValueError(f"{path}: is of another case")
-    for name, value in arrays.items():
-        getattr(simulation.state, name)[...] = value
+    for key, value in arrays.items():
+        getattr(simulation.state, ARRAYS[key])[...] = value
     simulation.set_equations(LoadType(head["kind"]))
     simulation.state.time = head["time"]
     simulation.state.step = head["step"]

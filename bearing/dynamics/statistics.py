@@ -1,6 +1,5 @@
-"""Statistics of a simulation: energies, speeds with intervals, contact states, whirl.
-
-Several starts of one simulation: whether it ends in one state or in several.
+"""Statistics of a simulation: energies, speeds with intervals, contact states, whirl; and of
+several starts of one simulation, which end in one state or in several.
 """
 
 from collections.abc import Sequence
@@ -12,7 +11,7 @@ from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
 
-from ..rating.frequencies import kinematic_cage_speed
+from ..quasistatic.solution import kinematic_cage_speed
 from .arrays import CAGE_ROTATION, CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Layout
 from .inputs import Start
 from .record import Record
@@ -34,6 +33,9 @@ AVERAGED_SHARE = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
 MECHANISMS = WORK._fields
 INPUTS = 3  # of them put energy in
 LOSSES = slice(INPUTS, -1)  # those that dissipate it; the last, the films, gives or takes
+
+SLOWER = 0.05  # of the first speeds of balls and cage, that the last start lacks [-]
+SAME_SPEED = 1.0e-4  # of a cage speed, within which two ends are one state [-]
 
 
 @dataclass(slots=True)
@@ -378,10 +380,6 @@ def whirl_speed(time: Array, position: Array) -> float | None:
         return None
     angle = np.unwrap(np.arctan2(off[:, 1], off[:, 0]))
     return float(angle[-1] - angle[0]) / float(time[-1] - time[0])
-
-
-SLOWER = 0.05  # of the first speeds of balls and cage, that the last start lacks [-]
-SAME_SPEED = 1.0e-4  # of a cage speed, within which two ends are one state [-]
 
 
 def other_start(first: Simulation, fraction: float) -> Simulation:

@@ -3,6 +3,6 @@
 asperities - mixed lubrication, first order: the fraction of the load on asperities
 decay      - film of a bearing over the time after its oil supply has stopped
 film       - the film of one contact, its origin, values, errors and fractions
-formula    - films of the film atlas and of formulas, where none is solved
+formula    - films and rolling moments of atlas and formulas, where none is solved
 operating  - films as the bearing runs: oil supply, heat of the inlet, asperities
 """

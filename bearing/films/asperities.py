@@ -75,7 +75,7 @@ class Spectrum:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Asperities:
-    """What asperities that touch need: rms roughness of ball and race together [m], their friction
+    """Input of asperities that touch: rms roughness of ball and race together [m], their friction
     mu_b [-], and how they share the load.
     """
 
@@ -84,7 +84,7 @@ class Asperities:
     boundary: float
     sharing: LoadSharing = LoadSharing.ZHOU_HOEPRICH
     spectrum: Spectrum | None = None  # None: no wave is flattened
-    # of Greenwood and Tripp: density times radius times roughness, and roughness over radius, of
+    # Greenwood and Tripp: density times radius times roughness, and roughness over radius, of
     # asperities; assumed, within what is given for ground steel [-]
     density: float = 0.05
     slope: float = 0.01
@@ -104,7 +104,7 @@ class Asperities:
         """
         return self.inner_roughness if race is Race.INNER else self.outer_roughness
 
-    def share(self, contact: BearingContact, film: float) -> float:
+    def load_fraction(self, contact: BearingContact, film: float) -> float:
         """Fraction of a contact's load that asperities carry.
 
         Parameters

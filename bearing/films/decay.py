@@ -31,7 +31,7 @@ from oilfilm.ehl.closed_form.starvation import starvation_exponent
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import InletFilm, Supply, contact_track, inlet_layer
+from ..supply.supply import PrescribedInlet, Supply, contact_track, inlet_layer
 from ..supply.track import Track
 from .film import Films
 from .operating import of_driven_balls
@@ -51,7 +51,7 @@ class FilmDecay:
     time: Array  # since the supply stopped [s]
     layer: Array  # on both surfaces together, at ambient density [m]
     film: Array  # central film [m]
-    share: Array  # of the flooded central film [-]
+    film_fraction: Array  # of the flooded central film [-]
     # central film that the closed forms for flow ahead of and inside the contact join to [m]
     joined: Array
     roughness: float  # root mean square of race and ball together, zero where not known [m]
@@ -73,7 +73,7 @@ class FilmDecay:
     @property
     def final_share(self) -> float:
         """Share of the flooded film at the end of the time [-]."""
-        return float(self.share[-1])
+        return float(self.film_fraction[-1])
 
     @property
     def final_film(self) -> float:
@@ -96,7 +96,7 @@ def film_decay(
     contacts: Sequence[BearingContact],
     films: Films,
     duration: float,
-    supply: Supply | InletFilm | None = None,
+    supply: Supply | PrescribedInlet | None = None,
 ) -> FilmDecay | None:
     """Film over a time after the supply has stopped.
 
@@ -110,7 +110,7 @@ def film_decay(
         Of the contacts; the flooded ones and the roughness count.
     duration : float
         End of the time [s].
-    supply : Supply or InletFilm, optional
+    supply : Supply or PrescribedInlet, optional
         Gives the layer at the start, None: flooded; the `loss` of a flow goes on.
 
     Returns
@@ -142,7 +142,7 @@ def film_decay(
     if start * unit <= THINNEST:
         return None
     layer = _layers(passing, length, start * unit, time)
-    share = np.array([track.share(one / unit) for one in layer])
+    share = np.array([track.film_fraction(one / unit) for one in layer])
     pressed = sum(one.speed * one.track.side_flow / one.unit**2 for one in passing) / speeds
     passes = 2.0 * speeds / length
     return FilmDecay(
@@ -150,7 +150,7 @@ def film_decay(
         time=time,
         layer=layer,
         film=share * film.flooded_central,
-        share=share,
+        film_fraction=share,
         joined=film.flooded_central * _joined(contact, start, passes * time, pressed * unit**2),
         roughness=film.roughness,
         loss=track.loss,

@@ -17,8 +17,8 @@ from oilfilm.ehl.closed_form.film import ThermalReduction
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.solution import ContactSolution, FilmValue
 
-# of Hertz' pressure, from which on a node counts to the contact, whose gap goes with the film;
-# ahead of it the gap is that of the bodies [-]
+# fraction of Hertz' pressure from which a node counts to the contact, whose gap goes with the
+# film; ahead of it the gap is that of the bodies [-]
 CONTACT_PRESSURE = 0.01
 NO_HEAT = ThermalReduction(1.0, 1.0, 1.0)
 
@@ -43,7 +43,7 @@ class FilmThickness(NamedTuple):
     """Thickness of a film and the parts of its error."""
 
     value: float  # [m]
-    # of mesh and box of a solved film, of the atlas, or of the formula [m]
+    # error of mesh and box of a solved film, of the atlas, or of the formula [m]
     computed: float = 0.0
     heat: float = 0.0  # by the range of the heat of the inlet [m]
     supply: float = 0.0  # by the law of starvation [m]; not estimated yet
@@ -63,7 +63,7 @@ class FilmThickness(NamedTuple):
 
 
 class SupplyFractions(NamedTuple):
-    """What the oil at the inlet leaves of a flooded film [-]."""
+    """Fractions of a flooded film that the oil at the inlet leaves [-]."""
 
     central: float = 1.0
     minimum: float = 1.0
@@ -81,6 +81,18 @@ class ContactFilm:
 
     Its rolling moment is that of the oil up to the meniscus; what the layer leaves of the moment
     in the box, which results report, is among the `supply` fractions.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> operation = oilfilm.Operation(inner_speed=300.0, force=(500.0, 0.0, 0.0))
+    >>> state = oilfilm.solve_quasistatic(oilfilm.load_bearing("7008AC"), operation)
+    >>> oil = oilfilm.load_lubricant("iso vg 68", operation.temperature)
+    >>> film = oilfilm.contact_films(oilfilm.contact_conditions(state, oil))[0]
+    >>> f"{film.central.value * 1e6:.2f} +- {film.central.error * 1e6:.2f} um", film.origin.value
+    ('0.68 +- 0.02 um', 'atlas')
+    >>> f"inlet shear heating leaves {film.heat.value:.2f} of the isothermal film"
+    'inlet shear heating leaves 0.90 of the isothermal film'
     """
 
     conditions: ContactConditions
@@ -110,17 +122,17 @@ class ContactFilm:
 
     @property
     def solved_with_heat(self) -> bool:
-        """Whether the film was solved with heat."""
+        """The film was solved with heat."""
         return self.origin is FilmOrigin.SOLVED and solved_with_heat(self.field)
 
     @property
     def scaled(self) -> bool:
-        """Whether a formula was scaled to a solved film of the same contact."""
+        """A formula was scaled to a solved film of the same contact."""
         return self.origin is not FilmOrigin.SOLVED and self.field is not None
 
     @property
     def with_inlet_film_by_law(self) -> bool:
-        """Whether the film was solved behind a layer of oil."""
+        """The film was solved behind a layer of oil."""
         return self.field is not None and self.field.supply is not None
 
     @property
@@ -169,7 +181,7 @@ Films = Sequence[ContactFilm | None]  # of the contacts of a bearing
 
 
 def solved_with_heat(film: ContactSolution | None) -> bool:
-    """Whether a film was solved with heat.
+    """Check whether a film was solved with heat.
 
     Parameters
     ----------

@@ -1,25 +1,24 @@
-"""Films of the film atlas and of formulas, for contacts whose film is not solved.
+"""Films and rolling moments of the film atlas and of formulas, for contacts whose film is not
+solved.
 
 They are those of the film atlas where it covers the contact. Under less or more load than it
 covers, or for larger L, they are formulas times the ratio of atlas to formulas at the nearest
 contact that it covers, so that there is no step; for other oils and ellipses the formulas alone:
 the central film of Chittenden et al. (1985), or, in light contacts that they were not made for,
 that of Nijenbanning, Venner and Moes (1994) as corrected here, minimum over central film after
-Hamrock and Dowson (1977), the moment as `moment` has it. Where the same contact was solved at
-another speed or with another oil, film and moment are those of that solution times the ratio of
-these values here and there.
+Hamrock and Dowson (1977), the moment as follows. Where the same contact was solved at another
+speed or with another oil, film and moment are those of that solution times the ratio of these
+values here and there.
 
 The formulas alone, against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 61808 (129 points,
 M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 20 %.
 
-Moment that resists rolling in a flooded, isothermal contact, by formulas.
-
-A light contact hardly changes the gap of the bodies, h_0 + x^2/(2 Rx) + y^2/(2 Ry): there
-Kapitza's (1955) pressure -K x/h^2, K = 12 eta_0 u/(3 + 2 Rx/Ry), is the solution. Its moment up to
-the meniscus, where the gap is as wide as the layer that floods the contact, goes to zero as the
-film goes to that layer. Under heavy loads Biboulet and Houpert's (2010) formula holds, which knows
-no layer and does not vanish with the contact. Both together, with M_0 = 24 pi eta_0 u Rx^2/((3 + 2
-Rx/Ry) sqrt(Rx/Ry)),
+Moment that resists rolling in a flooded, isothermal contact: a light contact hardly changes the
+gap of the bodies, h_0 + x^2/(2 Rx) + y^2/(2 Ry); there Kapitza's (1955) pressure -K x/h^2, K = 12
+eta_0 u/(3 + 2 Rx/Ry), is the solution. Its moment up to the meniscus, where the gap is as wide as
+the layer that floods the contact, goes to zero as the film goes to that layer. Under heavy loads
+Biboulet and Houpert's (2010) formula holds, which knows no layer and does not vanish with the
+contact. Both together, with M_0 = 24 pi eta_0 u Rx^2/((3 + 2 Rx/Ry) sqrt(Rx/Ry)),
 
     M = M_Kapitza + M_0 f(M_Biboulet/M_0),   f(e) = (z + sqrt(z^2 + w^2))/2,   z = s e - t,
 
@@ -78,6 +77,27 @@ from .film import (
 SLOPE = (0.843, -0.250)
 START = (0.884, -0.330)
 WIDTH = 0.06
+
+# factor of Nijenbanning's formula, fitted to solved films of wide ellipses, M = 1 to 6 (R_x/R_y
+# 0.02 to 0.1: 0.823 to 0.846) [-]
+LIGHT_CONTACT = 0.83
+DIGITS = 10  # of conditions and axes in which contacts are alike
+FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
+# error of formulas scaled to the atlas, per unit of ln A, ln L and z beyond its range [-]
+BEYOND_ERROR = 0.1
+
+# error of a scaled film per unit of the logarithm of the speed [-]: from 3000 to 40 r/min solved
+# films of a 6208 fall by 0.05 of that more slowly or faster than the formula
+WAY_ERROR = 0.05
+# Inlets are about H^(2/3) semi-axes long, H the film in units of a^2/Rx. Cells that they have at
+# least: where an error bar is asked for, and on a mesh that is given. A 6208 at 2000 N solves on
+# 1025 nodes down to 7.3 (40 r/min); with 1.8 the film of a 6312 was off by 38 %.
+CELLS_BY_TOLERANCE = 8.0
+CELLS_BY_POINTS = 1.5
+BOX = 5.0  # length of a box of such a film, about [semi-axes]
+SEARCH = 60  # halvings of the logarithm of the speed
+FASTEST = 1.0e9  # factor that is searched [-]
+THICKEST = 0.017  # film over R_x above which none is solved: with the formula's error, 2 % [-]
 
 
 def flooded_moment(
@@ -158,30 +178,8 @@ def heavy_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x:
     return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
 
 
-# of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (R_x/R_y
-# 0.02 to 0.1: 0.823 to 0.846) [-]
-LIGHT_CONTACT = 0.83
-DIGITS = 10  # of conditions and axes in which contacts are alike
-FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
-# of formulas scaled to the atlas, per unit of ln A, ln L and z beyond its range [-]
-BEYOND_ERROR = 0.1
-
-# of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
-# films of a 6208 fall by 0.05 of that more slowly or faster than the formula
-WAY_ERROR = 0.05
-# Inlets are about H^(2/3) semi-axes long, H the film in units of a^2/Rx. Cells that they have at
-# least: where an error bar is asked for, and on a mesh that is given. A 6208 at 2000 N solves on
-# 1025 nodes down to 7.3 (40 r/min); with 1.8 the film of a 6312 was off by 38 %.
-CELLS_BY_TOLERANCE = 8.0
-CELLS_BY_POINTS = 1.5
-BOX = 5.0  # length of a box of such a film, about [semi-axes]
-SEARCH = 60  # halvings of the logarithm of the speed
-FASTEST = 1.0e9  # factor that is searched [-]
-THICKEST = 0.017  # film over R_x above which none is solved: with the formula's error, 2 % [-]
-
-
 class FormulaValues(NamedTuple):
-    """Of a flooded, isothermal contact whose film is not solved."""
+    """Film and moment of a flooded, isothermal contact whose film is not solved."""
 
     central: float  # [m]
     ratio: float | None  # minimum over central film [-]; None: not known
@@ -239,7 +237,7 @@ def formula_values_of(
 def _kinds(
     contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
 ) -> list[tuple[Any, ...]]:
-    """What contacts have in common that are alike: numbers to `DIGITS`, the rest the very same."""
+    """Keys that equal contacts share: numbers to `DIGITS`, the rest the very same objects."""
     numbers = np.array(
         [
             (c.load, c.radius_x, c.radius_y, c.entrainment_speed, abs(c.rotation), *axes)
@@ -299,23 +297,23 @@ def _numbers(
 
 
 def _of_atlas(
-    known: AtlasFilms, conditions: ContactConditions, axes: tuple[float, float]
+    atlas: AtlasFilms, conditions: ContactConditions, axes: tuple[float, float]
 ) -> FormulaValues:
-    """Of a contact that the atlas covers, with the moment of the formulas where it has none."""
-    found = _as_numbers(known, 0.0)
-    if known.rolling_moment is not None:
+    """Values of a contact that the atlas covers, the moment by formulas where it has none."""
+    found = _as_numbers(atlas, 0.0)
+    if atlas.rolling_moment is not None:
         return found
     return found._replace(moment=_by_formulas(conditions, axes).moment)
 
 
-def _as_numbers(known: AtlasFilms, distance: float) -> FormulaValues:
+def _as_numbers(atlas: AtlasFilms, distance: float) -> FormulaValues:
     """Films of the atlas that count at a distance in ln A, ln L and z [-]."""
     beyond = BEYOND_ERROR * distance
-    errors = [one.uncertainty / one.value + beyond for one in (known.central, known.minimum)]
+    errors = [one.uncertainty / one.value + beyond for one in (atlas.central, atlas.minimum)]
     return FormulaValues(
-        central=known.central.value,
-        ratio=known.minimum.value / known.central.value,
-        moment=0.0 if known.rolling_moment is None else known.rolling_moment.value,
+        central=atlas.central.value,
+        ratio=atlas.minimum.value / atlas.central.value,
+        moment=0.0 if atlas.rolling_moment is None else atlas.rolling_moment.value,
         error=min(errors[0], FORMULA_ERROR),
         minimum_error=min(errors[1], FORMULA_ERROR),
         atlas=not distance,
@@ -323,7 +321,7 @@ def _as_numbers(known: AtlasFilms, distance: float) -> FormulaValues:
 
 
 def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> FormulaValues:
-    """Of a contact that the atlas does not cover, by its nearest one that it does."""
+    """Values of a contact that the atlas does not cover, by the nearest one that it does."""
     own = _by_formulas(conditions, axes)
     near, distance = nearest_covered(conditions)
     if near is None or not distance:  # its film is too thick
@@ -336,20 +334,20 @@ def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> F
     return _beyond(_as_numbers(known, distance), own, there)
 
 
-def _beyond(known: FormulaValues, own: FormulaValues, there: FormulaValues) -> FormulaValues:
-    """Those of the atlas at the nearest contact times what the formulas change from there."""
-    ratio = known.ratio
-    if ratio is not None and own.ratio is not None and there.ratio is not None:
-        ratio *= own.ratio / there.ratio
-    moment = own.moment
-    if known.moment:
-        moment *= known.moment / there.moment
-    central = known.central * own.central / there.central
-    return known._replace(central=central, ratio=ratio, moment=moment)
+def _beyond(atlas: FormulaValues, here: FormulaValues, there: FormulaValues) -> FormulaValues:
+    """Values of the atlas at the nearest contact times the change of the formulas from there."""
+    ratio = atlas.ratio
+    if ratio is not None and here.ratio is not None and there.ratio is not None:
+        ratio *= here.ratio / there.ratio
+    moment = here.moment
+    if atlas.moment:
+        moment *= atlas.moment / there.moment
+    central = atlas.central * here.central / there.central
+    return atlas._replace(central=central, ratio=ratio, moment=moment)
 
 
 def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FormulaValues:
-    """Those of the formulas alone."""
+    """Values of the formulas alone."""
     central = formula_central(conditions)
     counted = min(central, MAX_FILM_OVER_RADIUS * conditions.radius_x)
     return FormulaValues(
@@ -656,7 +654,7 @@ def film_scale(contact: ScaledContact) -> float:
 
 
 def too_thick(conditions: ContactConditions) -> bool:
-    """Whether no film is given, the contact being too light for its speed.
+    """Check whether no film is given, the contact being too light for its speed.
 
     Parameters
     ----------

@@ -12,14 +12,14 @@ from math import inf
 
 import numpy as np
 
+from oilfilm.ehl.closed_form import starvation
 from oilfilm.ehl.closed_form.film import ThermalReduction, inlet_heat
-from oilfilm.ehl.closed_form.starvation import FLOODED as FLOODED_SHARES
 from oilfilm.ehl.solution import ContactSolution
 from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import InletFilm, Supply, supplied_shares
+from ..supply.supply import PrescribedInlet, Supply, supplied_shares
 from .asperities import Asperities
 from .film import (
     FLOODED,
@@ -39,7 +39,7 @@ from .formula import formula_films, formula_values, hertz_size
 class OilAtInlets:
     """Oil that the contacts of a bearing get."""
 
-    oil: Supply | InletFilm
+    oil: Supply | PrescribedInlet
     balls: int  # in one row [-]
     # films that were solved behind layers are those of this oil, and stay as they were solved
     as_solved: bool = True
@@ -136,7 +136,7 @@ def _length(film: float | None) -> float:
 
 
 def _layer_fractions(solution: ContactSolution) -> SupplyFractions:
-    """What the layer that a film was solved behind leaves of the flooded one."""
+    """Fractions of the flooded film that the layer leaves which a film was solved behind."""
     layer = solution.supply
     if layer is None:
         return FLOODED
@@ -236,6 +236,50 @@ def operating_films(
     )
 
 
+def contact_films(
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None] | None = None,
+    *,
+    supply: OilAtInlets | None = None,
+    asperities: Asperities | None = None,
+) -> tuple[ContactFilm | None, ...]:
+    """Operating films of the contacts of a bearing: oil supply, heat of the inlet and asperities
+    included.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        Contacts of a bearing, from `contact_conditions`.
+    solutions : sequence of ContactSolution or None, optional
+        Solved contacts, from `solve_contact`; the film atlas or a formula where there is none.
+    supply : OilAtInlets, optional
+        Oil that the contacts get; None: flooded.
+    asperities : Asperities, optional
+        Which carry part of the load where the films are thin; None: full films.
+
+    Returns
+    -------
+    tuple of ContactFilm or None
+        None where a contact carries no load or entrains no oil.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> operation = oilfilm.Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0))
+    >>> state = oilfilm.solve_quasistatic(oilfilm.load_bearing("6208"), operation)
+    >>> oil = oilfilm.load_lubricant("iso vg 68", operation.temperature)
+    >>> contacts = oilfilm.contact_conditions(state, oil)
+    >>> films = oilfilm.contact_films(contacts)
+    >>> thinnest = min((film for film in films if film), key=lambda film: film.central.value)
+    >>> f"{thinnest.central.value * 1e6:.2f} um by {thinnest.origin.value}"
+    '0.63 um by atlas'
+    """
+    computed = solved_films(contacts, solutions or (None,) * len(contacts))
+    return operating_films(
+        contacts, with_formulas(contacts, computed), supply=supply, asperities=asperities
+    )
+
+
 def _operating(
     film: ContactFilm,
     contact: BearingContact,
@@ -265,8 +309,8 @@ def _operating(
     # 3. asperities
     load = flooded_load = boundary = roughness = 0.0
     if asperities is not None:
-        load = asperities.share(contact, central.value)
-        flooded_load = asperities.share(contact, film.flooded_central)
+        load = asperities.load_fraction(contact, central.value)
+        flooded_load = asperities.load_fraction(contact, film.flooded_central)
         boundary = asperities.boundary
         roughness = asperities.roughness(contact.race)
     return replace(
@@ -294,7 +338,7 @@ def _heated(film: FilmThickness, heat: ThermalReduction) -> FilmThickness:
 
 
 def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) -> ContactFilm:
-    """What a supply leaves of a flooded film, or makes of one behind a layer of another supply, by
+    """Film that a supply leaves of a flooded one, or of one behind a layer of another supply, by
     what the flooded film of that was.
     """
     before = film.supply
@@ -302,7 +346,7 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
     if layered and (supply.as_solved or not before.rolling_moment > 0.0):
         return film
     shares = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
-    if shares == FLOODED_SHARES and layered:
+    if shares == starvation.FLOODED and layered:
         return _without_layer(film)
     left = SupplyFractions(
         central=shares.central.value,

@@ -1,6 +1,6 @@
 """Friction of balls on races: laws, balance of the balls, traction equilibrium.
 
-_kernels    - friction of many contacts and its slope, compiled
+_kernels    - friction of many contacts, and Newton's steps for balls under it, compiled
 balance     - balls whose friction balances itself: forces and couples on each
 cage        - balance of balls and cage: balls that the inner race does not drive
 coulomb     - Coulomb friction of ball and race over the Hertz ellipse, a potential
@@ -11,5 +11,5 @@ law         - the contract of every law of the friction of balls on races
 laws        - sources of the friction of balls on races that a case can name
 newton      - Newton's method for the balance of friction on balls: all balls at once
 resistance  - resistance beside sliding: hysteresis, drag, churning
-tables      - friction by a law of `oilfilm.ehl.traction` for each contact: traction tables
+tables      - friction by a law of `oilfilm.ehl.traction` each: traction tables, their files
 """

@@ -1,9 +1,9 @@
-"""Compiled friction of many contacts and its slope: laws of `oilfilm.ehl.traction`, by difference
-quotients, films node by node, and Coulomb's; SI.
+"""Compiled friction of many contacts and its slope, and Newton's steps for balls under it; SI.
 
-Everything is arrays and floats; motion k = (S_x, S_y, Omega, omega). The NumPy twins are
-`tables.law_gradient`, contact by contact, `film_friction_twin` and `coulomb_dissipation_twin` of
-tests/reference.
+Friction is that of laws of `oilfilm.ehl.traction` by difference quotients, of films node by node,
+and Coulomb's. Everything is arrays and floats; motion k = (S_x, S_y, Omega, omega). The NumPy
+twins are `tables.law_gradient`, contact by contact, `film_friction_twin` and
+`coulomb_dissipation_twin` of tests/reference.
 """
 
 import numpy as np
@@ -21,7 +21,7 @@ from oilfilm.ehl.oil._kernels import (
 )
 from oilfilm.ehl.traction._kernels import hertz_friction, table_lookup
 
-# of the stress of oil at ambient pressure, up to which it counts as proportional to the rate [-]:
+# error of the stress of oil at ambient pressure, up to which it counts as proportional [-]:
 # it makes some 1e-3 of the friction of a film
 PROPORTIONAL = 1.0e-6
 # slope of the sliding at a line of pure rolling, over its largest one, below which it counts as
@@ -29,6 +29,12 @@ PROPORTIONAL = 1.0e-6
 FLAT_LINE = 1.0e-9
 NO_SLOPE = 1.0e-300
 FAR_LINE = 1.0e30  # where lines beyond reach stand, over the semi-axis [-]
+
+TINY = 1.0e-300  # as `law.TINY`
+NOISE = 1.0e-13  # of the power that rounding leaves [-]
+LESS_DAMPING = 0.2  # after a step taken [-]
+MORE_DAMPING = 6.0  # after one refused [-]
+LEAST_DAMPING = 1.0e-14
 
 
 @compiled
@@ -59,8 +65,8 @@ def table_gradients(table, places, motion, step, gradient, slope):
 
 @compiled
 def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
-    """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5)
-    a contact each.
+    """Gradients as in `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and
+    shapes (n, 5) a contact each.
     """
     out = np.empty(8)
     m = np.empty(3)
@@ -81,22 +87,22 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
 
 
 @compiled
-def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope):
+def film_frictions(nodes, parts, thin, laws, motion, film_numbers, least, gradient, slope):
     """Friction (n, 4) of sheared films, A tau s/|s| K summed over the nodes of each, and its slope
     (n, 4, 4) by the motions (n, 4); s = (K_x, K_y) motion is the sliding of `coulomb_sums`.
 
     nodes: rows of area [m^2], 1 over the gap [1/m], viscosity [Pa s], limiting stress [Pa], x, y
     and height of the surface [m], shape (7, m); parts (films, 3): where the nodes of a film begin,
     those of oil at ambient pressure, and where they end; thin (films, 11): of these what
-    `thin_sums` gives; laws (films, 4): the first four fields of `KernelRheology`; own (n,): film
-    of each motion; least: sliding below which the stress is proportional to it [m/s].
+    `thin_sums` gives; laws (films, 4): the first four fields of `KernelRheology`; film_numbers
+    (n,): film of each motion; least: sliding below which the stress is proportional to it [m/s].
     """
     most = 0
     for film in range(parts.shape[0]):
         most = max(most, parts[film, 2] - parts[film, 0])
     work = np.empty((3, most))
     for n in range(motion.shape[0]):
-        film = own[n]
+        film = film_numbers[n]
         law = laws[film]
         begin, end = parts[film, 0], parts[film, 2]
         gradient[n] = 0.0
@@ -113,12 +119,12 @@ def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope
 
 
 @compiled
-def stresses(oil, place, motion, law, least, speeds, tau, bent):
+def stresses(oil, coordinates, motion, law, least, speeds, tau, bent):
     """Sliding [m/s], stress [Pa] and its derivative by the rate [Pa s] at nodes; loops apart, that
     each be compiled for several nodes at a time.
     """
     opening, eta, limit = oil
-    x, y, height = place
+    x, y, height = coordinates
     slide_x, slide_y, spin, rolling = motion
     code = int(law[0])
     stress, exponent, breadth = law[1], law[2], law[3]
@@ -141,7 +147,7 @@ def stresses(oil, place, motion, law, least, speeds, tau, bent):
 
 
 @summing
-def pull_sums(area, opening, place, motion, speeds, tau, bent):
+def pull_sums(area, opening, coordinates, motion, speeds, tau, bent):
     """Friction of nodes by their stress: its four parts, and of its slope the ten above and on the
     diagonal.
     """
@@ -151,7 +157,7 @@ def pull_sums(area, opening, place, motion, speeds, tau, bent):
         over = 1.0 / speeds[k]
         pull = area[k] * tau[k] * over
         bend = (area[k] * bent[k] * opening[k] - pull) * over * over
-        x, y, height = place[0][k], place[1][k], place[2][k]
+        x, y, height = coordinates[0][k], coordinates[1][k], coordinates[2][k]
         s0 = slide_x - spin * y + rolling * height
         s1 = slide_y + spin * x
         s2 = s1 * x - s0 * y
@@ -217,7 +223,7 @@ def thin_friction(thin, motion, gradient, slope):
 
 @compiled
 def proportional(thin, motion, code, stress, breadth):
-    """Whether the stress of oil at ambient pressure is that of a Newtonian to `PROPORTIONAL`
+    """The stress of oil at ambient pressure is that of a Newtonian to `PROPORTIONAL`
     wherever a film has some, at a motion (4,).
     """
     most = thin[0] * (abs(motion[0]) + abs(motion[1])) + thin[1] * abs(motion[2])
@@ -234,9 +240,9 @@ def proportional(thin, motion, code, stress, breadth):
 
 @compiled
 def thin_sums(nodes, out):
-    """Of nodes as in `film_frictions` (7, m): largest viscosity over gap, times |x| + |y|, times
-    the height of the surface, least limiting stress; then of A eta/gap the sums over K_i K_j, i <=
-    j, that are not zero or that of another: 00, 02, 03, 12, 22, 23, 33.
+    """Sums of nodes as in `film_frictions` (7, m): largest viscosity over gap, times |x| + |y|,
+    times the height of the surface, least limiting stress; then of A eta/gap the sums over K_i
+    K_j, i <= j, that are not zero or that of another: 00, 02, 03, 12, 22, 23, 33.
     """
     out[:] = 0.0
     out[3] = np.inf
@@ -259,7 +265,7 @@ def thin_sums(nodes, out):
 
 @compiled
 def line_sums(ellipses, motion, power, gradient, slope):
-    """As `coulomb_sums` of narrow ellipses, by the lines of pure rolling u = y/a, the roots of
+    """Sums as in `coulomb_sums` of narrow ellipses, by the lines of pure rolling u = y/a, roots of
     omega a^2/(2R) u^2 + Omega a u = S_x.
     """
     moments = np.empty(3)
@@ -369,17 +375,10 @@ def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
         copy((c03, c13, c23, c33), slope[n, 3])
 
 
-TINY = 1.0e-300  # as `law.TINY`
-NOISE = 1.0e-13  # of the power that rounding leaves [-]
-LESS_DAMPING = 0.2  # after a step taken [-]
-MORE_DAMPING = 6.0  # after one refused [-]
-LEAST_DAMPING = 1.0e-14
-
-
 @compiled
-def motions(given, at, z, k):
+def motions(problem, at, z, k):
     """Motions of contacts k = start + slopes z, (n, 2, 4)."""
-    start, slopes = given[0], given[1]
+    start, slopes = problem[0], problem[1]
     for n in range(at.size):
         ball = at[n]
         for c in range(2):
@@ -391,14 +390,14 @@ def motions(given, at, z, k):
 
 
 @compiled
-def left_on_balls(given, at, z, friction, left):
+def left_on_balls(problem, at, z, friction, left):
     """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the unknowns z (n, 4).
 
-    given: start and slopes of the motions, forces that do not change, the gyroscopic matrix,
+    problem: start and slopes of the motions, forces that do not change, the gyroscopic matrix,
     friction of the pockets and the motion in them, which unknowns are free (1 or 0); friction:
     power, gradient and curvature of the contacts, two a ball.
     """
-    _, slopes, fixed, matrix, pocket, rubbing, free = given
+    _, slopes, fixed, matrix, pocket, rubbing, free = problem
     bent = np.empty((4, 4))
     for n in range(at.size):
         ball = at[n]

@@ -16,7 +16,7 @@ laws: the full integral over the ellipse, and the one of narrow ellipses, which 
 (lines of pure rolling; Jones, 1959). Array axes: contacts first.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -52,7 +52,18 @@ class Ellipses(NamedTuple):
     rounding: Array
 
     def take(self, indices: NDArray[np.int64]) -> "Ellipses":
-        """Those with these indices [-]."""
+        """Some of the ellipses.
+
+        Parameters
+        ----------
+        indices : NDArray[np.int64]
+            numbers of the contacts, shape (n,) [-]
+
+        Returns
+        -------
+        Ellipses
+            ellipses of these contacts
+        """
         return Ellipses(*(values[indices] for values in self))
 
     @property
@@ -63,46 +74,72 @@ class Ellipses(NamedTuple):
         return np.stack([friction, *axes, 0.5 / self.radius, self.rounding], axis=1)
 
 
-def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
-    """Friction of narrow ellipses [W]: exact integrals between the lines of pure rolling, the
-    roots of s_x; motion (N, 4): S_x, S_y [m/s], Omega and omega [rad/s], S_y does not count.
-    """
-    return _line_sums(motion, ellipses.numbers)
-
-
-def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
-    """Friction over the whole ellipse, both directions of sliding, by quadrature; motion as in
-    `line_dissipation`.
+def ellipse_sums(motion: Array, numbers: Array) -> Dissipation:
+    """Friction over the whole ellipse, both directions of sliding, by quadrature.
 
     |s| is rounded to sqrt(s^2 + e^2) [m/s]. Hertz's pressure is taken into the weights.
+
+    Parameters
+    ----------
+    motion : Array
+        S_x, S_y [m/s], Omega and omega [rad/s], shape (N, 4)
+    numbers : Array
+        `Ellipses.numbers`, shape (N, 5)
+
+    Returns
+    -------
+    Dissipation
+        power with its gradient and slope [W]
     """
-    return ellipse_sums(motion, ellipses.numbers)
-
-
-def ellipse_sums(motion: Array, numbers: Array) -> Dissipation:
-    """As `coulomb_dissipation`, by `Ellipses.numbers` [W]."""
     result = _empty(len(motion))
     _kernels.coulomb_sums(ellipse_nodes(EllipseRule.BALANCE), numbers, motion, *result)
     return result
 
 
-def _line_sums(motion: Array, numbers: Array) -> Dissipation:
-    """As `line_dissipation`."""
+def line_sums(motion: Array, numbers: Array) -> Dissipation:
+    """Friction of narrow ellipses: exact integrals between the lines of pure rolling, the roots of
+    s_x.
+
+    Parameters
+    ----------
+    motion : Array
+        S_x, S_y [m/s], Omega and omega [rad/s], shape (N, 4); S_y does not count
+    numbers : Array
+        `Ellipses.numbers`, shape (N, 5)
+
+    Returns
+    -------
+    Dissipation
+        power with its gradient and slope [W]
+    """
     result = _empty(len(motion))
     _kernels.line_sums(numbers, motion, *result)
     return result
 
 
 def _empty(count: int) -> Dissipation:
-    """Of so many contacts, to be filled."""
+    """Dissipation of so many contacts, to be filled."""
     return Dissipation(np.empty(count), np.empty((count, 4)), np.empty((count, 4, 4)))
 
 
 def contact_ellipses(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
 ) -> Ellipses:
-    """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded by
-    `ROUNDING`.
+    """The ellipses of all contacts under Coulomb's friction, rounded by `ROUNDING`.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    friction : float | Array
+        Coulomb's mu, one value or one a contact [-]
+
+    Returns
+    -------
+    Ellipses
+        ellipses, lengths in [m]
     """
     load, semi_axis_x, semi_axis_y, radius = dry_contacts(solution.bearing, contacts)
     return Ellipses(
@@ -116,33 +153,37 @@ def contact_ellipses(
 
 
 def coulomb_law(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
-) -> ContactFriction:
-    """Coulomb's mu [-] over the ellipses of all contacts, one value or one a contact."""
-    ellipses = contact_ellipses(solution, contacts, friction)
-    return _law(ellipses, ellipse_sums)
-
-
-def line_law(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
-) -> ContactFriction:
-    """As `coulomb_law` by lines of pure rolling: without sliding across the rolling direction."""
-    ellipses = contact_ellipses(solution, contacts, friction)
-    return _law(ellipses, _line_sums, longitudinal_only=True)
-
-
-def _law(
-    ellipses: Ellipses,
-    dissipation: Callable[[Array, Array], Dissipation],
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    friction: float | Array,
     *,
-    longitudinal_only: bool = False,
+    lines: bool = False,
 ) -> ContactFriction:
-    """A dissipation over ellipses as the law of their contacts; no rolling resistance."""
+    """Coulomb's friction over the ellipses of all contacts; no rolling resistance.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    friction : float | Array
+        Coulomb's mu, one value or one a contact [-]
+    lines : bool, default False
+        by lines of pure rolling: without sliding across the rolling direction
+
+    Returns
+    -------
+    ContactFriction
+        law of the contacts
+    """
+    ellipses = contact_ellipses(solution, contacts, friction)
     numbers = ellipses.numbers
+    sums = line_sums if lines else ellipse_sums
     return ContactFriction(
-        evaluate=lambda motion, indices: dissipation(motion, numbers[indices]),
+        evaluate=lambda motion, indices: sums(motion, numbers[indices]),
         reference_force=ellipses.friction * ellipses.load,
-        longitudinal_only=longitudinal_only,
+        longitudinal_only=lines,
         has_rolling_resistance=False,
         kinds=np.stack(ellipses, axis=1),
     )
@@ -155,14 +196,31 @@ def balanced_friction(
     *,
     lines: bool = False,
     gyroscopic: bool = True,
-    near: BalancedFriction | None = None,
+    initial_guess: BalancedFriction | None = None,
 ) -> BalancedFriction:
-    """Motion of all balls in balance under Coulomb's mu [-], and what it costs; contacts inner
-    then outer, ball by ball.
+    """Motion of all balls in balance under Coulomb's friction, and its power.
 
-    `lines`: by lines of pure rolling, which cannot hold the gyroscopic couple: it is left out;
-    `gyroscopic`: whether the contacts have to hold it; `near`: of a similar law, where the search
-    begins.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    friction : float | Array
+        Coulomb's mu, one value or one a contact [-]
+    lines : bool, default False
+        by lines of pure rolling, which cannot hold the gyroscopic couple: it is left out
+    gyroscopic : bool, default True
+        the contacts have to hold the gyroscopic couple
+    initial_guess : BalancedFriction | None, optional
+        balance of a similar law, where the search begins
+
+    Returns
+    -------
+    BalancedFriction
+        balance of the balls
     """
-    law = (line_law if lines else coulomb_law)(solution, contacts, friction)
-    return balance_balls(solution, contacts, law, gyroscopic=gyroscopic, initial_guess=near)
+    law = coulomb_law(solution, contacts, friction, lines=lines)
+    return balance_balls(
+        solution, contacts, law, gyroscopic=gyroscopic, initial_guess=initial_guess
+    )

@@ -65,7 +65,7 @@ class _State:
 
     @property
     def is_balanced(self) -> bool:
-        """Whether both balances were found."""
+        """Both balances were found."""
         return self.solution.converged and all(balance.converged for balance in self.balances)
 
 
@@ -202,7 +202,7 @@ def _success_message(state: _State) -> str:
 
 
 def _failure_message(state: _State) -> str:
-    """What keeps a state from being an equilibrium; empty if nothing does."""
+    """Reason why a state is no equilibrium; empty if it is one."""
     if not state.solution.converged:
         return state.solution.message
     if not state.is_balanced:
@@ -314,7 +314,7 @@ def _orbit_weight(solution: QuasistaticSolution) -> float:
 
 
 def _vector(prescribed: PrescribedBalls, weight: float) -> Array:
-    """What the two balances pass on, as forces, shape (4, N) [N]."""
+    """Numbers that the two balances pass on, as forces, shape (4, N) [N]."""
     p = prescribed
     friction = [p.inner_friction, p.outer_friction, p.inner_drive]
     return np.stack([weight * p.orbit_speed, *friction])

@@ -66,7 +66,7 @@ class FilmBlock(NamedTuple):
     laws: Array  # (films, 4)
 
 
-class ShearedFilm(NamedTuple):
+class FilmOnSurface(NamedTuple):
     """A film with the surface that it runs on."""
 
     film: ContactFilm
@@ -109,7 +109,7 @@ def film_nodes(
     # 1. solved films, one by one
     fields = first_same([None if one is None else one.film.field for one in sheared])
     existing: dict[tuple[int, float, float], int] = {}
-    others: dict[int, ShearedFilm] = {}
+    others: dict[int, FilmOnSurface] = {}
     for number, one in enumerate(sheared):
         if one is None:
             continue
@@ -131,14 +131,14 @@ def film_nodes(
     return [joined._replace(own=part) for part in np.split(own, ends[:-1])]
 
 
-def joined_nodes(blocks: Sequence[FilmBlock], own: NDArray[np.int64]) -> FilmNodes:
+def joined_nodes(blocks: Sequence[FilmBlock], film_numbers: NDArray[np.int64]) -> FilmNodes:
     """Films of blocks one after the other.
 
     Parameters
     ----------
     blocks : sequence of FilmBlock
         Films of equal size each.
-    own : ndarray, shape (contacts,)
+    film_numbers : ndarray, shape (contacts,)
         Film of each contact, counted through all blocks [-].
 
     Returns
@@ -160,14 +160,14 @@ def joined_nodes(blocks: Sequence[FilmBlock], own: NDArray[np.int64]) -> FilmNod
         parts=np.stack([ends - sizes, ends - sizes + pressed, ends], axis=1).astype(np.int64),
         thin=thin,
         laws=np.concatenate([block.laws for block in blocks]),
-        own=own,
+        own=film_numbers,
     )
 
 
-def _sheared(bearing: Bearing, contact: BearingContact, film: ContactFilm) -> ShearedFilm:
+def _sheared(bearing: Bearing, contact: BearingContact, film: ContactFilm) -> FilmOnSurface:
     radius = groove_curvature_radius(bearing, contact.race)
     width = np.inf if contact.hertz is None else contact.hertz.semi_axis_y
-    return ShearedFilm(film, 0.5 / radius, width)
+    return FilmOnSurface(film, 0.5 / radius, width)
 
 
 def _law(rheology: Rheology) -> Array:
@@ -185,9 +185,9 @@ def _laws(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
 
 
 def _solved_nodes(
-    sheared: ShearedFilm, rheology: Rheology, temperature: float | None
+    sheared: FilmOnSurface, rheology: Rheology, temperature: float | None
 ) -> FilmBlock:
-    """Those of a solved film; sums of `integrate_traction`."""
+    """Nodes of a solved film; sums of `integrate_traction`."""
     solved = sheared.film.operating_field
     assert solved is not None
     rheology = solution_rheology(solved, rheology)
@@ -211,13 +211,13 @@ def _solved_nodes(
 
 
 def unsolved_nodes(
-    films: Sequence[ShearedFilm], rheology: Rheology, temperature: float | None
+    films: Sequence[FilmOnSurface], rheology: Rheology, temperature: float | None
 ) -> tuple[NDArray[np.int64], FilmBlock]:
     """Nodes of films of atlas and formulas, of one oil.
 
     Parameters
     ----------
-    films : sequence of ShearedFilm
+    films : sequence of FilmOnSurface
         Films without a field, one at least.
     rheology : Rheology
         Of the oil.

@@ -62,42 +62,10 @@ def film_balance(
         motions, forces [N] and powers [W] of all contacts
     """
     law = film_law(solution, contacts, films, rheology)
-    return film_law_balance(solution, contacts, law, resistance, initial_guess)
-
-
-def film_law_balance(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    law: ContactFriction,
-    resistance: Resistance = NO_RESISTANCE,
-    initial_guess: BalancedFriction | None = None,
-) -> BalancedFriction:
-    """Motion of all balls in balance, as `film_balance`, by the law of the films.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        equilibrium of the bearing
-    contacts : Sequence[BearingContact]
-        all of its contacts, inner then outer, ball by ball
-    law : ContactFriction
-        friction of the films
-    resistance : Resistance, default NO_RESISTANCE
-        what holds the balls back beside the races
-    initial_guess : BalancedFriction | None, optional
-        balance of a similar state, where the search begins
-
-    Returns
-    -------
-    BalancedFriction
-        motions, forces [N] and powers [W] of all contacts
-    """
-    begun = (
-        None
-        if initial_guess is None
-        else _continued_balance(solution, contacts, law, resistance, initial_guess)
-    )
-    return begun or balance_driven_balls(solution, contacts, law, resistance)
+    balance = None
+    if initial_guess is not None:
+        balance = _continued_balance(solution, contacts, law, resistance, initial_guess)
+    return balance or balance_driven_balls(solution, contacts, law, resistance)
 
 
 def _continued_balance(
@@ -135,6 +103,7 @@ class ShearedFilms:
     pumping: Array  # (contacts, 4) minus the hydrodynamic rolling moment, its share along [N m]
     rubbing: Array  # (contacts, 5) `Ellipses.numbers` of asperities
     rubs: NDArray[np.bool_]  # (contacts,) where there are any
+    load: Array  # (contacts,) of those with a film, zero elsewhere [N]
 
     def shear(self, motion: Array, indices: NDArray[np.int64]) -> tuple[Array, Array]:
         """Friction of the oil's sliding stress.
@@ -205,6 +174,31 @@ class ShearedFilms:
             slope += more[1]
         return Dissipation(np.zeros(len(indices)), gradient, slope)
 
+    def law(self, scale: Array | None = None) -> ContactFriction:
+        """The films as the law of their contacts.
+
+        Parameters
+        ----------
+        scale : Array | None, optional
+            load of each contact over that of its film, shape (contacts,) [-]
+
+        Returns
+        -------
+        ContactFriction
+            law of the contacts
+        """
+        films = self
+        if scale is not None:
+            pumping = scale[:, None] * self.pumping
+            films = replace(self, oil=scale * self.oil, pumping=pumping)
+        kinds = [films.nodes.own[:, None], films.oil[:, None], films.pumping, films.rubbing]
+        return ContactFriction(
+            evaluate=films.evaluate,
+            reference_force=REFERENCE_TRACTION * self.load,
+            is_potential=False,
+            kinds=np.concatenate(kinds, axis=1),
+        )
+
 
 def sheared_films(
     solution: QuasistaticSolution,
@@ -239,12 +233,14 @@ def sheared_films(
     curvature = np.array([0.0 if c.hertz is None else 0.5 / c.hertz.radius_x for c in contacts])
     along = curvature - 2.0 / solution.bearing.ball_diameter
     zero = np.zeros_like(moment)
+    pairs = zip(contacts, films, strict=True)
     return ShearedFilms(
         nodes=nodes or film_nodes(solution, contacts, (films,), rheology)[0],
         oil=1.0 - share,
         pumping=np.stack([along * moment, zero, zero, moment], axis=1),
         rubbing=contact_ellipses(solution, contacts, share * boundary).numbers,
         rubs=share * boundary > 0.0,
+        load=np.array([0.0 if film is None else c.load for c, film in pairs]),
     )
 
 
@@ -277,44 +273,4 @@ def film_law(
     ContactFriction
         law of the contacts
     """
-    return law_of_films(contacts, films, sheared_films(solution, contacts, films, rheology), scale)
-
-
-def law_of_films(
-    contacts: Sequence[BearingContact],
-    films: Films,
-    sheared: ShearedFilms,
-    scale: Array | None = None,
-) -> ContactFriction:
-    """Sheared films as the law of their contacts.
-
-    Parameters
-    ----------
-    contacts : Sequence[BearingContact]
-        all contacts, inner then outer, ball by ball
-    films : Films
-        operating films of the contacts
-    sheared : ShearedFilms
-        their friction by its parts
-    scale : Array | None, optional
-        load of each contact over that of its film, shape (contacts,) [-]
-
-    Returns
-    -------
-    ContactFriction
-        law of the contacts
-    """
-    if scale is not None:
-        sheared = replace(
-            sheared, oil=scale * sheared.oil, pumping=scale[:, None] * sheared.pumping
-        )
-    pairs = zip(contacts, films, strict=True)
-    load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
-    kinds = [sheared.nodes.own[:, None], sheared.oil[:, None], sheared.pumping]
-    kinds.append(sheared.rubbing)
-    return ContactFriction(
-        evaluate=sheared.evaluate,
-        reference_force=REFERENCE_TRACTION * load,
-        is_potential=False,
-        kinds=np.concatenate(kinds, axis=1),
-    )
+    return sheared_films(solution, contacts, films, rheology).law(scale)

@@ -7,7 +7,7 @@ contact is an `ehl.traction.law.TractionLaw`. A `FrictionSource` is prepared abo
 (`refresh`: only films have to be solved) and bound to its contacts (`at`), which gives their
 `ContactFriction`. A coefficient by the local sliding is added in
 `oilfilm.ehl.traction.coefficients`, for the equations of motion too; any other source is one class
-like those in `sources`.
+like those in `laws`.
 """
 
 from abc import ABC, abstractmethod
@@ -56,7 +56,7 @@ class ContactFriction:
     # tangent, and no gyroscopic couple is balanced
     longitudinal_only: bool = False
     has_rolling_resistance: bool = True  # the oil's rolling resistance is in it
-    # whether the power is the potential of the forces; if not, it is left zero
+    # the power is the potential of the forces; if not, it is left zero
     is_potential: bool = True
     # (contacts, m) numbers that the law of each contact depends on: contacts with equal ones have
     # the same law; None: each may have its own

@@ -35,12 +35,40 @@ class RaceTraction(FrictionSource):
 
     @abstractmethod
     def race_law(self, bearing: Bearing, race: Race, angle: float) -> TractionLaw:
-        """The law of one race at a contact angle [rad]."""
+        """The law of one race.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            the bearing
+        race : Race
+            inner or outer race
+        angle : float
+            contact angle [rad]
+
+        Returns
+        -------
+        TractionLaw
+            law of the contact
+        """
 
     def at(
         self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
     ) -> ContactFriction:
-        """The laws at the loads [N] and contact angles of an equilibrium."""
+        """The laws at the loads and contact angles of an equilibrium.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+        contacts : Sequence[BearingContact]
+            all of its contacts
+
+        Returns
+        -------
+        ContactFriction
+            friction of the contacts [N]
+        """
         bearing = solution.bearing
         laws = [self.race_law(bearing, c.race, c.contact_angle) for c in contacts]
         return contact_law(contacts, laws)
@@ -51,8 +79,8 @@ class LawTraction(RaceTraction):
     """A friction law for each race: traction tables, or any other of `oilfilm.ehl.traction`."""
 
     laws: Mapping[Race, TractionLaw]
-    # of the rolling moment of the tables' flooded, isothermal films that inlet heating and
-    # replenishment leave [-]
+    # fraction of the rolling moment of the tables' flooded, isothermal films that inlet heating
+    # and replenishment leave [-]
     rolling_factor: float = 1.0
     origin: str = "a law of each race (traction tables)"  # of the laws, for messages
 
@@ -62,14 +90,43 @@ class LawTraction(RaceTraction):
         return self.origin
 
     def race_law(self, bearing: Bearing, race: Race, angle: float) -> TractionLaw:
-        """The law of a race, the same at all angles [rad]."""
+        """The law of a race, the same at all angles.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            not used
+        race : Race
+            inner or outer race
+        angle : float
+            not used [rad]
+
+        Returns
+        -------
+        TractionLaw
+            law of the race
+        """
         del bearing, angle
         return self.laws[race]
 
     def at(
         self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
     ) -> ContactFriction:
-        """The laws at the loads [N] of an equilibrium, with what is left of the rolling moment."""
+        """The laws at the loads of an equilibrium, with the part of the rolling moment that is
+        left.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            not used
+        contacts : Sequence[BearingContact]
+            all contacts of the bearing
+
+        Returns
+        -------
+        ContactFriction
+            friction of the contacts [N]
+        """
         del solution
         laws = {race: _with_rolling(law, self.rolling_factor) for race, law in self.laws.items()}
         return contact_law(contacts, [laws[contact.race] for contact in contacts])
@@ -92,7 +149,22 @@ class CoefficientTraction(RaceTraction):
         return self.coefficient.description
 
     def race_law(self, bearing: Bearing, race: Race, angle: float) -> EllipseLaw:
-        """The law over the ellipse of a race at a contact angle [rad]."""
+        """The law over the ellipse of a race.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            the bearing
+        race : Race
+            inner or outer race
+        angle : float
+            contact angle [rad]
+
+        Returns
+        -------
+        EllipseLaw
+            law of the contact
+        """
         return EllipseLaw(contact_shape(bearing, race, angle), self.coefficient)
 
 
@@ -110,7 +182,20 @@ class CoulombTraction(FrictionSource):
     def at(
         self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
     ) -> ContactFriction:
-        """Friction at the loads of an equilibrium [N]."""
+        """Friction at the loads of an equilibrium.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+        contacts : Sequence[BearingContact]
+            all of its contacts
+
+        Returns
+        -------
+        ContactFriction
+            friction of the contacts [N]
+        """
         return coulomb_law(solution, contacts, self.friction)
 
 
@@ -123,10 +208,10 @@ class FilmTraction(FrictionSource):
     # takes the conditions of contacts, None where there is none, and gives their films [m], [Pa]
     solve: SolveFilms
     rheology: Rheology
-    # what carries part of the loads [N] where the films are thin; None: full films
+    # asperities that carry part of the loads [N] where the films are thin; None: full films
     asperities: Asperities | None = None
-    # of the rolling moment of flooded, isothermal films that inlet heating and replenishment leave
-    # [-]
+    # fraction of the rolling moment of flooded, isothermal films that inlet heating and
+    # replenishment leave [-]
     rolling_factor: float = 1.0
     # empty before `refresh`
     films: tuple[ContactFilm | None, ...] = ()
@@ -141,8 +226,18 @@ class FilmTraction(FrictionSource):
         )
 
     def refresh(self, contacts: Sequence[BearingContact]) -> Refreshed:
-        """With films solved at the loads of contacts [N], or the contact whose film failed, or why
-        the solver refuses one.
+        """Films solved at the loads of contacts.
+
+        Parameters
+        ----------
+        contacts : Sequence[BearingContact]
+            all contacts of the bearing
+
+        Returns
+        -------
+        Refreshed
+            the source with these films; with the contact whose film failed, or the reason why the
+            solver refuses one
         """
         try:
             solutions = self.solve([contact.conditions for contact in contacts])
@@ -160,8 +255,19 @@ class FilmTraction(FrictionSource):
     def at(
         self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
     ) -> ContactFriction:
-        """Friction at the loads of an equilibrium [N], with the traction coefficients of the
-        films.
+        """Friction at the loads of an equilibrium, with the traction coefficients of the films.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+        contacts : Sequence[BearingContact]
+            all of its contacts
+
+        Returns
+        -------
+        ContactFriction
+            friction of the contacts [N]
         """
         pairs = zip(contacts, self.loads, strict=True)
         scale = np.array([contact.load / load if load > 0.0 else 0.0 for contact, load in pairs])
@@ -174,6 +280,17 @@ class FilmTraction(FrictionSource):
         return film_law(solution, contacts, running, self.rheology, scale=scale)
 
     def load_change(self, contacts: Sequence[BearingContact]) -> float:
-        """Largest change of a load since the films were solved, over the largest load [-]."""
+        """Largest change of a load since the films were solved.
+
+        Parameters
+        ----------
+        contacts : Sequence[BearingContact]
+            all contacts of the bearing
+
+        Returns
+        -------
+        float
+            change over the largest load [-]
+        """
         load = np.array([contact.load for contact in contacts])
         return float(np.abs(load - np.array(self.loads)).max() / max(float(load.max()), 1e-300))

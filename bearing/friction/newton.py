@@ -44,13 +44,13 @@ class MotionProblem:
     reference_force: Array  # (balls,) friction that the residual is measured against [N]
     driven: NDArray[np.bool_]  # (balls,) by the inner race
     ring_motion: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
-    # of balls that are the same the first one, (n,), and the place there of each ball, (balls,)
+    # first one of equal balls, (n,), and the place there of each ball, (balls,)
     first: NDArray[np.int64]
     like: NDArray[np.int64]
 
 
 def _of_balls(problem: MotionProblem, balls: NDArray[np.int64]) -> tuple[Array, ...]:
-    """What the kernels take of the balls with these indices."""
+    """Arguments of the kernels for the balls with these indices."""
     along_orbit = (problem.cage_force + problem.drag)[balls, None] * np.eye(4)[0]
     return (
         problem.start[balls],
@@ -65,7 +65,7 @@ def _of_balls(problem: MotionProblem, balls: NDArray[np.int64]) -> tuple[Array, 
 
 def _evaluate(
     problem: MotionProblem,
-    given: tuple[Array, ...],
+    prepared: tuple[Array, ...],
     balls: NDArray[np.int64],
     at: NDArray[np.int64],
     z: Array,
@@ -74,10 +74,10 @@ def _evaluate(
     balls at these places of `balls`.
     """
     k = np.empty((at.size, 2, 4))
-    motions(given, at, z, k)
+    motions(prepared, at, z, k)
     friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(balls[at]))
     left = (np.empty(at.size), np.empty((at.size, 4)), np.empty((at.size, 4, 4)))
-    left_on_balls(given, at, z, tuple(map(np.ascontiguousarray, friction)), left)
+    left_on_balls(prepared, at, z, tuple(map(np.ascontiguousarray, friction)), left)
     return left
 
 
@@ -120,7 +120,7 @@ def contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
 
 
 def solve_with_couple_steps(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
-    """As `minimise`; balls for which that fails are solved again with the gyroscopic couple
+    """Minimise; balls for which that fails are solved again with the gyroscopic couple
     growing in steps (natural continuation, Allgower and Georg, 2003, chapter 2).
 
     Parameters
@@ -187,7 +187,7 @@ def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
 def _minimise(
     problem: MotionProblem, balls: NDArray[np.int64], start: Array
 ) -> tuple[Array, Array]:
-    """As `minimise`, of the balls with these indices."""
+    """Minimise for the balls with these indices."""
     friction = problem.reference_force[balls] + TINY
     slip = problem.reference_slip[balls]
     given = _of_balls(problem, balls)

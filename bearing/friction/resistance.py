@@ -1,5 +1,5 @@
-"""What brakes a bearing beside sliding: hysteresis of the contacts, the oil's rolling resistance,
-cage and churning.
+"""Resistance of a bearing beside sliding: hysteresis of the contacts, the oil's rolling
+resistance, cage and churning.
 """
 
 from collections.abc import Sequence
@@ -36,7 +36,7 @@ class Cage:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Resistance:
-    """What holds the balls back on their orbits beside the races."""
+    """Resistance to the balls on their orbits beside the races."""
 
     ball: float = 0.0  # drag of the oil over the square of a ball's speed [N s^2/m^2]
     land: float = 0.0  # torque of the cage's guiding land over its slip, Petroff (1883) [N m s]
@@ -147,7 +147,7 @@ class ResistedPower:
 
     @property
     def of_balls(self) -> float:
-        """What the balls give [W]."""
+        """Power that the balls give [W]."""
         return self.drag + self.pocket + self.land - self.guiding
 
     @property
@@ -195,7 +195,7 @@ def resistance_of(
 
 
 def _cage_resistance(cage: Cage, viscosity: float) -> Resistance:
-    """Of land and pockets, by the oil's viscosity [Pa s]."""
+    """Resistance of land and pockets, by the oil's viscosity [Pa s]."""
     return Resistance(
         land=land_drag(cage, viscosity),
         rub=land_rub(cage),

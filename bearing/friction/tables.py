@@ -1,13 +1,10 @@
-"""Friction of contacts by a law of `oilfilm.ehl.traction` each: traction tables and coefficients.
-
-Traction tables of a bearing's two races, at one temperature of the oil or at several.
+"""Friction of contacts by a law of `oilfilm.ehl.traction` each: traction tables of both races at
+one temperature of the oil or at several, their files, and coefficients.
 
 The rolling radius of a race changes little from ball to ball with the contact angle: the table
 takes that of its heaviest loaded contact. Loads reach from below the lightest ball (which carries
 its centrifugal force only) to above the heaviest one at either race, speeds from half to 1.25
 times the entrainment speeds of the case.
-
-Files of the traction tables of both races, at one temperature of the oil or several.
 """
 
 import io
@@ -27,7 +24,7 @@ from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.solid.heat import SolidThermal
 from oilfilm.ehl.traction.law import TractionLaw
 from oilfilm.ehl.traction.shear import EllipseLaw
-from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.storage import read_table, write_table
 from oilfilm.ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable
 from oilfilm.ehl.traction_table.temperature import TemperatureTable, build_temperature_table
@@ -44,9 +41,20 @@ from .law import REFERENCE_TRACTION, ContactFriction, Dissipation
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 
-# of slides over u, and spin over u/R_x, for difference quotients [-]; half and double of it change
+# slides over u, and spin over u/R_x, of difference quotients [-]; half and double of it change
 # loads and speeds of eight random bearings in traction equilibrium by 5e-12 at most
 STEP = 1.0e-5
+
+# below the lightest and above the heaviest contact; in a simulation of 7008_combined 99.8 % of the
+# loads lie within, in one of 7008_axial all (from 0.99 of the lightest to 1.01 of the heaviest)
+LOAD_MARGIN = (0.7, 1.5)
+SPEED_MARGIN = (0.5, 1.25)  # in the same simulations speeds are 0.94 to 1.02 of these
+# largest over smallest load of a table at most: below, where friction goes with the load, it is a
+# 300th of the largest at most
+LOAD_SPAN = 300.0
+
+DAMAGED = "no traction tables of a bearing, or damaged ones"
+INDEX = "temperatures.json"  # its presence marks a file with several temperatures
 
 
 def contact_law(
@@ -161,7 +169,7 @@ def _evaluation(laws: Sequence[TractionLaw], first: TractionLaw) -> Evaluate:
     return one_by_one
 
 
-def law_gradient(law: TractionLaw, place: Array, motion: Array) -> tuple[Array, Array]:
+def law_gradient(law: TractionLaw, conditions: Array, motion: Array) -> tuple[Array, Array]:
     """Minus the forces and moments on the ball by a law, and their slope by sliding and spin; the
     entrainment is that of the rolling speed.
 
@@ -169,7 +177,7 @@ def law_gradient(law: TractionLaw, place: Array, motion: Array) -> tuple[Array, 
     ----------
     law : TractionLaw
         of the contact
-    place : Array
+    conditions : Array
         load [N], entrainment speed [m/s], rolling radius [m], shape (3,)
     motion : Array
         sliding along and across [m/s], spin and rolling [rad/s], shape (4,)
@@ -181,7 +189,7 @@ def law_gradient(law: TractionLaw, place: Array, motion: Array) -> tuple[Array, 
     slope
         shape (4, 4) [N s/m]
     """
-    load, speed, radius = (float(value) for value in place)
+    load, speed, radius = (float(value) for value in conditions)
     here = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4])
     slope = np.zeros((4, 4))
     for j, step in enumerate((STEP * speed, STEP * speed, STEP * speed / radius)):
@@ -192,13 +200,6 @@ def law_gradient(law: TractionLaw, place: Array, motion: Array) -> tuple[Array, 
     return -here, slope
 
 
-# below the lightest and above the heaviest contact; in a simulation of 7008_combined 99.8 % of the
-# loads lie within, in one of 7008_axial all (from 0.99 of the lightest to 1.01 of the heaviest)
-LOAD_MARGIN = (0.7, 1.5)
-SPEED_MARGIN = (0.5, 1.25)  # in the same simulations speeds are 0.94 to 1.02 of these
-# largest over smallest load of a table at most: below, where friction goes with the load, it is a
-# 300th of the largest at most
-LOAD_SPAN = 300.0
 Progress = Callable[[int, int, str], None]
 Tables = dict[Race, TractionTable]
 TemperatureTables = dict[Race, TemperatureTable]
@@ -333,7 +334,9 @@ def build_race_tables(
     chosen = limits(table_range(solution, lubricant))
     tables = {}
     for race, contact in table_contacts(solution, lubricant, rheology, solids=solids).items():
-        tables[race] = build_table(contact, chosen, options, race_progress(progress, race))
+        tables[race] = build_traction_table(
+            contact, chosen, options, race_progress(progress, race)
+        )
     return tables
 
 
@@ -403,10 +406,6 @@ def race_progress(progress: Progress | None, race: Race) -> Progress:
             progress(done, total, f"{race.value} race: {state}")
 
     return notify
-
-
-DAMAGED = "no traction tables of a bearing, or damaged ones"
-INDEX = "temperatures.json"  # its presence marks a file with several temperatures
 
 
 def save_race_tables(tables: Tables, path: Path) -> None:

@@ -1,11 +1,6 @@
-"""One state of a bearing that warms itself: heat at a film temperature and a clearance, and the
-temperatures of all parts that follow from it.
-
-How the contacts of a bearing conduct heat through their films.
-
-Heat of films of formulas with the balls in balance: what the search for temperatures takes.
-
-Temperature at which friction and cooling agree.
+"""One state of a bearing that warms itself: heat at a film temperature and a clearance, with films
+of formulas and the balls in balance, the conduction of heat through the films, and the
+temperatures of all parts that follow.
 """
 
 from collections.abc import Callable, Sequence
@@ -59,6 +54,12 @@ PRESSED = 2.0
 ELLIPSE_POINTS = 33  # along and across the ellipse [-]; 129 conduct 0.9 % more in a 6306
 
 Ends = tuple[float, float, float]  # value, low and high end [W/K]
+
+# highest film temperature of a balance [K]: 150 C, where mineral oils near their flash points
+# (about 150 C for light ones) and the oils' data end; assumed
+HIGHEST_TEMPERATURE = 423.15
+
+OUTER = ("outer_ring_loaded", "outer_ring_unloaded")
 
 
 def contact_conductances(
@@ -153,7 +154,7 @@ def _of_solved(
 
 
 def _scales(error: float) -> Ends:
-    """Of the film by its relative error, value and both ends of the conductance [-]."""
+    """Factors of the film by its relative error, value and both ends of the conductance [-]."""
     return 1.0, 1.0 + error, 1.0 / (1.0 + error)
 
 
@@ -163,7 +164,7 @@ def _of_flat(
     temperature: float,
     count_ends: int,
 ) -> Array:
-    """As `_of_solved`, of flat films of one race and one oil at once, equal ones once, shape
+    """Conductances of flat films of one race and one oil at once, equal ones once, shape
     (films, 3), or (films, 1) without ends.
     """
     numbers = [
@@ -211,7 +212,7 @@ def _hertz_pressures() -> tuple[Array, Array]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OperatingState:
-    """What is computed of one state of a bearing; None where it is not."""
+    """Results computed of one state of a bearing; None where they are not."""
 
     films: Films | None = None  # operating films of the contacts
     balance: BalancedFriction | None = None  # of the balls on these films
@@ -229,7 +230,7 @@ class FilmsHeat:
     ends: bool = True  # whether the ends of conductances are wanted
     last: BalancedFriction | None = field(default=None)
     # the last equilibrium, its oil and its heat
-    known: tuple[QuasistaticSolution, Lubricant, FrictionHeat] | None = field(default=None)
+    last_heat: tuple[QuasistaticSolution, Lubricant, FrictionHeat] | None = field(default=None)
 
     def heat(
         self,
@@ -267,8 +268,8 @@ class FilmsHeat:
         UndrivenBallsError
             If the balls find no balance.
         """
-        if self.known is not None:
-            before, same, heat = self.known
+        if self.last_heat is not None:
+            before, same, heat = self.last_heat
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
@@ -299,7 +300,7 @@ class FilmsHeat:
             conductance=conductances,
             loaded=loaded_half(solution),
         )
-        self.known = (solution, oil, found)
+        self.last_heat = (solution, oil, found)
         return found
 
 
@@ -352,11 +353,6 @@ def film_conductances(
     return contact_conductances(solution.bearing, contacts, films, temperature, ends=ends)
 
 
-# highest film temperature of a balance [K]: 150 C, where mineral oils near their flash points
-# (about 150 C for light ones) and the oils' data end; assumed
-HIGHEST_TEMPERATURE = 423.15
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeatBalance:
     """Temperature at which friction and cooling agree."""
@@ -371,7 +367,6 @@ class HeatBalance:
 
 
 FrictionModel = Callable[[QuasistaticSolution, Sequence[BearingContact], Lubricant], FrictionHeat]
-OUTER = ("outer_ring_loaded", "outer_ring_unloaded")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -465,8 +460,8 @@ class HeatState:
 
     @property
     def weights(self) -> Array:
-        """Of the nodes in the film temperature [-]: half the balls, a quarter each ring, the outer
-        one by the loads in its halves.
+        """Weights of the nodes in the film temperature [-]: half the balls, a quarter each ring,
+        the outer one by the loads in its halves.
         """
         halves = self.friction.loaded @ self.friction.contact[:, 1]
         total = float(self.friction.contact[:, 1].sum())
@@ -591,7 +586,7 @@ def _equilibrium(
     operation: Operation,
     initial_guess: QuasistaticSolution | None,
 ) -> QuasistaticSolution:
-    """That of the bearing, SI: its loads do not depend on the oil, so that one at another
+    """Equilibrium of the bearing, SI: its loads do not depend on the oil, so that one at another
     temperature is the same.
     """
     if initial_guess is None or not initial_guess.converged:

@@ -1,15 +1,13 @@
-"""Network of heat: temperatures of nodes between which conductances lie.
+"""Network of heat: temperatures of nodes between which conductances lie, and the conductances of
+the parts around a contact.
 
     steady:     Q_n + sum_m G_nm (T_m - T_n) = 0
     transient:  C_n dT_n/dt = the same left side
 
-Temperatures of boundaries are given. A fluid that comes at the temperature of a boundary and
-leaves at that of a node is a conductance rho c V between them.
-
-Heat conductances of the parts around a contact, in closed form, each with its range.
-
-Cylinder, fin and ring are Fourier's equation in one dimension; coefficients of surfaces to air and
-oil are correlations, whose ranges are wide.
+Temperatures of boundaries are prescribed. A fluid that comes at the temperature of a boundary and
+leaves at that of a node is a conductance rho c V between them. Conductances of cylinder, fin and
+ring are Fourier's equation in one dimension; coefficients of surfaces to air and oil are
+correlations, whose ranges are wide. Each is in closed form, with its range.
 """
 
 from collections.abc import Mapping
@@ -35,6 +33,20 @@ AIR_CONDUCTIVITY = 0.0279  # [W/(m K)]
 AIR_VISCOSITY = 1.80e-5  # [m^2/s]
 AIR_PRANDTL = 0.71
 AIR_CAPACITY = 1100.0  # [J/(m^3 K)]
+
+NODES = (
+    "shaft",
+    "inner_ring",
+    "balls",
+    "outer_ring_loaded",
+    "outer_ring_unloaded",
+    "cage",
+    "oil",
+    "housing",
+)
+AMBIENT = "ambient"
+OIL_SUPPLY = "oil_supply"
+BOUNDARIES = (AMBIENT, OIL_SUPPLY)
 
 
 @dataclass(frozen=True, slots=True)
@@ -265,21 +277,6 @@ def radiation_coefficient(emissivity: float, temperature: float) -> float:
         coefficient [W/(m^2 K)]
     """
     return 4.0 * emissivity * STEFAN_BOLTZMANN * temperature**3
-
-
-NODES = (
-    "shaft",
-    "inner_ring",
-    "balls",
-    "outer_ring_loaded",
-    "outer_ring_unloaded",
-    "cage",
-    "oil",
-    "housing",
-)
-AMBIENT = "ambient"
-OIL_SUPPLY = "oil_supply"
-BOUNDARIES = (AMBIENT, OIL_SUPPLY)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,4 +1,5 @@
-r"""Balances of heat over the speed, and the speed above which there is none.
+r"""Balances of heat over the speed, the speed above which there is none, and the least cooling
+that keeps a bearing below a temperature.
 
 The balances at given loads are a branch of speed n, film temperature and clearance,
 
@@ -9,8 +10,6 @@ round: where n(T_f) turns back, a little more speed leaves no balance nearby, an
 against runaway is zero. The branch is followed by film temperature, n and P_d by Newton's method
 with Broyden's updates, and its turn bounds the speed. A branch that does not turn ends where the
 temperature leaves the range of lubricants.
-
-Least cooling with which a bearing that is heated too much would stay below a limit.
 """
 
 from collections.abc import Callable
@@ -36,6 +35,10 @@ SLOWEST = 0.1  # of the speed it starts from: where the branch begins
 TURN_TOLERANCE = 0.5  # of the film temperature at the turn, about which the speed is flat [K]
 TURN_STEPS = 3  # of the parabola through the fastest balances
 LARGEST_FACTOR = 30.0  # of the speed it starts from: where the branch is no longer followed
+
+LARGEST_CONDUCTANCE = 1.0e5  # end of the search [W/K]
+SMALLEST_FLOW = 1.0e-3  # its beginning for oil that passes through [W/K]
+TOLERANCE = 1.0e-3  # of a conductance [-]
 
 
 class SpeedLimit(Enum):
@@ -287,11 +290,6 @@ def _converged(residual: Array) -> bool:
     return bool(
         abs(residual[0]) <= TEMPERATURE_TOLERANCE and abs(residual[1]) <= CLEARANCE_TOLERANCE
     )
-
-
-LARGEST_CONDUCTANCE = 1.0e5  # end of the search [W/K]
-SMALLEST_FLOW = 1.0e-3  # its beginning for oil that passes through [W/K]
-TOLERANCE = 1.0e-3  # of a conductance [-]
 
 
 def required_heat_transfer(state: HeatState) -> float | None:

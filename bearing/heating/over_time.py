@@ -1,9 +1,10 @@
-r"""Temperatures of a bearing over time, from a start on.
+r"""Temperatures of a bearing over time, from a start on, and the stability of their balance.
 
 .. math:: C_n \dot T_n = Q_n(T_f, P_d) + \sum_m G_{nm} (T_m - T_n)
 
-with film temperature and clearance of the moment: friction and films are as they would be in a
-steady state there, which they reach within turns, the parts within minutes. A step solves
+with the heat capacities C_n of the nodes, film temperature and clearance of the moment: friction
+and films are as they would be in a steady state there, which they reach within turns, the parts
+within minutes. A step solves
 
 .. math:: \dot T = A T + N_0 + N_1 t, \qquad A = C^{-1} (Q' - G)
 
@@ -13,19 +14,11 @@ film temperature that the last steps show, N_1 by the step before
 step, however fast the oil in the cavity warms. (SciPy's BDF took several hundred: its steps shrink
 with what the iterations of the friction leave.)
 
-Heat capacities of the nodes of a bearing: they set how fast it warms, not where it ends.
-
-Stability of a balance of heat, and how far its temperatures go with the ranges of its paths.
-
-Near a balance the temperatures move as
-
-.. math:: C \dot T = (Q' - G)\, \delta T
-
-with G of the network and Q' = dQ/dT of the friction, which falls with the viscosity of warmer oil
-and rises with the preload of a warmer inner ring. The largest eigenvalue of C^-1 (Q' - G) is the
-rate at which the slowest disturbance dies out; where it is positive the bearing runs away. The
-margin is that rate over the rate with friction that does not change: 1 where it does not matter,
-above it where friction falls with the temperature, 0 at the limit.
+Near a balance Q' = dQ/dT of the friction falls with the viscosity of warmer oil and rises with the
+preload of a warmer inner ring. The largest eigenvalue of A is the rate at which the slowest
+disturbance dies out; where it is positive the bearing runs away. The margin is that rate over the
+rate with friction that does not change: 1 where it does not matter, above it where friction falls
+with the temperature, 0 at the limit.
 """
 
 from collections.abc import Callable
@@ -49,6 +42,17 @@ from .paths import Surroundings, dimensions, with_dimensions
 OIL_SHARE = 0.1  # of the cavity that holds oil, where none is given, assumed [-]
 CAGE_SHARE = 0.1  # of the volume of the balls that a cage has, assumed, as dense as steel [-]
 CAGE_CAPACITY = 3.6e6  # rho c of steel [J/(m^3 K)]
+
+PROBE = 1.0  # of one node's temperature, for the slope of the clearance [K]
+
+FILM_STEP = 4.0  # of the film temperature in one step [K]
+CLEARANCE_STEP = 2.0e-6  # likewise [m]
+ERROR = 0.2  # of the film temperature that a step may make [K]
+SLOPE_STEP = 0.3  # of the film temperature from which a step shows a slope [K]
+FIRST_STEP = 1.0e-4  # over the longest time constant [-]
+GROWTH = 2.0  # of one step over the one before, at most
+
+OUT_OF_RANGE = "the films pass the range of lubricants"
 
 
 def heat_capacities(
@@ -112,9 +116,6 @@ def _capacity(material: Material) -> float:
     """Rho c [J/(m^3 K)]."""
     solid = solid_thermal(material)
     return solid.density * solid.specific_heat
-
-
-PROBE = 1.0  # of one node's temperature, for the slope of the clearance [K]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -208,14 +209,6 @@ def _response(slopes: Slopes, problem: SelfHeatingProblem) -> Array:
         (problem.clearance(at + PROBE * unit) - clearance) / PROBE for unit in np.eye(len(NODES))
     ]
     return np.asarray(response + np.outer(by_clearance, slope))
-
-
-FILM_STEP = 4.0  # of the film temperature in one step [K]
-CLEARANCE_STEP = 2.0e-6  # likewise [m]
-ERROR = 0.2  # of the film temperature that a step may make [K]
-SLOPE_STEP = 0.3  # of the film temperature from which a step shows a slope [K]
-FIRST_STEP = 1.0e-4  # over the longest time constant [-]
-GROWTH = 2.0  # of one step over the one before, at most
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -340,9 +333,6 @@ def warm_up(
         if course.film_temperature(after.temperatures) >= problem.hottest:
             message = OUT_OF_RANGE
     return _result(moments, course, message)
-
-
-OUT_OF_RANGE = "the films pass the range of lubricants"
 
 
 def _advance(course: _Course, moments: list[_Moment], step: float) -> tuple[_Moment, float]:

@@ -28,13 +28,14 @@ TOLERANCE = 1.0e-4  # of the film temperature [K]
 CLEARANCE_TOLERANCE = 1.0e-10  # [m]
 MOST_STEPS = 30  # of the film temperature alone: friction over it may fall and rise
 LAST_STATES = 3  # that a step goes by: a parabola
-# of the tolerance that line and parabola may differ where the last one is not looked at: measured
-# on 48 states of a 7012AC the parabola was better than that difference [-]; at most so far away,
-# as without a limit bearings in the cold were taken for settled 20 K from their balance [K]
+# fraction of the tolerance that line and parabola may differ by where the last is unchecked:
+# measured on 48 states of a 7012AC the parabola was better than that difference [-]; at most so
+# far away, as without a limit bearings in the cold were taken for settled 20 K from their balance
+# [K]
 EXTRAPOLATION_ERROR = 0.1
 EXTRAPOLATION_REACH = 0.02
 NEWTON_STEPS = 8
-# of the viscosity with which the friction goes, for the first step: 0.37 to 0.46 in 24 states of a
+# power of the viscosity that the friction goes with, for the first step: 0.37 to 0.46 in 24 of a
 # 7012AC with films of the atlas [-]
 POWER = 0.4
 LARGEST_STEP = 25.0  # [K]
@@ -57,12 +58,12 @@ class SelfHeatingSolution:
 
     @property
     def converged(self) -> bool:
-        """Whether friction and cooling agree."""
+        """Friction and cooling agree."""
         return self.balance is not None and self.balance.converged
 
     @property
     def viscosity(self) -> float | None:
-        """Of the oil in the films [Pa s]."""
+        """Viscosity of the oil in the films [Pa s]."""
         return None if self.state is None else self.state.viscosity
 
     @property
@@ -193,7 +194,7 @@ NOT_CONVERGED = "film temperature and clearance do not come to rest together"
 
 
 def _no_balance(hottest: float) -> str:
-    """That there is none up to a film temperature [K]."""
+    """Message that there is no balance up to a film temperature [K]."""
     return (
         "no balance: friction exceeds the cooling up to "
         f"{hottest - ZERO_CELSIUS:.0f} C, beyond the range of lubricants"
@@ -311,37 +312,37 @@ def _by_viscosity(problem: SelfHeatingProblem, state: HeatState, coldest: float)
     return float(scipy.optimize.brentq(surplus, low, high, xtol=0.1 * NEAR))
 
 
-def _root(known: list[tuple[float, float]]) -> float | None:
+def _root(states: list[tuple[float, float]]) -> float | None:
     """Temperature [K] at which nothing is found above it, by the polynomial of temperatures over
     what was found at the last ones; None where that does not fall from one to the next.
     """
-    whole = _crossing(known)
-    return _crossing(known[-2:]) if whole is None else whole
+    whole = _crossing(states)
+    return _crossing(states[-2:]) if whole is None else whole
 
 
-def _step(known: list[tuple[float, float]]) -> float:
+def _step(states: list[tuple[float, float]]) -> float:
     """Twice the last step, or what is found above the last temperature if that is more, toward the
     balance: it lies beyond where what is found above does not fall [K].
     """
-    (before, _), (at, excess) = known[-2:]
+    (before, _), (at, excess) = states[-2:]
     return float(np.copysign(max(2.0 * abs(at - before), abs(excess)), excess))
 
 
-def _extrapolated_root(known: list[tuple[float, float]], tolerance: float) -> float | None:
+def _extrapolated_root(states: list[tuple[float, float]], tolerance: float) -> float | None:
     """The root by a parabola where that by a line through its last two states, which is less
     exact, is not more than a part of `tolerance` from it; None elsewhere [K].
     """
-    if len(known) < LAST_STATES:
+    if len(states) < LAST_STATES:
         return None
-    parabola = _crossing(known)
-    line = _crossing(known[-2:])
+    parabola = _crossing(states)
+    line = _crossing(states[-2:])
     if parabola is None or line is None or abs(parabola - line) > EXTRAPOLATION_ERROR * tolerance:
         return None
-    return parabola if abs(parabola - known[-1][0]) <= EXTRAPOLATION_REACH else None
+    return parabola if abs(parabola - states[-1][0]) <= EXTRAPOLATION_REACH else None
 
 
 def _crossing(states: list[tuple[float, float]]) -> float | None:
-    """As `_root`, by the polynomial through all these states."""
+    """The root of `_root`, by the polynomial through all these states."""
     at, excess = np.array(sorted(states)).T
     if at.size > 1 and (np.diff(excess) < 0.0).all() and (np.diff(at) > 0.0).all():
         return float(lagrange_weights(excess, 0.0) @ at)
@@ -361,7 +362,7 @@ def _bounded_step(
 
 
 def _converged_state(search: _Search, start: HeatState) -> tuple[HeatState, Slopes, bool]:
-    """As `_newton` from a state near the balance; where that does not lead to it, as where the
+    """Newton's method from a state near the balance; where that does not lead to it, as where the
     friction rises and falls on the way, from one that is right in its film temperature.
     """
     state, slopes, converged = _newton(search, start)

@@ -1,7 +1,6 @@
-"""Bearings by name, as the keys of a case file's [bearing] table.
-
-Tolerances of seats by name: deviations of shafts and housings (ISO 286: k5, H7), of the
-bearings on them (ISO 492), and the interference that follows.
+"""Bearings by name, as the keys of a case file's [bearing] table, and tolerances of their seats by
+name: deviations of shafts and housings (ISO 286: k5, H7), of the bearings on them (ISO 492), and
+the interference that follows.
 
 A housing of letters K to N with a grade up to 8, P up to 7, has the deviation of the shaft of that
 letter with opposite sign, raised by the difference of its grade from the next finer one; F, G and
@@ -26,6 +25,14 @@ from .designation import SERIES, Designation, why_unknown
 from .plugins import library_data, matching_name, plain_name
 
 PUBLISHED = "bearings.toml"
+
+DATA = "fits.toml"
+SMALLEST_SIZE = 6.0  # above which the tables begin [mm]
+TOLERANCE_CLASSES = ("normal", "P6", "P5", "P4", "P2")
+SHAFT_LETTERS = ("f", "g", "h", "js", "j", "k", "m", "n", "p")
+HOUSING_LETTERS = ("F", "G", "H", "JS", "J", "K", "M", "N", "P")
+GRADES = (4, 5, 6, 7, 8)  # IT, of seats
+PUSHED_UP = ("K", "M", "N", "P")  # letters of housings whose deviation the grade raises
 
 
 @cache
@@ -224,14 +231,6 @@ def _with_words(field: str, value: Any) -> str:
         return f"{words.replace('_', ' ')} {shown} {last}"
     return f"{field.replace('_', ' ')} {shown}"
 
-
-DATA = "fits.toml"
-SMALLEST_SIZE = 6.0  # above which the tables begin [mm]
-TOLERANCE_CLASSES = ("normal", "P6", "P5", "P4", "P2")
-SHAFT_LETTERS = ("f", "g", "h", "js", "j", "k", "m", "n", "p")
-HOUSING_LETTERS = ("F", "G", "H", "JS", "J", "K", "M", "N", "P")
-GRADES = (4, 5, 6, 7, 8)  # IT, of seats
-PUSHED_UP = ("K", "M", "N", "P")  # letters of housings whose deviation the grade raises
 
 Interval = tuple[float, float]  # smallest and largest [um]
 

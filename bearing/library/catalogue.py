@@ -4,10 +4,9 @@ dimensions (ISO 15), load ratings where a maker prints them, and clearance class
 The numbers come from three tables in `data`: boundary_dimensions.csv, clearance_classes.csv and
 catalogue_ratings.csv. Ball and number of balls in the latter are those that explain the ratings
 (`bearing.rating.geometry_estimate`, written by tools/catalogue_geometry.py). A bearing without
-ratings takes the balls of one of its size with another contact angle, or else typical ones.
-
-Internal geometry that follows from boundary dimensions alone, and what bearings have in common:
-sizes of balls, conformities of grooves, and how far these differ between makers.
+ratings takes the balls of one of its size with another contact angle, or else typical ones: sizes
+of balls and conformities of grooves that bearings have in common, with their ranges between
+makers.
 """
 
 import csv
@@ -43,6 +42,15 @@ TYPICAL_FILL = ((0.0, 0.60), (15.0, 0.78), (40.0, 0.86))
 TYPICAL_BALL_RANGE = (0.80, 1.15)
 TYPICAL_BALLS_RANGE = 0.2
 TYPICAL_PITCH_RANGE = 0.02
+
+MM = 1e-3  # [m]
+BALL_RANGE = 0.07  # relative, of estimates from ratings: docs/user/libraries.md [-]
+PITCH_RANGE = 0.015
+BALLS_RANGE = 0.1
+MAKER = "C and C_0: NSK, Rolling Bearings, B8 to B17 and B50 to B61"
+CLEARANCE_CLASSES = ("C2", "CN", "CM", "C3", "C4", "C5")
+# factors of ISO 15 by the series of deep groove bearings [-], from memory, unverified
+DIAMETER_SERIES = {"618": 0.45, "619": 0.62, "60": 0.84, "62": 1.48, "63": 1.92, "64": 2.56}
 
 
 def ball_sizes(smallest: float, largest: float) -> tuple[float, ...]:
@@ -149,16 +157,6 @@ def _fill(angle: float) -> float:
     if angle <= a1:
         return f0 + (f1 - f0) * (angle - a0) / (a1 - a0)
     return f1 + (f2 - f1) * (min(angle, a2) - a1) / (a2 - a1)
-
-
-MM = 1e-3  # [m]
-BALL_RANGE = 0.07  # relative, of estimates from ratings: docs/user/libraries.md [-]
-PITCH_RANGE = 0.015
-BALLS_RANGE = 0.1
-MAKER = "C and C_0: NSK, Rolling Bearings, B8 to B17 and B50 to B61"
-CLEARANCE_CLASSES = ("C2", "CN", "CM", "C3", "C4", "C5")
-# factors of ISO 15 by the series of deep groove bearings [-], from memory, unverified
-DIAMETER_SERIES = {"618": 0.45, "619": 0.62, "60": 0.84, "62": 1.48, "63": 1.92, "64": 2.56}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -352,7 +350,7 @@ def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
         _geometry(designation, outside),
         _values(row),
     )
-    entry["skf_series"] = skf_series(designation)
+    entry["skf_series"] = friction_series(designation)
     source = f"boundary dimensions: ISO 15, dimension series {designation.dimension_series}"
     sources = [source, *([MAKER] if row else ["no ratings read"]), entry["source"]]
     if row.get("inner_shoulder_mm"):
@@ -362,7 +360,7 @@ def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
     return {**entry, "source": "; ".join(sources)}
 
 
-def skf_series(designation: Designation) -> str:
+def friction_series(designation: Designation) -> str:
     """Series of SKF's friction constants that a designation belongs to.
 
     Parameters
@@ -448,7 +446,7 @@ def estimated_entry(
     size: tuple[float, float, float],
     contact_angle: float,
     geometry: Geometry,
-    known: dict[str, float],
+    published: dict[str, float],
 ) -> dict[str, Any]:
     """Keys of a case's [bearing] table for an estimated geometry.
 
@@ -460,7 +458,7 @@ def estimated_entry(
         nominal contact angle, zero for a deep groove bearing [deg]
     geometry : Geometry
         estimated internal geometry
-    known : dict[str, float]
+    published : dict[str, float]
         further keys, ratings and shoulders
 
     Returns
@@ -496,7 +494,7 @@ def estimated_entry(
     steel = dict.fromkeys(("ring_material", "ball_material"), "bearing steel")
     grooves = f"grooves: {inner:g} and {outer:g} of the ball, assumed"
     source = {"source": "; ".join((geometry.basis, play, grooves))}
-    values = {"type": kind, **values, **boundary, **known, **steel, **source}
+    values = {"type": kind, **values, **boundary, **published, **steel, **source}
     return {**values, "estimated": list(ranges), "range": ranges}
 
 

@@ -1,9 +1,6 @@
-"""Lubricants by name: viscosity, pressure-viscosity, density, thermal properties.
-
-Constants of an oil of the library under pressure: volume, viscosity, heat, shear.
-
-Greases by name: their base oil in the library, and the film with the grease over that of
-its base oil, by age.
+"""Lubricants by name: viscosity, pressure-viscosity, density, thermal properties, and the
+constants of an oil under pressure (volume, viscosity, heat, shear). Greases by name: their base
+oil, and the film with the grease over that of its base oil, by age.
 """
 
 import warnings
@@ -51,6 +48,17 @@ from .plugins import (
 )
 
 HEAT_DATA = "oil_heat.toml"
+
+OIL_DATA = "lubricants.toml"
+PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
+STEP = 0.5  # of the differences that give the temperature coefficients [K]
+MM2_S = UNITS["mm2_s"].si  # [m^2/s]
+MPA_S = UNITS["mPa_s"].si  # [Pa s]
+SCALED_VOLUME = "scaled volume"  # law of the viscosity that takes the volume of Tait's
+CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
+
+GREASE_DATA = "greases.toml"
+FACTOR = "film factor"  # table of the data file that is no grease
 
 
 def oil_constants(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
@@ -171,15 +179,6 @@ def limiting_coefficient(entry: dict[str, Any]) -> dict[str, Any] | None:
     return data
 
 
-OIL_DATA = "lubricants.toml"
-PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
-STEP = 0.5  # of the differences that give the temperature coefficients [K]
-MM2_S = UNITS["mm2_s"].si  # [m^2/s]
-MPA_S = UNITS["mPa_s"].si  # [Pa s]
-SCALED_VOLUME = "scaled volume"  # law of the viscosity that takes the volume of Tait's
-CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
-
-
 def list_lubricants(name: str | None = None) -> tuple[str, ...]:
     """Names of the shipped lubricants, in the order of the data file, and of those of plug-ins.
 
@@ -191,7 +190,7 @@ def list_lubricants(name: str | None = None) -> tuple[str, ...]:
     Returns
     -------
     tuple[str, ...]
-        names for `library_lubricant`
+        names for `load_lubricant`
 
     Examples
     --------
@@ -246,7 +245,7 @@ def _of_plugin(name: str) -> dict[str, Any]:
     return entry
 
 
-def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
+def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     """Lubricant of the library at a temperature of the oil in the contact inlet.
 
     With the thermal properties -d(ln eta)/dT and expansion of the laws there. Warns if the
@@ -274,8 +273,8 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
 
     Examples
     --------
-    >>> from oilfilm.bearing import library_lubricant
-    >>> oil = library_lubricant("iso vg 32", 313.15)
+    >>> from oilfilm.bearing import load_lubricant
+    >>> oil = load_lubricant("iso vg 32", 313.15)
     >>> f"{1e3 * oil.viscosity:.1f} mPa s"
     '27.6 mPa s'
     """
@@ -641,10 +640,6 @@ def _interpolate(data: dict[str, Any], temperature: float) -> float:
     pairs = list(pairwise(points))
     (t0, v0), (t1, v1) = next((pair for pair in pairs if temperature <= pair[1][0]), pairs[-1])
     return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
-
-
-GREASE_DATA = "greases.toml"
-FACTOR = "film factor"  # table of the data file that is no grease
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,12 +1,11 @@
-"""Oils that other distributions bring by entry points.
+"""Names of libraries, matched without case, spaces and hyphens, and oils that other distributions
+bring by entry points.
 
     [project.entry-points."oilfilm.oils"]
     "Maker Oil 32" = "maker_oils:oil_32"
 
 Names are read from the metadata of what is installed. Nothing of a plug-in is imported before a
 case or a list uses its name.
-
-Names of libraries, matched without case, spaces and hyphens, and their data files.
 """
 
 import tomllib
@@ -20,6 +19,10 @@ from typing import Any
 
 IGNORED = " -_\t"
 SHORT = {"vg": "isovg"}  # beginnings of names that are left short: VG68 is ISO VG 68
+
+OILS = "oils"
+KINDS = (OILS,)
+GROUP = "oilfilm."  # of entry points, before the kind
 
 
 @lru_cache(maxsize=4096)
@@ -85,11 +88,6 @@ def library_data(file: str) -> dict[str, dict[str, Any]]:
     """
     text = resources.files(__package__).joinpath("data", file).read_text(encoding="utf-8")
     return tomllib.loads(text)
-
-
-OILS = "oils"
-KINDS = (OILS,)
-GROUP = "oilfilm."  # of entry points, before the kind
 
 
 class PluginError(ValueError):

@@ -14,6 +14,18 @@ INNER_CONTROL = 1
 MEAN_ANGLE = 2
 REACH = 0.5  # of the distance to the groove's centre within which a race has no angle [-]
 
+COMPLEX_STEP = 1.0e-30  # [m]
+BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
+# residual of a ball over its forces that is accepted when it falls no further [-]
+BALL_TOLERANCE = 1.0e-11
+SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
+CUT = 0.4  # of a step that leads nowhere [-]
+MAX_HALVINGS = 12
+MAX_BALL_STEPS = 30
+LONGEST_STEP = 0.25  # over the distance of the ball's centre from that of the outer groove [-]
+SINGULAR = 1.0e-14  # determinant over squared entries of a matrix at which it counts as singular
+STIFFENED = 0.1  # trace of stiffness in place of that of body forces, over forces and length [-]
+
 
 @compiled
 def root(z):
@@ -31,7 +43,7 @@ def unit(sine, cosine):
 
 @compiled
 def stiffness(series, cosine):
-    """As `stiffness_at`, by Clenshaw's recurrence [N/m^1.5]."""
+    """Stiffness of `kinematics.stiffness_at`, by Clenshaw's recurrence [N/m^1.5]."""
     c = min(max(cosine.real, 0.0), 1.0)
     x = 2.0 * c - 1.0
     a = b = a_1 = b_1 = 0.0
@@ -45,7 +57,7 @@ def stiffness(series, cosine):
 
 @compiled
 def smooth(value, full):
-    """As `balls._smooth_step` [-]."""
+    """Smooth step of `balls._smooth_step` [-]."""
     if not value.real < full.real:
         return complex(1.0, 0.0)
     if not value.real > 0.0:
@@ -66,7 +78,7 @@ def pressed_load(series, distance, length, cosine):
 
 @compiled
 def attitude(outer, inner, gamma, code):
-    """As `kinematics.attitude` [-]."""
+    """Attitude of `kinematics.attitude` [-]."""
     if code == OUTER_CONTROL:
         return unit(outer[0], outer[1] + gamma)
     if code == INNER_CONTROL:
@@ -75,10 +87,10 @@ def attitude(outer, inner, gamma, code):
 
 
 @compiled
-def transmissible(load, part, sine, couple, diameter):
-    """As `balls._transmissible_share` [-]."""
+def transmissible(load, fraction, sine, couple, diameter):
+    """Fraction of `balls._transmissible_fraction` [-]."""
     asked = couple * sine * np.sign(sine.real)
-    return smooth(FRICTION_LIMIT * load, part * asked / diameter)
+    return smooth(FRICTION_LIMIT * load, fraction * asked / diameter)
 
 
 @compiled
@@ -132,8 +144,9 @@ def body_forces(outer, inner, loads, sizes, speeds, hypothesis, prescribed):
 
 @compiled
 def balance(u, w, lengths, sizes, speeds, hypothesis, prescribed, inner_series, outer_series):
-    """What `balls.ball_balance` gives of one ball at u and w, (x, r) each [m], and the sum of its
-    loads and its centrifugal force [N]; lengths: of the arms, and radius of the inner groove [m].
+    """State of one ball at u and w, (x, r) each [m], as `balls.ball_state` has it, and the sum of
+    its loads and its centrifugal force [N]; lengths: of the arms, and radius of the inner groove
+    [m].
     """
     inner_length, outer_length, groove = lengths
     distance = root(u[0] * u[0] + u[1] * u[1])
@@ -158,28 +171,15 @@ def balance(u, w, lengths, sizes, speeds, hypothesis, prescribed, inner_series, 
     return (left_x, left_r, -inner_x, -inner_r, -at_inner * groove, force), size
 
 
-COMPLEX_STEP = 1.0e-30  # [m]
-BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
-# residual of a ball over its forces that is accepted when it falls no further [-]
-BALL_TOLERANCE = 1.0e-11
-SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
-CUT = 0.4  # of a step that leads nowhere [-]
-MAX_HALVINGS = 12
-MAX_BALL_STEPS = 30
-LONGEST_STEP = 0.25  # over the distance of the ball's centre from that of the outer groove [-]
-SINGULAR = 1.0e-14  # determinant over squared entries of a matrix at which it counts as singular
-STIFFENED = 0.1  # trace of stiffness in place of that of body forces, over forces and length [-]
-
-
 @compiled
-def differentiated(u, V, known, given, values, jacobian):
+def differentiated(u, V, prescribed, problem, values, jacobian):
     """Values (6,) of `balance` of a ball at u and V, (x, r) each [m], and by a complex step their
     derivatives (6, 4) by u_x, u_r, w_x, w_r; returns the sum of forces [N].
 
-    known: motion and friction where they are prescribed, (6,), else none; given: lengths, sizes,
+    prescribed: motion and friction where there are any, (6,), else none; problem: lengths, sizes,
     speeds, hypothesis, series of both races, force at the free contact angle.
     """
-    lengths, sizes, speeds, hypothesis, inner_series, outer_series, _ = given
+    lengths, sizes, speeds, hypothesis, inner_series, outer_series, _ = problem
     size = 0.0
     turned = np.zeros(4)
     for k in range(4):
@@ -188,7 +188,7 @@ def differentiated(u, V, known, given, values, jacobian):
         at = (complex(u[0], turned[0]), complex(u[1], turned[1]))
         reach = (complex(V[0] - u[0], turned[2]), complex(V[1] - u[1], turned[3]))
         found, size = balance(
-            at, reach, lengths, sizes, speeds, hypothesis, known, inner_series, outer_series
+            at, reach, lengths, sizes, speeds, hypothesis, prescribed, inner_series, outer_series
         )
         for f in range(6):
             jacobian[f, k] = found[f].imag / COMPLEX_STEP
@@ -235,14 +235,14 @@ def contact_load(pull, length, series):
 
 
 @compiled
-def elastic_step(u, V, values, given):
+def elastic_step(u, V, values, problem):
     """Step [m] with the Hertz stiffness alone, which always leads along the force.
 
     Each contact gives K (1.5 delta^0.5 n n + delta^1.5/l (1 - n n)), l the distance from its
     groove's centre; what changes body forces and friction with the angles is left out, and a trace
     of stiffness is added in their place.
     """
-    lengths, _, _, _, inner_series, outer_series, nominal = given
+    lengths, _, _, _, inner_series, outer_series, nominal = problem
     own = (u[0], u[1])
     outer, outer_distance = contact_load(own, lengths[1], outer_series)
     reach = (V[0] - u[0], V[1] - u[1])
@@ -271,7 +271,7 @@ def elastic_step(u, V, values, given):
 
 
 @compiled
-def newton_step(u, V, values, jacobian, given):
+def newton_step(u, V, values, jacobian, problem):
     """Newton step of a ball [m]; where it leads uphill in energy, that of springs in the two
     contacts; at most a part of the outer length long.
     """
@@ -285,13 +285,13 @@ def newton_step(u, V, values, jacobian, given):
         -values[1],
     )
     if not x * values[0] + r * values[1] > 0.0:
-        x, r = elastic_step(u, V, values, given)
-    shorter = min(1.0, LONGEST_STEP * given[0][1] / max(np.hypot(x, r), 1e-300))
+        x, r = elastic_step(u, V, values, problem)
+    shorter = min(1.0, LONGEST_STEP * problem[0][1] / max(np.hypot(x, r), 1e-300))
     return x * shorter, r * shorter
 
 
 @compiled
-def backtracked(u, V, known, given, step, size, trial):
+def backtracked(u, V, prescribed, problem, step, size, trial):
     """Shorten the step of a ball until its residual falls or the force no longer opposes it; the
     sum of forces there [N], below zero where it stays.
 
@@ -305,7 +305,7 @@ def backtracked(u, V, known, given, step, size, trial):
     for _ in range(MAX_HALVINGS):
         at[0] = u[0] + factor * step[0]
         at[1] = u[1] + factor * step[1]
-        forces = differentiated(at, V, known, given, values, jacobian)
+        forces = differentiated(at, V, prescribed, problem, values, jacobian)
         left = np.hypot(values[0], values[1])
         smaller = left < (1.0 - SUFFICIENT_DECREASE * factor) * norm
         along = values[0] * step[0] + values[1] * step[1] > 0.0
@@ -318,22 +318,24 @@ def backtracked(u, V, known, given, step, size, trial):
 
 
 @compiled
-def balanced(u, V, known, given, values, jacobian):
+def balanced(u, V, prescribed, problem, values, jacobian):
     """Balance of a ball begun at u (2,) [m], which it changes with values and derivatives as in
     `differentiated`; returns the sum of forces [N].
     """
-    size = differentiated(u, V, known, given, values, jacobian)
+    size = differentiated(u, V, prescribed, problem, values, jacobian)
     trial = (np.empty(2), np.empty(6), np.empty((6, 4)))
     for _ in range(MAX_BALL_STEPS):
         # 1. done at the target
-        if np.hypot(values[0], values[1]) <= max(BALL_TARGET * size, rounding(jacobian, given[0])):
+        if np.hypot(values[0], values[1]) <= max(
+            BALL_TARGET * size, rounding(jacobian, problem[0])
+        ):
             break
         # 2. Newton step, 3. shortened until the force left on the ball falls
-        step = newton_step(u, V, values, jacobian, given)
+        step = newton_step(u, V, values, jacobian, problem)
         if step[0] == 0.0 and step[1] == 0.0:
             break
         copy(values, trial[1])
-        forces = backtracked(u, V, known, given, step, size, trial)
+        forces = backtracked(u, V, prescribed, problem, step, size, trial)
         if forces < 0.0:
             break
         size = forces
@@ -344,12 +346,12 @@ def balanced(u, V, known, given, values, jacobian):
 
 
 @compiled
-def balanced_balls(u, V, prescribed, given, out):
-    """Of all balls, begun at u (2, Z) [m], which it changes, at V (2, Z) [m]: values (6, Z), du/dV
-    (2, 2, Z), change of the forces on the ring with V (4, 2, Z), sums of forces and what rounding
-    is worth (2, Z).
+def balanced_balls(u, V, prescribed, problem, out):
+    """Balance of all balls, begun at u (2, Z) [m], changed here, at V (2, Z) [m]: values (6, Z),
+    du/dV (2, 2, Z), change of the forces on the ring with V (4, 2, Z), sums of forces and what
+    rounding is worth (2, Z).
 
-    prescribed: (Z, 6) or (Z, 0); given: as in `differentiated`.
+    prescribed: (Z, 6) or (Z, 0); problem: as in `differentiated`.
     """
     values, du_dV, ring_dV, sizes = out
     own = np.empty(6)
@@ -359,8 +361,8 @@ def balanced_balls(u, V, prescribed, given, out):
     for z in range(u.shape[1]):
         copy(u[:, z], at)
         copy(V[:, z], reach)
-        sizes[0, z] = balanced(at, reach, prescribed[z], given, own, jacobian)
-        sizes[1, z] = rounding(jacobian, given[0])
+        sizes[0, z] = balanced(at, reach, prescribed[z], problem, own, jacobian)
+        sizes[1, z] = rounding(jacobian, problem[0])
         copy(at, u[:, z])
         copy(own, values[:, z])
         j = jacobian

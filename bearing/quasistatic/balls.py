@@ -1,4 +1,4 @@
-r"""Balls between the races: loads, motion and forces at given positions of ball and ring.
+r"""Balls between the races: loads, motion, forces and equilibrium at a position of the inner ring.
 
 In the axial plane of a ball (x axial, r radial) let u point from the outer groove's centre of
 curvature to the ball's centre and w from there to the inner groove's centre, u + w = V. Then the
@@ -10,22 +10,17 @@ Kotzalas, in the signs of docs/theory/bearing.md)::
     Qi sin ai - Qo sin ao + (Mg/D) (li cos ai - lo cos ao)      = 0
     Qi cos ai - Qo cos ao - (Mg/D) (li sin ai - lo sin ao) + Fc = 0
 
-All functions take complex arguments, for a complex step.
-
-Equilibrium of every ball at a given position of the inner ring, and its derivatives.
-
 With constant Hertz stiffness and without gyroscopic couple the equilibrium is the minimum of an
 energy convex in the ball's position, so Newton's method with backtracking finds the one solution;
 the rest is a mild perturbation. Every ball is iterated by itself, compiled, and all derivatives
-come from complex steps.
+come from complex steps, for which the functions of a state take complex arguments.
 
-Balls between elastic rings: Newton's method for the distances of the grooves' centres.
+Between elastic rings V yields under the forces F of the balls by e (`rings.compliance`):
 
 .. math:: V - V_{rigid} - e(F(V)) = 0
 
-with the forces F of the balls and what the rings yield under them, e (`rings.compliance`). The
-tangent is I - (de/dF)(dF/dV); contacts that stiffen and a compliance that costs energy keep its
-eigenvalues above one, whatever the load.
+Newton's method has the tangent I - (de/dF)(dF/dV); contacts that stiffen and a compliance that
+costs energy keep its eigenvalues above one, whatever the load.
 """
 
 from dataclasses import dataclass
@@ -58,6 +53,21 @@ from .kinematics import (
     stiffness_at,
     stiffness_series,
 )
+
+# a ball that carries less than this part of the largest forces is measured against these [-]
+LIGHT_LOAD_RATIO = 1.0e-4
+CODES = {
+    BallKinematics.OUTER_RACE_CONTROL: OUTER_CONTROL,
+    BallKinematics.INNER_RACE_CONTROL: INNER_CONTROL,
+}
+# code of a hypothesis for the kernel, and what of the couple the inner race holds [-]
+HYPOTHESES = {
+    kind: (CODES.get(kind, MEAN_ANGLE), INNER_PART.get(kind, 0.0)) for kind in BallKinematics
+}
+
+MAX_STEPS = 40
+MAX_HALVINGS = 20
+SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -245,18 +255,6 @@ def _smooth_step(value: Numbers, full: Numbers | float) -> Numbers:
     return t * t * (3.0 - 2.0 * t)
 
 
-# a ball that carries less than this part of the largest forces is measured against these [-]
-LIGHT_LOAD_RATIO = 1.0e-4
-CODES = {
-    BallKinematics.OUTER_RACE_CONTROL: OUTER_CONTROL,
-    BallKinematics.INNER_RACE_CONTROL: INNER_CONTROL,
-}
-# code of a hypothesis for the kernel, and what of the couple the inner race holds [-]
-HYPOTHESES = {
-    kind: (CODES.get(kind, MEAN_ANGLE), INNER_PART.get(kind, 0.0)) for kind in BallKinematics
-}
-
-
 class BallsEquilibrium(NamedTuple):
     """Equilibrium of all balls at one ring position.
 
@@ -358,11 +356,6 @@ def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
     if u_start is None:
         return cold
     return np.where(~free & (np.hypot(u_start[0], u_start[1]) > outer), u_start, cold)
-
-
-MAX_STEPS = 40
-MAX_HALVINGS = 20
-SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
 
 
 class BetweenRings(NamedTuple):

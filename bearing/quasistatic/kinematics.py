@@ -1,4 +1,5 @@
-r"""Rolling of a ball between two races, and the body forces of its motion.
+r"""Rolling of a ball between two races, the body forces of its motion, the Hertz stiffness of its
+contacts, and limits that NumPy and compiled functions share.
 
 In the frame that turns with the ball's centre at the orbit speed w_m, the ball spins at w_R about
 an axis inclined by the attitude beta in the axial plane, :math:`\omega = w_R(-\cos\beta\, e_x +
@@ -13,16 +14,11 @@ a_o/(cos a_o + g) without spin at the outer race, sin a_i/(cos a_i - g) without 
 one, or the mean contact angle. Directions are kept as (sine, cosine) pairs and every function
 takes complex arguments, so that a complex step differentiates them to round-off.
 
-Hertz stiffness of ball and race as a smooth function of the contact angle.
-
 The reduced radius in the rolling direction, D/2 (1 -+ D cos(angle)/d_m), and with it K in Q = K
 approach^1.5 depend on the cosine of the contact angle c alone, and analytically: the nearest
-singularity lies at |c| = d_m/D > 1. A Chebyshev series of ln K over 0 <= c <= 1 with 24 terms is
-exact to round-off (d_m/D = 2 loses a factor 5.8 a term), so the equilibrium needs no elliptic
+singularity lies at abs(c) = d_m/D > 1. A Chebyshev series of ln K over 0 <= c <= 1 with 24 terms
+is exact to round-off (d_m/D = 2 loses a factor 5.8 a term), so the equilibrium needs no elliptic
 integrals in its loop.
-
-How far contacts reach, what friction they give and what rounding is worth, for balls in NumPy
-and compiled.
 """
 
 from dataclasses import dataclass
@@ -41,6 +37,21 @@ from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..operation import BallKinematics, Curvature
 
 Numbers = NDArray[Any]  # float64 or, under a complex step, complex128
+
+INNER_PART = {
+    BallKinematics.OUTER_RACE_CONTROL: 0.0,
+    BallKinematics.INNER_RACE_CONTROL: 2.0,
+    BallKinematics.HALF_AND_HALF: 1.0,
+}  # lambda_i of the friction force lambda_i Mg/D at the inner race; lambda_o is 2 less this [-]
+
+TERMS = 24
+
+# friction over load beyond which a hypothesis asks more than a contact gives: above SKF's
+# coefficient of boundary lubrication, 0.12 running and 0.15 at the start (`torque.skf`) [-]
+FRICTION_LIMIT = 0.2
+# cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
+EDGE_COSINE = 0.17
+ROUND_OFF = 8.0 * ulp(1.0)  # [-]
 
 
 class Direction(NamedTuple):
@@ -180,13 +191,6 @@ def rolling_motion(
     return Motion(orbit / total, spin, beta)
 
 
-INNER_PART = {
-    BallKinematics.OUTER_RACE_CONTROL: 0.0,
-    BallKinematics.INNER_RACE_CONTROL: 2.0,
-    BallKinematics.HALF_AND_HALF: 1.0,
-}  # lambda_i of the friction force lambda_i Mg/D at the inner race; lambda_o is 2 less this [-]
-
-
 def ball_mass(ball_diameter: float, density: float) -> float:
     """Mass of a ball, rho pi D^3/6.
 
@@ -244,9 +248,6 @@ def gyroscopic_moment(mass: float, ball_diameter: float, motion: Motion) -> Numb
     """
     inertia = 0.1 * mass * ball_diameter**2
     return inertia * motion.orbit_speed * motion.spin_speed * motion.attitude.sin
-
-
-TERMS = 24
 
 
 @lru_cache(maxsize=256)
@@ -309,11 +310,3 @@ def stiffness_at(series: Array, cosine: Numbers) -> Numbers:
     polynomials = np.cos(np.arange(TERMS) * np.arccos(2.0 * distinct - 1.0)[..., None])
     both = polynomials @ series
     return np.exp(both[..., 0]) * (1.0 + both[..., 1] * (cosine - c))
-
-
-# friction over load beyond which a hypothesis asks more than a contact gives: above SKF's
-# coefficient of boundary lubrication, 0.12 running and 0.15 at the start (`torque.skf`) [-]
-FRICTION_LIMIT = 0.2
-# cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
-EDGE_COSINE = 0.17
-ROUND_OFF = 8.0 * ulp(1.0)  # [-]

@@ -5,15 +5,13 @@ moments as forces, over R_i. A point P = (a, R_i e_r) on the circle of a row at 
 a moves under the rotation (0, ty, tz) by R_i (ty sin psi - tz cos psi) along x and by a (tz cos
 psi - ty sin psi) along e_r. All rows share the ring.
 
-A row at rest under a thrust alone, in closed form but for one root.
-
-Balls without body forces lie on the line between the grooves' centres, L = hypot(x, facing) apart,
-and both contacts carry the same load at the same angle (Harris and Kotzalas, Rolling Bearing
-Analysis, on thrust)::
+A row at rest under a thrust alone has a closed form but for one root: balls without body forces
+lie on the line between the grooves' centres, L = hypot(x, facing) apart, and both contacts carry
+the same load at the same angle (Harris and Kotzalas, Rolling Bearing Analysis, on thrust)::
 
     F/Z = Q x/L,   Q = [(L - A)/(K_i^(-2/3) + K_o^(-2/3))]^1.5
 
-Displacement of elastic rings on their seats under all balls of an equilibrium.
+Elastic rings move on their seats under all balls of an equilibrium.
 """
 
 from collections.abc import Callable, Sequence
@@ -45,6 +43,25 @@ from .solution import QuasistaticSolution
 X_XTOL = 1e-300  # [m]: with interference a small thrust stands at an angle as small
 X_STEPS = 2000  # halvings down to that
 X_RTOL = 4.0 * 2.0**-52  # the least that `brentq` takes [-]
+
+# The next constants, and those of `balls`, were measured on 60 random bearings at 0.3
+# to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
+# largest, and the number of steps, 268, between 264 and 284.
+RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
+RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
+# regularisation of the tangent, relative to its largest entry, for a ring without stiffness [-]
+REGULARISATION = 1.0e-12
+SOFTEST = 1.0e-6  # stiffness of the ring over that of a contact below which it counts as none [-]
+# radial over axial load below which the search starts from the thrust alone [-]
+MAX_THRUST_LOAD_RATIO = 2.0
+MAX_RING_STEPS = 80
+MAX_CUTS = 15
+SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
+# bounds of a secant cut of the step, and the cut where a ball has no equilibrium; 150 random
+# bearings take 680 steps, and 681 with the bounds 0.1 and 0.5 of Dennis and Schnabel (1996)
+SECANT_CUTS = (0.1, 0.7)
+PLAIN_CUT = 0.4
+MAX_STALLED_STEPS = 30  # without a new best residual
 
 
 def thrust_position(
@@ -83,26 +100,6 @@ def thrust_position(
         return touch
     root = scipy.optimize.brentq(surplus, touch, edge, xtol=X_XTOL, rtol=X_RTOL, maxiter=X_STEPS)
     return float(root) or None
-
-
-# The next constants, and those of `ball_equilibrium`, were measured on 60 random bearings at 0.3
-# to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
-# largest, and the number of steps, 268, between 264 and 284.
-RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
-RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
-# regularisation of the tangent, relative to its largest entry, for a ring without stiffness [-]
-REGULARISATION = 1.0e-12
-SOFTEST = 1.0e-6  # stiffness of the ring over that of a contact below which it counts as none [-]
-# radial over axial load below which the search starts from the thrust alone [-]
-MAX_THRUST_LOAD_RATIO = 2.0
-MAX_RING_STEPS = 80
-MAX_CUTS = 15
-SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
-# bounds of a secant cut of the step, and the cut where a ball has no equilibrium; 150 random
-# bearings take 680 steps, and 681 with the bounds 0.1 and 0.5 of Dennis and Schnabel (1996)
-SECANT_CUTS = (0.1, 0.7)
-PLAIN_CUT = 0.4
-MAX_STALLED_STEPS = 30  # without a new best residual
 
 
 class Ring(NamedTuple):

@@ -15,13 +15,18 @@ from typing import Any
 from oilfilm.ehl.units import MILLIMETRE
 
 from ..geometry import Bearing, contact_angle_to_clearance
-from ..library import catalogue as typical
 from ..library.catalogue import (
+    FEWEST_BALLS,
+    INNER_CONFORMITY,
+    OUTER_CONFORMITY,
     Geometry,
+    ball_sizes,
     estimated_entry,
     from_dimensions,
     from_ratings,
+    full_complement,
     nearest_series,
+    typical_number,
 )
 from ..material import load_material
 from .load_rating import dynamic_rating, static_rating
@@ -110,9 +115,7 @@ def estimate_geometry(data: CatalogueData) -> RatedPair:
     section = data.outside_diameter - data.bore
     smallest, largest = (fraction * section for fraction in BALL_TO_SECTION)
     bearings = [
-        bearing
-        for ball in typical.ball_sizes(smallest, largest)
-        for bearing in _bearings(data, ball)
+        bearing for ball in ball_sizes(smallest, largest) for bearing in _bearings(data, ball)
     ]
     close = [bearing for bearing in bearings if _is_close(data, bearing)]
     candidates = [_pair(data, bearing) for bearing in (close if len(close) > 1 else bearings)]
@@ -126,10 +129,10 @@ def estimate_geometry(data: CatalogueData) -> RatedPair:
 
 def _bearings(data: CatalogueData, ball: float) -> list[Bearing]:
     """Bearings with balls of a diameter [m] in all numbers that come into question."""
-    largest = typical.full_complement(ball, data.pitch)
-    numbers = range(typical.FEWEST_BALLS, largest + 1)
+    largest = full_complement(ball, data.pitch)
+    numbers = range(FEWEST_BALLS, largest + 1)
     if data.dynamic_rating is None or data.static_rating is None:
-        usual = typical.typical_number(ball, data.pitch, data.contact_angle)
+        usual = typical_number(ball, data.pitch, data.contact_angle)
         numbers = range(usual, usual + 1)
     return [_bearing(data, ball, balls) for balls in numbers]
 
@@ -167,7 +170,7 @@ def _pair(data: CatalogueData, bearing: Bearing) -> RatedPair:
 def _bearing(data: CatalogueData, ball: float, balls: int) -> Bearing:
     """A bearing with this ball, in steel."""
     steel = load_material("bearing steel")
-    inner, outer = typical.INNER_CONFORMITY * ball, typical.OUTER_CONFORMITY * ball
+    inner, outer = INNER_CONFORMITY * ball, OUTER_CONFORMITY * ball
     return Bearing(
         name="estimate",
         ball_diameter=ball,

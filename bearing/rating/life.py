@@ -1,5 +1,5 @@
-"""Rating life of a ball bearing from its solved ball loads, after ISO 281 and ISO 16281, and its
-static safety.
+"""Rating life of a ball bearing from its solved ball loads, after ISO 281 and ISO 16281, its
+static safety, and the interval of relubrication of its grease.
 
 The standards themselves were not read: formulas and constants come from public transcriptions that
 agree with each other (docs/theory/life.md says which). They cover one row of balls between rings
@@ -7,13 +7,11 @@ of hardened bearing steel, the balls of steel or of silicon nitride (DIN ISO 281
 ISO 20056-1, after their published abstracts: the dynamic rating of a hybrid is that of the steel
 bearing). For any other material no life is given.
 
-Interval of relubrication of a grease-lubricated ball bearing.
-
-t_f = 10 [14e6/(n sqrt(d)) - 4 d] hours, n in r/min, d the bore in mm: the closed form of makers'
-diagrams for radial ball bearings that maintenance handbooks pass on (two agreeing transcriptions;
-the maker's own diagram was not read). It holds for lithium grease, a horizontal shaft, clean
-surroundings and 70 degrees Celsius at the outer ring; every 15 K more halve it (SKF catalogue),
-less is not made use of.
+Relubrication after t_f = 10 [14e6/(n sqrt(d)) - 4 d] hours, n in r/min, d the bore in mm: the
+closed form of makers' diagrams for radial ball bearings that maintenance handbooks pass on (two
+agreeing transcriptions; the maker's own diagram was not read). It holds for lithium grease, a
+horizontal shaft, clean surroundings and 70 degrees Celsius at the outer ring; every 15 K more
+halve it (SKF catalogue), less is not made use of.
 """
 
 from collections.abc import Iterator
@@ -57,6 +55,11 @@ A_ISO_PIECES = (  # kappa up to, constant, exponent; continuous at 0.4 and 1
     (1.0, 1.9987, 0.19087),
     (LARGEST_KAPPA, 1.9987, 0.071739),
 )
+
+BALL_BEARINGS = 10.0  # factor of radial ball bearings [-]
+GRADE_TEMPERATURE = 70.0 + ZERO_CELSIUS  # up to which the interval holds [K]
+HALVING = 15.0  # rise of temperature that halves it [K]
+LONGEST = 30000.0  # h, beyond which a grease is taken for life; maintenance standards cap at 32000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -132,11 +135,11 @@ def bearing_life(
 
     Examples
     --------
-    >>> from oilfilm.bearing import Operation, RatingInput, bearing_life, library_lubricant
+    >>> from oilfilm.bearing import Operation, RatingInput, bearing_life, load_lubricant
     >>> from oilfilm.bearing import load_bearing, solve_quasistatic
     >>> operation = Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0))
     >>> solution = solve_quasistatic(load_bearing("6208"), operation)
-    >>> oil = library_lubricant("iso vg 32", operation.temperature)
+    >>> oil = load_lubricant("iso vg 32", operation.temperature)
     >>> life = bearing_life(solution, oil, RatingInput(contamination_factor=0.5))
     >>> f"{life.basic_life / 1e6:.0f} million revolutions, a_ISO {life.life_factor:.1f}"
     '857 million revolutions, a_ISO 20.5'
@@ -426,12 +429,6 @@ def _largest_pressure(solution: QuasistaticSolution) -> float:
             radii = reduced_radii(bearing, race, float(angle))
             largest = max(largest, hertz_contact(float(load), *radii, modulus).pressure)
     return largest
-
-
-BALL_BEARINGS = 10.0  # factor of radial ball bearings [-]
-GRADE_TEMPERATURE = 70.0 + ZERO_CELSIUS  # up to which the interval holds [K]
-HALVING = 15.0  # rise of temperature that halves it [K]
-LONGEST = 30000.0  # h, beyond which a grease is taken for life; maintenance standards cap at 32000
 
 
 def relubrication_interval(bore: float, speed: float, temperature: float) -> float | None:

@@ -1,9 +1,8 @@
-"""Load ratings from the geometry, ISO 281 and ISO 16281; `life` says what was read.
+"""Load ratings from the geometry, ISO 281 and ISO 16281 (`life` says what was read), and the
+thermal reference speed, ISO 15312:2018 (read in a public program's transcription).
 
-Thermal reference speed of a bearing, ISO 15312:2018 (read in a public program's transcription).
-
-Under a radial load of 5 % of C_0r, with an oil of 12 mm^2/s at 70 C in a bath and 20 C around,
-friction is what the seats take:
+Reference speed: under a radial load of 5 % of C_0r, with an oil of 12 mm^2/s at 70 C in a bath and
+20 C around, friction is what the seats take:
 
     (pi n/30000) [1e-7 f_0r (nu n)^(2/3) d_m^3 + f_1r P_1r d_m] = q_r A_r,   A_r = pi B (D + d)
 
@@ -42,6 +41,26 @@ STATIC_FACTORS_AXIAL = (0.46, 0.38, 0.26)  # Y_0 there, with X_0 = 0.5 [-]
 LARGE_BALL = 25.4e-3  # balls above this diameter follow another power [m]
 FATIGUE_PRESSURE = 1.5e9  # Hertz pressure at the fatigue limit of bearing steel [Pa]
 ROUNDING = 5e-5  # of a conformity computed from rounded lengths [-]
+
+VISCOSITY = 12.0  # [mm^2/s]
+LOAD_SHARE = 0.05  # P_1r over C_0r [-]
+HEAT_FLOW = 0.016  # [W/mm^2]
+LARGE_SEAT = 5.0e4  # [mm^2]
+# f_0r and f_1r by the series of SKF's friction model, Annex A as in makers' catalogues (from
+# memory, unverified)
+FACTORS = {
+    "618": (1.7, 1.0e-4),
+    "628": (1.7, 1.0e-4),
+    "60": (1.7, 1.5e-4),
+    "619": (1.7, 1.5e-4),
+    "160": (1.7, 1.5e-4),
+    "62": (2.0, 2.0e-4),
+    "63": (2.3, 2.0e-4),
+    "64": (2.3, 2.0e-4),
+    "72": (2.0, 2.5e-4),
+    "73": (3.0, 3.5e-4),
+}
+FASTEST = 1.0e7  # where the search ends [r/min]
 
 
 def _gamma(bearing: Bearing, contact_angle: float) -> float:
@@ -339,27 +358,6 @@ def static_equivalent_load(radial: float, axial: float, contact_angle: float) ->
         x = 0.5
         y = float(np.interp(angle, STATIC_ANGLES, STATIC_FACTORS_AXIAL))
     return max(x * radial + y * axial, radial)
-
-
-VISCOSITY = 12.0  # [mm^2/s]
-LOAD_SHARE = 0.05  # P_1r over C_0r [-]
-HEAT_FLOW = 0.016  # [W/mm^2]
-LARGE_SEAT = 5.0e4  # [mm^2]
-# f_0r and f_1r by the series of SKF's friction model, Annex A as in makers' catalogues (from
-# memory, unverified)
-FACTORS = {
-    "618": (1.7, 1.0e-4),
-    "628": (1.7, 1.0e-4),
-    "60": (1.7, 1.5e-4),
-    "619": (1.7, 1.5e-4),
-    "160": (1.7, 1.5e-4),
-    "62": (2.0, 2.0e-4),
-    "63": (2.3, 2.0e-4),
-    "64": (2.3, 2.0e-4),
-    "72": (2.0, 2.5e-4),
-    "73": (3.0, 3.5e-4),
-}
-FASTEST = 1.0e7  # where the search ends [r/min]
 
 
 def reference_speed(bearing: Bearing, static_rating: float, series: str | None) -> float | None:

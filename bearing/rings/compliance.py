@@ -15,14 +15,12 @@ a ring is then a quadratic form of (F_x, F_r, q), with the matrix G, and
 
 G depends on the angle between two balls alone; a row of balls does not feel the others.
 
-Reactions of a seat that presses a ring at supports only, and lets go where it would pull.
-
-R >= 0 are the forces of the supports, w = g - S R - E z <= 0 how far the ring is pressed into
-them, R w = 0, with g the displacement by the balls towards the supports, S the compliance of the
-seat, and z the movement of the ring as a whole, for which :math:`E^T R`
-balances the balls (Signorini's problem of a discrete seat). A spring, `CENTRING`, holds the ring
-across where one support alone presses, as friction there would; it takes a thousandth of the load
-at most where two do.
+A seat presses a ring at supports only, and lets go where it would pull. R >= 0 are the forces of
+the supports, w = g - S R - E z <= 0 how far the ring is pressed into them, R w = 0, with g the
+displacement by the balls towards the supports, S the compliance of the seat, and z the movement of
+the ring as a whole, for which :math:`E^T R` balances the balls (Signorini's problem of a discrete
+seat). A spring, `CENTRING`, holds the ring across where one support alone presses, as friction
+there would; it takes a thousandth of the load at most where two do.
 
 The pressing supports follow from non-negative least squares (Lawson and Hanson, 1974), after which
 

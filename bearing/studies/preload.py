@@ -1,13 +1,10 @@
-"""Rows set against each other: preload as a force or as a displacement, and the usual pairs.
+"""Rows set against each other: preload as a force or as a displacement, the usual pairs, and the
+tangent stiffness over speed.
 
 A preload is that of the reference position, ring undisplaced, nothing turning: there a row alone
 carries the force, or is displaced beyond first touch by the length. Pairs of equal rows then stand
-in balance with that force in both.
-
-Tangent stiffness of a bearing over speed.
-
-The stiffness is that of the equilibrium at each speed: contact angles, ball loads and gyroscopic
-friction change with it.
+in balance with that force in both. The stiffness is that of the equilibrium at each speed: contact
+angles, ball loads and gyroscopic friction change with it.
 """
 
 from collections.abc import Callable, Sequence

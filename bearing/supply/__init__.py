@@ -1,5 +1,5 @@
 """Oil supply and starved films.
 
-supply - oil supply, first order: the film that little oil leaves
+supply - oil supply, first order: film, side flow, oil that stands, least friction
 track  - oil on a track from ball to ball: passes, steady state
 """

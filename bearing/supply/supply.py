@@ -1,27 +1,22 @@
-r"""Oil supply, first order: how much film little oil leaves, and how much oil stands in the way of
-the balls.
+r"""Oil supply, first order: the film that little oil leaves, the oil that stands in the way of the
+balls, and the supply of least friction.
 
-Either the layer of oil that every contact finds at its inlet is given (`InletFilm`), or a flow
-(`Supply`).
+Either the layer of oil that every contact finds at its inlet is prescribed (`PrescribedInlet`), or
+a flow (`Supply`).
 
-Film: a contact that finds an oil layer of r times its compressed flooded film keeps the shares of
-the flooded films and of the rolling moment that the law of starvation gives
+**Film.** A contact that finds an oil layer of r times its compressed flooded film keeps the
+fractions of the flooded films and of the rolling moment that the law of starvation gives
 (`ehl.closed_form.starvation`). Of the layer :math:`r/(1 + r^\gamma)^{1/\gamma}` passes (Chevalier
 et al., 1998; Damiens et al., 2004), and the rest is pressed out of the track. Under a flow every
 contact finds what the balls before it left and what was added, in the steady state (`track`).
+**Assumed** (no source): of the flow a prescribed fraction lands on the two tracks, half on each,
+and spreads evenly over the width of the contact's ellipse; the fraction of the layer that is flung
+off or pulled away between two balls is prescribed, too; each contact is taken as if all were
+alike.
 
-**Assumed** (no source): of the flow a given share lands on the two tracks, half on each, and
-spreads evenly over the width of the contact's ellipse; the share of the layer that is flung off or
-pulled away between two balls is given, too; each contact is taken as if all were alike.
-
-Drag: the oil stays in the bearing for a **given residence time**, fills that share of its cavity,
-and the balls plough through a mixture of that density. Both numbers are inputs of a test rig, not
-constants of nature.
-
-Oil that one pass presses sideways out of the film of a severely starved contact.
-
-The film is too thin to change the Hertz pressure p = p_h sqrt(1 - X^2 - Y^2). On its centre line
-the flow across, -rho h^3/(12 eta) dp/dy, thins it while it moves through the contact at u:
+**Side flow.** The film of a severely starved contact is too thin to change the Hertz pressure
+p = p_h sqrt(1 - X^2 - Y^2). On its centre line the flow across, -rho h^3/(12 eta) dp/dy, thins it
+while it moves through the contact at u:
 
     u d(h^-2)/dx = p_h/(6 eta b^2 sqrt(1 - X^2)),
 
@@ -30,14 +25,17 @@ hand),
 
     h_out^-2 = h_in^-2 + p_h a/(6 eta_0 b^2 u) I,   I = int_{-pi/2}^{pi/2} eta_0/eta(p) dphi.
 
-The integrand lives within (1 - |X|) ~ (alpha p_h)^-2 of the ends, where the oil is as thin as at
-ambient pressure: h is the layer there, at ambient density, and a mesh of the contact does not see
-it. Pressure makes I small: the higher it is, the more of the film stays.
+The integrand lives within (1 - abs(X)) ~ (alpha p_h)^-2 of the ends, where the oil is as thin as
+at ambient pressure: h is the layer there, at ambient density, and a mesh of the contact does not
+see it. Pressure makes I small: the higher it is, the more of the film stays.
 
-Oil of the wetted grooves, balanced over the time: the supply of least friction on paper.
+**Drag.** The oil stays in the bearing for a **prescribed residence time**, fills that fraction of
+its cavity, and the balls plough through a mixture of that density. Both numbers are inputs of a
+test rig, not constants of nature.
 
-Of a flow V the share phi reaches the grooves and leaves them after a mean time tau. Over their
-area A, with what the balls carry counted to the grooves that they roll on, it stands as the layer
+**Least friction.** Of a flow V the fraction phi reaches the grooves and leaves them after a mean
+time tau. Over their area A, with what the balls carry counted to the grooves that they roll on, it
+stands as the layer
 
     dh/dt = phi V/A - h/tau,   in the steady state   h = phi V tau/A,
 
@@ -76,6 +74,11 @@ from .track import Track, added_layer, steady_layer
 
 NODES = 200  # of the quadrature [-]
 NEAREST = 1.0e-9  # to the ends that the quadrature goes [rad]
+
+CAPTURED = (0.1, 0.5)  # share of a jet that lands on the tracks, an estimate, second hand [-]
+
+LAYERS = 6.0  # layer at the optimum over the roughness of both surfaces [-]; assumed
+SHOULDER_HEIGHT = 1.0 / 6.0  # of a groove without a shoulder's diameter, over the ball's [-]
 
 
 def side_flow_integral(hertz_pressure: float, lubricant: Lubricant) -> float:
@@ -143,9 +146,6 @@ def side_flow(contact: BearingContact) -> float:
     return hertz.pressure * hertz.semi_axis_x * integral / width
 
 
-CAPTURED = (0.1, 0.5)  # share of a jet that lands on the tracks, an estimate, second hand [-]
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Supply:
     """Flow of oil through a bearing."""
@@ -186,7 +186,7 @@ class Supply:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class InletFilm:
+class PrescribedInlet:
     """Layer of oil that every contact finds at its inlet."""
 
     layer: float  # thickness on both surfaces together, at ambient density [m]
@@ -197,11 +197,11 @@ class InletFilm:
             raise ValueError(f"layer must be zero or positive and finite, got {self.layer!r} m")
 
 
-AMPLE = InletFilm(layer=1.0)  # floods every contact
+AMPLE = PrescribedInlet(layer=1.0)  # floods every contact
 
 
 def supplied_shares(
-    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
+    contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet, balls: int
 ) -> StarvationFactors:
     """Fractions of the flooded films and of the rolling moment of a contact that a supply leaves.
 
@@ -211,7 +211,7 @@ def supplied_shares(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : Supply | InletFilm
+    supply : Supply | PrescribedInlet
         a layer that is ample leaves the film as it was, to the last digit
     balls : int
         in one row [-]
@@ -229,7 +229,7 @@ def supplied_shares(
 
 
 def inlet_layer(
-    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
+    contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet, balls: int
 ) -> float:
     """Layer of oil at the inlet of a contact in the steady state.
 
@@ -239,7 +239,7 @@ def inlet_layer(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : Supply | InletFilm
+    supply : Supply | PrescribedInlet
         oil at the inlets
     balls : int
         in one row [-]
@@ -249,7 +249,7 @@ def inlet_layer(
     float
         thickness [m]; zero of a flow where no oil is entrained
     """
-    if isinstance(supply, InletFilm):
+    if isinstance(supply, PrescribedInlet):
         return supply.layer
     if contact.conditions is None or contact.hertz is None:
         return 0.0
@@ -258,7 +258,7 @@ def inlet_layer(
 
 
 def contact_track(
-    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm | None = None
+    contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet | None = None
 ) -> tuple[Track, float]:
     """Change of the layer that a contact finds in one pass, and the layer that counts as 1 there,
     the
@@ -270,7 +270,7 @@ def contact_track(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : Supply | InletFilm | None, optional
+    supply : Supply | PrescribedInlet | None, optional
         gives loss and exponent
 
     Returns
@@ -292,7 +292,7 @@ def contact_track(
     law = starvation_law(contact.conditions, unit)
     exponent = None if supply is None else supply.exponent
     track = Track(
-        share=lambda ratio: law(ratio).central.value,
+        film_fraction=lambda ratio: law(ratio).central.value,
         passing=partial(
             starved_film_factor,
             exponent=exponent or starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x),
@@ -420,10 +420,6 @@ def oil_fraction(supply: Supply, cavity: float) -> float:
     return min(supply.flow * supply.residence_time / cavity, 1.0) if cavity > 0.0 else inf
 
 
-LAYERS = 6.0  # layer at the optimum over the roughness of both surfaces [-]; assumed
-SHOULDER_HEIGHT = 1.0 / 6.0  # of a groove without a shoulder's diameter, over the ball's [-]
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OilBalance:
     """Oil on the wetted grooves of a bearing."""
@@ -470,7 +466,7 @@ class OilBalance:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GrooveOil:
-    """What the balance says of a flow through a bearing."""
+    """Result of the oil balance of a flow through a bearing."""
 
     area: float  # of both grooves, wetted [m^2]
     layer: float  # that a contact finds [m]
@@ -564,8 +560,8 @@ def groove_area(bearing: Bearing) -> float:
 
 
 def _area(radius: float, height: float, bottom: float, side: float) -> float:
-    """Of one groove [m^2]: arc of a radius and a height [m] turned about the axis, `bottom` its
-    radius about that [m], `side` 1 where it grows towards the shoulders, -1 where it falls.
+    """Area of one groove [m^2]: arc of a radius and a height [m] turned about the axis, `bottom`
+    its radius about that [m], `side` 1 where it grows towards the shoulders, -1 where it falls.
     """
     half = acos(min(max(1.0 - height / radius, -1.0), 1.0))
     # int (bottom + side radius (1 - cos t)) radius dt over the arc

@@ -1,7 +1,8 @@
-"""Oil on a track from ball to ball.
+"""Oil on a track from ball to ball, by the law of one pass, or with its profile across by solved
+passes.
 
 Layers count over the oil that the flooded film takes along: r = h_oil/(rho_c h_cff). A contact
-that finds r builds the share R(r) of its flooded film, and what passes through it, K(r), is the
+that finds r builds the fraction R(r) of its flooded film, and what passes through it, K(r), is the
 layer of the next ball: without supply r_n = K(r_(n-1)), after Chevalier and Damiens K = R = r/(1 +
 r^g)^(1/g). Of two losses of one pass the larger one counts, never their sum, for K holds the side
 flow ahead of the contact, and `side_flow` that inside it:
@@ -9,8 +10,8 @@ flow ahead of the contact, and `side_flow` that inside it:
     r_left = min(K(r), (r^-2 + d)^(-1/2)),
 
 with r = 1 in the second one beyond that, and what is beyond on top: more than the flooded film
-is no part of a film too thin to change its pressure. Between two balls a share l of the layer is
-lost, and the supply adds D. In the steady state
+is no part of a film too thin to change its pressure. Between two balls a fraction l of the layer
+is lost, and the supply adds D. In the steady state
 
     r - (1 - l) r_left(r) = D.
 
@@ -21,11 +22,8 @@ For d = 0, r_n = (r_0^-g + n)^(-1/g); where the side flow leads, r_n =
 (capillary levelling and centrifugal flow of a micrometre take seconds, two balls follow each other
 in milliseconds); they part half and half at the outlet, and meet again.
 
-One track over many passes, each solved behind the layer that the last one left, with its
-profile across the track.
-
-The layer that leaves a contact has a plateau in the track and ridges beside it. What is left of it
-after the loss l between two balls, with what the supply adds, is the layer of the next contact:
+Solved passes: the layer that leaves a contact has a plateau in the track and ridges beside it, and
+becomes that of the next one:
 
     H_oil,n+1(Y) = (1 - l) H_left,n(Y) + D.
 
@@ -54,12 +52,14 @@ Law = Callable[[float], float]  # R(r), K(r)
 
 FLOODED_RATIO = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]
 
+DRY = 1.0e-4  # of the mean layer: a place with less counts as having so much [-]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Track:
-    """What one pass of a ball does to the layer of a track; layers over rho_c h_cff [-]."""
+    """Effect of one pass of a ball on the layer of a track; layers over rho_c h_cff [-]."""
 
-    share: Law  # R(r), film over the flooded one
+    film_fraction: Law  # R(r), film over the flooded one
     passing: Law  # K(r), layer that passes; rises, K <= r and K <= 1
     side_flow: float = 0.0  # d, r_left^-2 - r^-2 at the least of the film
     loss: float = 0.0  # l, of the layer between two balls
@@ -187,7 +187,7 @@ def steady_share(track: Track, added: float) -> float:
     """
     if added >= FLOODED_RATIO:
         return 1.0
-    return track.share(steady_layer(track, added)) if added > 0.0 else 0.0
+    return track.film_fraction(steady_layer(track, added)) if added > 0.0 else 0.0
 
 
 def added_layer(flow: float, width: float, speed: float, balls: int) -> float:
@@ -214,8 +214,6 @@ def added_layer(flow: float, width: float, speed: float, balls: int) -> float:
 
 Solve = Callable[[ContactConditions | MoesConditions, SolverOptions], ContactSolution]
 
-DRY = 1.0e-4  # of the mean layer: a place with less counts as having so much [-]
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TrackPasses:
@@ -241,7 +239,7 @@ class SolvedPass:
         return self.solution.supply.inlet_ratio
 
     @property
-    def share(self) -> float:
+    def film_fraction(self) -> float:
         """Central film over the flooded one of the same box [-]."""
         supply = self.solution.supply
         assert supply is not None
@@ -253,7 +251,7 @@ class SolvedPass:
         return float(self.outlet.max() / self.outlet[abs(self.solution.Y).argmin()])
 
     @property
-    def kept(self) -> float:
+    def remaining(self) -> float:
         """Oil that leaves over oil that enters, over the whole width of the box [-]."""
         return float(np.trapezoid(self.outlet) / np.trapezoid(self.inlet))
 

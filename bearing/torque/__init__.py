@@ -4,8 +4,8 @@ breakdown    - all models of the friction torque of one bearing, side by side
 integrated   - friction torque from the shear of solved films, and from a law or table
 models       - every model of the friction torque, brought to one form
 paper_models - torque models of single papers, computed on request
-skf          - SKF's friction model (2013)
-starved      - friction torque over the oil supply, first order
+skf          - SKF's friction model (2013), and Palmgren's
+starved      - friction torque over the oil supply, and over the range of a flow
 """
 
 import lazy_loader

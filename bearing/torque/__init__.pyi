@@ -1,4 +1,4 @@
-from .breakdown import TorqueBreakdown, torque_breakdown
+from .breakdown import TorqueBreakdown, friction_torque
 from .integrated import IntegratedTorque, SolvedShear, law_torque, solved_shear
 from .models import FrictionInput, ModelTorque
 from .starved import StarvedTorque
@@ -10,7 +10,7 @@ __all__ = [
     "SolvedShear",
     "StarvedTorque",
     "TorqueBreakdown",
+    "friction_torque",
     "law_torque",
     "solved_shear",
-    "torque_breakdown",
 ]

@@ -55,7 +55,20 @@ NO_FILMS = "needs the film of every loaded contact and the oil's shear law"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TorqueBreakdown:
-    """Friction torque against the rotation of the rings, by several models [N m]."""
+    """Friction torque against the rotation of the rings, by several models [N m].
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> case = oilfilm.load_case("6208_full_ceramic")
+    >>> state = oilfilm.solve_quasistatic(case.bearing, case.operation, case.model)
+    >>> contacts = oilfilm.contact_conditions(state, case.lubricant)
+    >>> torque = oilfilm.friction_torque(state, contacts, case.lubricant, case.friction)
+    >>> torque.chosen
+    'skf'
+    >>> f"{torque.models['palmgren'].total * 1e3:.0f} N mm"
+    '244 N mm'
+    """
 
     models: dict[str, ModelTorque]
     coefficient: float  # Coulomb's mu the sliding models took [-]
@@ -77,7 +90,7 @@ class TorqueBreakdown:
 
     @property
     def flooded_isothermal(self) -> float | None:
-        """Of the integrated model with the whole rolling moment of flooded films without inlet
+        """Torque of the integrated model with the rolling moment of flooded films without inlet
         heating, a bound [N m].
         """
         flooded = None if self.shear is None else self.shear.flooded
@@ -114,7 +127,7 @@ def _parts_text(model: ModelTorque) -> str:
     return ", ".join(f"{name} {value:.4g}" for name, value in parts.items())
 
 
-def torque_breakdown(
+def friction_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     lubricant: Lubricant,
@@ -147,6 +160,16 @@ def torque_breakdown(
     -------
     TorqueBreakdown
         By the names of the models [N m]; those that are not computed have a note.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> case = oilfilm.load_case("6208_full_ceramic")
+    >>> state = oilfilm.solve_quasistatic(case.bearing, case.operation, case.model)
+    >>> contacts = oilfilm.contact_conditions(state, case.lubricant)
+    >>> torque = oilfilm.friction_torque(state, contacts, case.lubricant, case.friction)
+    >>> torque.chosen, f"{torque.total * 1e3:.0f} N mm"
+    ('skf', '135 N mm')
     """
     speed = solution.operation.shaft_speed
     if speed == 0.0:

@@ -1,26 +1,21 @@
 """Friction torque from the shear of all contacts: of solved films, or of a law or table of each
-race.
+race, under a hypothesis of the balls' motion and with the balls in balance.
 
 Heat is the power of friction against the sliding at the contact's centre, the spin and the rolling
 of the curved surfaces, of asperities, and of the oil that the pressure pumps; the torque is heat
-over the shaft's speed. Motion and forces are those under the hypothesis of the balls' motion, and
-those in traction equilibrium. A table and a law have one moment about the transverse axis, which
-is the rolling resistance with the curvature slip or the slip alone, and no minimum film, from
-which a share of asperities would follow.
-
-Torque of the friction of all contacts, under a hypothesis of the balls' motion and with the
-balls in balance.
-
-How far the oil of the films reaches, and what of the rolling part hangs on it.
+over the shaft's speed. A table and a law have one moment about the transverse axis, which is the
+rolling resistance with the curvature slip or the slip alone, and no minimum film, from which a
+fraction of asperities would follow.
 
 The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the layer that its
 oil ends in (`ehl.traction.rolling_moment`). The integrated torque takes that of the oil up to the
-layer that the lubricant states: here stand its uncertainty, what the solved boxes alone would
-give, and what twice the layer adds, at the same motion.
+layer that the lubricant states; `RollingExtent` has its uncertainty, what the solved boxes alone
+would give, and what twice the layer adds, at the same motion.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -37,7 +32,7 @@ from ..films.operating import OilAtInlets, operating_films, with_formulas
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
 from ..friction.film_nodes import film_nodes
-from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
+from ..friction.films import ShearedFilms, sheared_films
 from ..friction.law import ContactFriction
 from ..friction.resistance import NO_RESISTANCE, NOTHING_RESISTED, Resistance, ResistedPower
 from ..operation import BallKinematics
@@ -47,6 +42,17 @@ from .skf import InletFactors
 
 # rings' power less heat and drag over the heat up to which balls count as balanced [-]
 POWER_TOLERANCE = 1.0e-6
+
+# reasons why a law of friction lacks parts of the torque
+ONE_MOMENT = (
+    "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
+)
+NO_ROLLING_RESISTANCE = (
+    "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"
+)
+NO_ASPERITIES = (
+    "the friction law holds no minimum film, from which the share of asperities follows"
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,10 +70,10 @@ class IntegratedTorque:
     shaft_power: float  # what the two rings feed into the contacts [W]
     heat: float  # what the contacts turn into heat [W]
     per_ball: Array  # (balls,) torque by ball [N m]
-    # of asperities that touch [N m]; the oil's shear is then the rest. None where the friction has
-    # no share of them
+    # torque of asperities that touch [N m]; the oil's shear is then the rest. None where friction
+    # has no share of them
     asperity: float | None = 0.0
-    # what goes into the oil around the balls, their pockets and the cage's land [W]
+    # power that goes into the oil around the balls, their pockets and the cage's land [W]
     resistance: ResistedPower = NOTHING_RESISTED
     speed: float = 0.0  # of the rings against each other [rad/s]
 
@@ -84,7 +90,7 @@ class IntegratedTorque:
 
     @property
     def parts(self) -> dict[str, float]:
-        """Those of the contacts, cage with its pockets, and drag of the balls [N m]."""
+        """Parts of the contacts, cage with its pockets, and drag of the balls [N m]."""
         if self.speed == 0.0:
             return self.contacts
         cage = self.cage_power / self.speed
@@ -97,12 +103,12 @@ class IntegratedTorque:
 
     @property
     def rings_power(self) -> float:
-        """What the rings feed into contacts and the cage's land [W]."""
+        """Power that the rings feed into contacts and the cage's land [W]."""
         return self.shaft_power + self.resistance.guiding
 
     @property
     def resisted(self) -> float:
-        """What the balls give beside the contacts [W]."""
+        """Power that the balls give beside the contacts [W]."""
         return self.resistance.of_balls
 
     @property
@@ -119,6 +125,10 @@ class IntegratedTorque:
         return abs(spent - self.rings_power) / largest if largest > 0.0 else 0.0
 
 
+# torque of motion and forces of the contacts, shape (contacts, 4) each [m/s], [N]
+TorqueParts = Callable[[Array, Array], IntegratedTorque]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SolvedShear:
     """Shear of all films of a bearing: under the hypothesis of the ball's motion, and with the
@@ -128,14 +138,14 @@ class SolvedShear:
     hypothesis: IntegratedTorque  # at the motion that the equilibrium of the loads assumed
     # in traction equilibrium; None where it was not sought or not found
     balanced: IntegratedTorque | None = None
-    # of the same films, flooded and isothermal, in traction equilibrium; None as `balanced`
+    # torque of the same films, flooded and isothermal, in traction equilibrium; None as `balanced`
     flooded: IntegratedTorque | None = None
     # part of the sum of all loads on asperities [-]; None without roughness
     asperity_share: float | None = None
     # numbers of balls, from 1, loaded at the inner race, which cannot drive them, so that the cage
     # does
     cage_driven: tuple[int, ...] = ()
-    # of every contact with a solved film, at the motion of `torque`
+    # tractions of every contact with a solved film, at the motion of `torque`
     tractions: tuple[ContactTraction, ...] = ()
     films: Films = ()  # operating ones of all contacts; empty where a friction law has none
     # contacts of all lubricated ones whose film is that of a formula [-]
@@ -147,7 +157,7 @@ class SolvedShear:
     orbit_lag: float | None = None
     balance: BalancedFriction | None = None  # of `balanced`, where films shear
     note: str = ""  # why there is no balanced one, or why it does not count as one
-    # why parts of the torque are None, by name
+    # reasons why parts of the torque are None, by name
     missing_components: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -157,7 +167,7 @@ class SolvedShear:
 
     @property
     def closed(self) -> bool:
-        """Whether the balls are balanced: their motion was found, and there the rings' power is
+        """The balls are balanced: their motion was found, and there the rings' power is
         heat and drag [-].
         """
         return self.balanced is not None and abs(self.balanced.imbalance) <= POWER_TOLERANCE
@@ -251,18 +261,6 @@ def orbit_lag(solution: QuasistaticSolution, balance: BalancedFriction) -> float
     return float(1.0 - np.average(ratio, weights=weights))
 
 
-# why a law of friction lacks parts of the torque
-ONE_MOMENT = (
-    "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
-)
-NO_ROLLING_RESISTANCE = (
-    "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"
-)
-NO_ASPERITIES = (
-    "the friction law holds no minimum film, from which the share of asperities follows"
-)
-
-
 def solved_shear(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
@@ -299,35 +297,54 @@ def solved_shear(
         whole = [film and film.flooded() for film in films]
     nodes = film_nodes(solution, contacts, (films, whole or ()), rheology)
     sheared = sheared_films(solution, contacts, films, rheology, nodes[0])
-    law = law_of_films(contacts, films, sheared)
     kinematics = motion_map(solution, contacts)
-    motion = kinematics.motion(*ball_speeds(solution))
-    forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
-    hypothesis = replace(
-        integrated_torque(solution, kinematics, sheared, motion, forces),
-        resistance=resisted_power(solution, resistance),
+    parts = partial(integrated_torque, solution, kinematics, sheared)
+    law = sheared.law()
+    balance = balance_driven_balls(solution, contacts, law, resistance)
+    shear = replace(
+        _shear(solution, kinematics, law, parts, balance, resistance),
+        asperity_share=_asperity_share(contacts, films),
     )
-    mean = _asperity_share(contacts, films)
-    balance = film_law_balance(solution, contacts, law, resistance)
     if not balance.converged:
-        return SolvedShear(
-            hypothesis=hypothesis,
-            asperity_share=mean,
-            tractions=_tractions(solution, contacts, films, rheology),
-            note=no_balance_message(balance),
-        )
-    torque = _torque_in_balance(solution, kinematics, sheared, balance)
-    shear = _balanced_shear(solution, hypothesis, torque, balance)
-    flooded = shear.balanced
-    if not bound:
-        flooded = None
-    elif whole is not None:
+        return replace(shear, tractions=_tractions(solution, contacts, films, rheology))
+    flooded = shear.balanced if bound else None
+    if whole is not None:
         sheared = sheared_films(solution, contacts, whole, rheology, nodes[1])
-        flooded = _flooded_torque(solution, contacts, whole, sheared, resistance, balance)
+        flooded = _flooded_torque(solution, contacts, sheared, resistance, balance)
     tractions = _tractions(solution, contacts, films, rheology, balance)
-    return replace(
-        shear, asperity_share=mean, tractions=tractions, flooded=flooded, balance=balance
+    return replace(shear, tractions=tractions, flooded=flooded, balance=balance)
+
+
+def _shear(
+    solution: QuasistaticSolution,
+    kinematics: MotionMap,
+    law: ContactFriction,
+    parts: TorqueParts,
+    balance: BalancedFriction,
+    resistance: Resistance,
+) -> SolvedShear:
+    """Torque of a law under the hypothesis of the motion, and in balance where one was found."""
+    motion = kinematics.motion(*ball_speeds(solution))
+    forces = -law.evaluate(motion, np.arange(len(motion))).gradient
+    hypothesis = replace(parts(motion, forces), resistance=resisted_power(solution, resistance))
+    if not balance.converged:
+        return SolvedShear(hypothesis=hypothesis, note=no_balance_message(balance))
+    if solution.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        hypothesis = replace(hypothesis, resistance=balance.resisted)
+    balanced = _balanced(parts, balance)
+    return SolvedShear(
+        hypothesis=hypothesis,
+        balanced=balanced,
+        cage_driven=cage_driven_balls(solution, balance),
+        orbit_lag=orbit_lag(solution, balance),
+        note=imbalance_message(balanced),
     )
+
+
+def _balanced(parts: TorqueParts, balance: BalancedFriction) -> IntegratedTorque:
+    """Torque at the motion and forces of balls in balance [N m]."""
+    torque = parts(balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4))
+    return replace(torque, shaft_power=balance.shaft_power, resistance=balance.resisted)
 
 
 def bearing_films(
@@ -427,17 +444,6 @@ def _asperity_share(contacts: Sequence[BearingContact], films: Films) -> float:
     return sum(film.asperity_load * c.load for c, film in pairs) / loads if loads > 0.0 else 0.0
 
 
-def _torque_in_balance(
-    solution: QuasistaticSolution,
-    kinematics: MotionMap,
-    films: ShearedFilms,
-    balance: BalancedFriction,
-) -> IntegratedTorque:
-    """Of films at the motion and forces of balls in balance [N m]."""
-    motion, forces = (part.reshape(-1, 4) for part in (balance.kinematics, balance.forces))
-    return integrated_torque(solution, kinematics, films, motion, forces)
-
-
 def _tractions(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
@@ -465,7 +471,6 @@ def _tractions(
 def _flooded_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    whole: Films,
     sheared: ShearedFilms,
     resistance: Resistance,
     initial_guess: BalancedFriction,
@@ -473,7 +478,7 @@ def _flooded_torque(
     """With the whole rolling moment of flooded, isothermal films [N m], in its own balance, begun
     at one nearby.
     """
-    law = law_of_films(contacts, whole, sheared)
+    law = sheared.law()
     balance = balance_balls(
         solution,
         contacts,
@@ -483,12 +488,11 @@ def _flooded_torque(
         resistance=resistance,
     )
     if not balance.converged:
-        balance = film_law_balance(solution, contacts, law, resistance)
+        balance = balance_driven_balls(solution, contacts, law, resistance)
     if not balance.converged:
         return None
     kinematics = motion_map(solution, contacts)
-    torque = _torque_in_balance(solution, kinematics, sheared, balance)
-    return _as_balanced(torque, balance)
+    return _balanced(partial(integrated_torque, solution, kinematics, sheared), balance)
 
 
 def law_torque(
@@ -496,11 +500,10 @@ def law_torque(
     contacts: Sequence[BearingContact],
     law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
-    whole: ContactFriction | None = None,
+    flooded_law: ContactFriction | None = None,
 ) -> SolvedShear:
     """Torque by the friction of all contacts under the hypothesis and in balance; the rings turn
-    against
-    each other.
+    against each other.
 
     Parameters
     ----------
@@ -512,7 +515,7 @@ def law_torque(
         friction of the contacts
     resistance : Resistance, default NO_RESISTANCE
         what holds the balls back beside the races
-    whole : ContactFriction | None, optional
+    flooded_law : ContactFriction | None, optional
         the law with the rolling moment of flooded, isothermal films, where it is another
 
     Returns
@@ -521,67 +524,18 @@ def law_torque(
         torques [N m]
     """
     kinematics = motion_map(solution, contacts)
-    motion = kinematics.motion(*ball_speeds(solution))
-    forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
-    hypothesis = replace(
-        _law_torque(solution, kinematics, law, motion, forces),
-        resistance=resisted_power(solution, resistance),
-    )
-    missing = {"rolling": NO_ROLLING_RESISTANCE, "asperity": NO_ASPERITIES}
-    if law.has_rolling_resistance:
-        missing = {"curvature": ONE_MOMENT, "asperity": NO_ASPERITIES}
+    parts = partial(_law_torque, solution, kinematics, law)
     balance = balance_driven_balls(solution, contacts, law, resistance)
-    if not balance.converged:
-        note = no_balance_message(balance)
-        return SolvedShear(hypothesis=hypothesis, note=note, missing_components=missing)
-    torque = _balanced_law(solution, kinematics, law, balance)
-    shear = _balanced_shear(solution, hypothesis, torque, balance)
+    shear = _shear(solution, kinematics, law, parts, balance, resistance)
     flooded = shear.balanced
-    if whole is not None:
-        other = balance_driven_balls(solution, contacts, whole, resistance)
-        flooded = _balanced_law(solution, kinematics, whole, other) if other.converged else None
-    return replace(shear, missing_components=missing, flooded=flooded)
-
-
-def _balanced_law(
-    solution: QuasistaticSolution,
-    kinematics: MotionMap,
-    law: ContactFriction,
-    balance: BalancedFriction,
-) -> IntegratedTorque:
-    """Torque of a law at the motion that balances it [N m]."""
-    motion = balance.kinematics.reshape(-1, 4)
-    forces = balance.forces.reshape(-1, 4)
-    torque = _law_torque(solution, kinematics, law, motion, forces)
-    return _as_balanced(torque, balance)
-
-
-def _balanced_shear(
-    solution: QuasistaticSolution,
-    hypothesis: IntegratedTorque,
-    torque: IntegratedTorque,
-    balance: BalancedFriction,
-) -> SolvedShear:
-    """Both torques, with what the drag takes from the balls in balance; so does the hypothesis
-    where it is that balance, as only it knows what presses the pockets.
-    """
-    balanced = _as_balanced(torque, balance)
-    if solution.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        hypothesis = replace(hypothesis, resistance=balance.resisted)
-    return SolvedShear(
-        hypothesis=hypothesis,
-        balanced=balanced,
-        cage_driven=cage_driven_balls(solution, balance),
-        orbit_lag=orbit_lag(solution, balance),
-        note=imbalance_message(balanced),
-    )
-
-
-def _as_balanced(torque: IntegratedTorque, balance: BalancedFriction) -> IntegratedTorque:
-    """With the rings' power of the balance itself [W]: the force of a node of a film on a line of
-    pure rolling is another one at a motion a rounding away.
-    """
-    return replace(torque, shaft_power=balance.shaft_power, resistance=balance.resisted)
+    if flooded_law is not None and balance.converged:
+        other = balance_driven_balls(solution, contacts, flooded_law, resistance)
+        parts = partial(_law_torque, solution, kinematics, flooded_law)
+        flooded = _balanced(parts, other) if other.converged else None
+    missing = "curvature" if law.has_rolling_resistance else "rolling"
+    reasons = {"curvature": ONE_MOMENT, "rolling": NO_ROLLING_RESISTANCE}
+    missing_components = {missing: reasons[missing], "asperity": NO_ASPERITIES}
+    return replace(shear, missing_components=missing_components, flooded=flooded)
 
 
 def _law_torque(
@@ -766,7 +720,7 @@ def rolling_extent(
 
 
 def _layer(film: ContactSolution) -> float:
-    """Of the lubricant of a film [m]."""
+    """Flooded layer of the lubricant of a film [m]."""
     return film.conditions.lubricant.flooded_layer
 
 
@@ -776,10 +730,10 @@ def _ratio(traction: ContactTraction) -> float:
     return k.rolling + 0.5 * k.curvature_difference * k.sliding_x
 
 
-def _notes(known: Sequence[tuple[BearingContact, RollingMoment]]) -> list[str]:
+def _notes(moments: Sequence[tuple[BearingContact, RollingMoment]]) -> list[str]:
     """Each note once, with the contacts it holds for."""
     places: dict[str, list[str]] = {}
-    for contact, moment in known:
+    for contact, moment in moments:
         if moment.note:
             places.setdefault(moment.note, []).append(f"{contact.ball} {contact.race.value}")
     return [f"ball {', '.join(balls)}: {note}" for note, balls in places.items()]

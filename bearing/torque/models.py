@@ -1,7 +1,5 @@
 """Every model of the friction torque, brought to one form: components that add up, or why there
-are none.
-
-What the models of the friction torque take beyond the loads.
+are none; and what these models take beyond the loads.
 """
 
 from collections.abc import Sequence
@@ -30,15 +28,18 @@ from ..geometry import Bearing, Race, shoulder_diameter
 from ..material import MaterialKind, load_material
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.load_rating import dynamic_rating, static_equivalent_load, static_rating
-from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
+from ..supply.supply import PrescribedInlet, Supply, cavity_volume, oil_fraction
 from . import skf
-from . import skf as palmgren
 from .skf import bearing_kind, mean_diameter
+
+ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
+AS_PRINTED = "skf_as_printed"
+COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FrictionInput:
-    """What the friction models ask beyond the loads, SI; None leaves out what needs it, or is
+    """Input of the friction models beyond the loads, SI; None leaves out what needs it, or is
     filled in as said.
     """
 
@@ -67,10 +68,10 @@ class FrictionInput:
     sharing: LoadSharing = LoadSharing.ZHOU_HOEPRICH  # of asperities and film
     spectrum: Spectrum | None = None  # of the roughness [m]; None: no wave is flattened
     # flow of oil and what is assumed of it, or the layer at the inlets
-    supply: Supply | InletFilm | None = None
+    supply: Supply | PrescribedInlet | None = None
     flooded: bool = False  # the total stays that of flooded films although a supply is given
-    # what films that were solved behind layers stand behind; None: `supply`
-    solved_supply: Supply | InletFilm | None = None
+    # supply of films that were solved behind layers; None: `supply`
+    solved_supply: Supply | PrescribedInlet | None = None
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
     # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
@@ -83,7 +84,7 @@ class FrictionInput:
 
     @property
     def asperities(self) -> Asperities | None:
-        """What asperities that touch need [m], [-]; None without a roughness."""
+        """Input of asperities that touch [m], [-]; None without a roughness."""
         if self.roughness is None:
             return None
         inner, outer = self.roughness
@@ -130,12 +131,12 @@ class FrictionInput:
         share = self.oil_share(bearing)
         return resistance_of(self.cage, bearing, oil.viscosity, oil.density, share)
 
-    def at_supply(self, supply: Supply | InletFilm, bearing: Bearing) -> "FrictionInput":
+    def at_supply(self, supply: Supply | PrescribedInlet, bearing: Bearing) -> "FrictionInput":
         """The same of a bearing at another supply, with the oil that stands in its cavity.
 
         Parameters
         ----------
-        supply : Supply | InletFilm
+        supply : Supply | PrescribedInlet
             flow [m^3/s] or layer [m]
         bearing : Bearing
             the bearing
@@ -154,14 +155,9 @@ class FrictionInput:
         )
 
     @property
-    def scarce(self) -> Supply | InletFilm | None:
+    def scarce(self) -> Supply | PrescribedInlet | None:
         """The supply that the torque is wanted at [m^3/s], [m]; None where it is flooded."""
         return None if self.flooded else self.supply
-
-
-ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
-AS_PRINTED = "skf_as_printed"
-COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -305,7 +301,7 @@ def coulomb_model(
     if lines is None:
         lines = balanced_friction(solution, contacts, mu, lines=True)
     near = lines if lines.converged else None
-    balance = balanced_friction(solution, contacts, mu, near=near)
+    balance = balanced_friction(solution, contacts, mu, initial_guess=near)
     if not balance.converged:
         failure = f"does not hold the balls (residual {balance.residual:.1e} of mu Q)"
         return ModelTorque(note=f"Coulomb friction of {mu:.3g} {failure}")
@@ -575,16 +571,16 @@ def palmgren_model(
         if static is None:
             return ModelTorque(note="needs friction.palmgren_load_factor: no P_0 at this angle")
         capacity = len(solution.rows) * static_capacity(solution.bearing, friction)
-        factor = palmgren.load_factor(kind, static, capacity)
+        factor = skf.load_factor(kind, static, capacity)
     viscous = friction.viscous_factor
     if viscous is None:
-        viscous = palmgren.viscous_factor(kind, friction.lubrication.value)
-    torques = palmgren.palmgren_torque(
+        viscous = skf.viscous_factor(kind, friction.lubrication.value)
+    torques = skf.palmgren_torque(
         mean_diameter(solution.bearing),
         solution.operation.shaft_speed,
         lubricant.viscosity / lubricant.density,
         len(solution.rows) * viscous,
-        (factor, palmgren.directed_load(kind, radial, axial)),
+        (factor, skf.directed_load(kind, radial, axial)),
     )
     remarks = model_remarks("palmgren", solution, lubricant, friction)
     if friction.load_factor is None and _unrated(friction):

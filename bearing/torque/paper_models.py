@@ -37,7 +37,7 @@ from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
 from .models import FrictionInput, ModelTorque, cage_and_drag, summed
 
-# of Jones (1959), as quoted in the comparison of sliding friction torques [-]
+# coefficient of Jones (1959), as quoted in the comparison of sliding friction torques [-]
 CONSTANT_COULOMB = 0.07
 SYMMETRIC_CURVATURE = 0.161142  # S of two lines at c = 0.347296, no spin
 # f_c and f_p of Houpert (1999) over the spin ratio E, as quoted in an open code; fitted for E in
@@ -48,7 +48,7 @@ HOUPERT_SPIN = (0.0042, 1.1045, 0.4625, -0.5648)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RollingLines:
-    """Where the lines lie and what they leave, all [-]."""
+    """Positions of the lines and the force and moments that they leave, all [-]."""
 
     first: float  # c_1, of the line on the side of the spin; beyond 1 outside the contact
     second: float  # c_2, of the other

@@ -1,18 +1,13 @@
-"""SKF's friction model (Rolling bearings, 10000 EN, 2013; mu_bl of 2018): M = M_rr + M_sl + M_seal
-+ M_drag.
+"""Published torque models of ball bearings: SKF's (Rolling bearings, 10000 EN, 2013; mu_bl of
+2018), M = M_rr + M_sl + M_seal + M_drag, and Palmgren's, M = M_0 + M_1 (1957; Harris and Kotzalas,
+chapter 10).
 
 The published constants take loads in N, lengths in mm, speeds in r/min and viscosities in mm^2/s,
 and give N mm; the functions here take and give SI, and convert at the first and the last line.
 
-What the inlets leave of the oil's rolling resistance: heat of their shear, and how much of the
-oil that the last ball displaced has come back.
-
-Both are SKF's factors of its rolling moment (Rolling bearings, 10000 EN, 2013, pages 104 to 106),
-here of the integrated one: 1 where films are solved with heat, or where the layer that they run in
-is given.
-
-Palmgren's friction torque of ball bearings, M = M_0 + M_1 (Palmgren, 1957; Harris and Kotzalas,
-chapter 10).
+SKF's factors of its rolling moment for heat of the inlet shear and for oil that has not come back
+(pages 104 to 106) also serve the integrated torque: 1 where films are solved with heat, or where
+the layer that they run in is prescribed.
 """
 
 import re
@@ -26,14 +21,23 @@ import numpy as np
 from oilfilm.ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si
 
 from ..geometry import Bearing
-from ..library.catalogue import skf_series as designation_series
+from ..library.catalogue import friction_series
 from ..library.designation import read_designation
 from ..library.plugins import library_data
 
 SKF_DATA = "skf_friction.toml"
-# of deep groove bearings beside those of the catalogue, longer names first
+# series of deep groove bearings beside those of the catalogue, longer names first
 OTHER_SERIES = ("617", "628", "637", "638", "639", "622", "623", "630", "160", "161", "42", "43")
 BOUNDARY_FRICTION = 0.12  # mu_bl of a running bearing, 2018 edition; 0.15 at the start
+
+FULL_FILM_FRICTION = {"mineral": 0.05, "synthetic": 0.04, "transmission fluid": 0.1}  # mu_EHL
+
+# ball diameter over the section's height D - d, where that is not given [-]: 0.28 to 0.31 of
+# catalogue bearings of 60, 62 and 63
+BALL_TO_SECTION = 0.3
+
+PALMGREN_DATA = "palmgren.toml"
+BRANCH = 2000.0  # nu n [mm^2/s r/min] from which the viscous moment rises with the speed
 
 
 class Series(Enum):
@@ -61,7 +65,6 @@ STARVATION = {
     Lubrication.GREASE: 6e-8,
     Lubrication.OIL_AIR: 6e-8,
 }
-FULL_FILM_FRICTION = {"mineral": 0.05, "synthetic": 0.04, "transmission fluid": 0.1}  # mu_EHL
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,7 +97,7 @@ class SkfConstants:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SkfBearing:
-    """What the model asks of a bearing."""
+    """Input of the model from a bearing."""
 
     constants: SkfConstants
     bore: float  # d [m]
@@ -172,7 +175,7 @@ def series_of(name: str) -> str | None:
     """
     designation = read_designation(name)
     if designation is not None:
-        return designation_series(designation)
+        return friction_series(designation)
     match = re.match(rf"({'|'.join(OTHER_SERIES)})\d\d(?!\d)", name.strip())
     return None if match is None else match.group(1)
 
@@ -487,18 +490,13 @@ def drag_factor(level: float) -> float:
     return float(np.interp(level, drag["level"], drag["V_M"]))
 
 
-# ball diameter over the section's height D - d, where that is not given [-]: 0.28 to 0.31 of
-# catalogue bearings of 60, 62 and 63
-BALL_TO_SECTION = 0.3
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InletFactors:
-    """Of the rolling moment of flooded, isothermal films [-], and where they are from."""
+    """Factors of the rolling moment of flooded, isothermal films [-], and their sources."""
 
     shear_heating: float = 1.0
     replenishment: float = 1.0
-    # of films not solved with heat, where others are and have their loss of their own
+    # factor of films not solved with heat, where others are and have a loss of their own
     unheated: float = 1.0
     heating_source: str = ""
     replenishment_source: str = ""
@@ -616,10 +614,6 @@ def bearing_kind(bearing: Bearing) -> Series:
         kind
     """
     return Series.ANGULAR_CONTACT if bearing.angular_contact else Series.DEEP_GROOVE
-
-
-PALMGREN_DATA = "palmgren.toml"
-BRANCH = 2000.0  # nu n [mm^2/s r/min] from which the viscous moment rises with the speed
 
 
 def viscous_factor(kind: str, lubrication: str) -> float:

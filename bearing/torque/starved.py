@@ -1,15 +1,13 @@
 """Friction torque over the oil supply, first order: less film and rolling resistance, more
 asperities, less churning.
 
-Every contact keeps the shares of its flooded films and of its rolling moment that the supply
+Every contact keeps the fractions of its flooded films and of its rolling moment that the supply
 leaves it (`supply`). Its sliding friction is that of film and asperities in the proportion of the
-lambda ratio (`mixed`), on the lines of pure rolling. The balls plough through the oil that stands
-in the cavity.
+lambda ratio (`films.asperities`), on the lines of pure rolling. The balls plough through the oil
+that stands in the cavity.
 
-Films and torque over the range of what a flow of oil may leave on the tracks.
-
-The share of the oil that lands on the tracks decides the film and is not known: 0.1 to 0.5 of a
-jet by an estimate. A flow therefore gives a band, not a number.
+The fraction of a flow that lands on the tracks decides the film and is not known: 0.1 to 0.5 of a
+jet by an estimate. A flow therefore gives a band of films and torque, not a number.
 """
 
 from collections.abc import Callable, Sequence
@@ -31,7 +29,7 @@ from ..films.operating import (
 )
 from ..friction.resistance import churning_power, contact_rolling_power
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
+from ..supply.supply import PrescribedInlet, Supply, cavity_volume, oil_fraction
 from .models import FrictionInput, cage_and_drag
 from .paper_models import pure_rolling_line_torque, sliding_contacts
 
@@ -58,7 +56,7 @@ class StarvedTorque:
 
 
 class _OfFilms(NamedTuple):
-    """What the films make of the torque [N m]."""
+    """Parts of the torque by the films [N m]."""
 
     rolling: float
     film: float
@@ -70,7 +68,7 @@ def starved_torque(
     contacts: Sequence[BearingContact],
     lubricant: Lubricant,
     friction: FrictionInput,
-    supply: Supply | InletFilm,
+    supply: Supply | PrescribedInlet,
     films: Films | None = None,
 ) -> StarvedTorque:
     """Friction torque of a bearing at a supply.
@@ -85,8 +83,8 @@ def starved_torque(
         The oil.
     friction : FrictionInput
         Its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or mu_EHL
-        that of the films, its `oil_fraction` [-] counts with an `InletFilm`.
-    supply : Supply or InletFilm
+        that of the films, its `oil_fraction` [-] counts with a `PrescribedInlet`.
+    supply : Supply or PrescribedInlet
         Oil at the inlets.
     films : sequence of ContactFilm or None, optional
         Films as computed; those of formulas where one is missing.
@@ -114,7 +112,7 @@ def starved_torque(
         for film, c in zip(supplied, contacts, strict=True)
     ):
         raise ValueError("needs films: no formula has those of an oil without pressure-viscosity")
-    if isinstance(supply, InletFilm):
+    if isinstance(supply, PrescribedInlet):
         fraction = friction.oil_fraction or 0.0
     else:
         fraction = oil_fraction(supply, cavity_volume(solution.bearing))
@@ -158,7 +156,7 @@ def _of_films(
     return _OfFilms(rolling, film, asperity)
 
 
-Total = Callable[[Supply | InletFilm], float | None]  # torque at a supply [N m]
+Total = Callable[[Supply | PrescribedInlet], float | None]  # torque at a supply [N m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -211,7 +211,7 @@ def add_seat_and_sensor(c, q, v, force, power):
 
 @compiled
 def kinetic_energy(c, v):
-    """Of rings, sensor and balls [J]."""
+    """Kinetic energy of rings, sensor and balls [J]."""
     total = 0.0
     for k in range(BALLS):
         total += 0.5 * c.free[k] * c.mass[k] * v[k] * v[k]
@@ -243,11 +243,11 @@ def keep_row(record, row, state, slopes, kinetic):
 
 
 @compiled
-def advance(c, clock, share, state, record):
+def advance(c, clock, form_gain, state, record):
     """Steps of Runge and Kutta; the state (q, v, works) moves on in place, a row of the record is
     written before every stride-th step; none with a stride of zero.
 
-    clock: time [s], step [s], steps, stride; share: of the form at the start, its gain [1/s],
+    clock: time [s], step [s], steps, stride; form_gain: of the form at the start, its gain [1/s],
     damping of all bodies [1/s]; record: displacements, speeds and accelerations of rings and
     sensor (n, 27), loads (n, 2 Z), energy and works (n, 4).
     """
@@ -265,10 +265,10 @@ def advance(c, clock, share, state, record):
                 q_at += ahead * slopes_q[stage - 1]
                 v_at += ahead * slopes_v[stage - 1]
             copy(v_at, slopes_q[stage])
-            part = min(share[0] + share[1] * (i * step + ahead), 1.0)
+            part = min(form_gain[0] + form_gain[1] * (i * step + ahead), 1.0)
             result = (slopes_v[stage], slopes_w[stage], loads)
             at = start + i * step + ahead
-            accelerations(c, at, q_at, v_at, (part, share[2]), result)
+            accelerations(c, at, q_at, v_at, (part, form_gain[2]), result)
             if stage == 0 and stride > 0 and i % stride == 0:
                 slopes = (slopes_v[0], slopes_w[0], loads)
                 keep_row(record, i // stride, (q, v, work), slopes, kinetic_energy(c, v))

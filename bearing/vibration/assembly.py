@@ -1,8 +1,6 @@
-"""Numbers of the equations of motion from a bearing in equilibrium and what makes it vibrate.
-
-Numbers of a model for the compiled equations of motion, and indices in the state.
-
-Laws of ball and race in the equations of motion: Hertz, solved films, linear springs.
+"""Numbers of the equations of motion from a bearing in equilibrium and what makes it vibrate:
+arrays of the compiled equations, indices in the state, and laws of ball and race (Hertz, solved
+films, linear springs).
 """
 
 from collections.abc import Sequence
@@ -25,8 +23,8 @@ from ..films.operating import OilAtInlets, supplied_films
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import AMPLE, InletFilm, Supply
-from .form import Place, heights, hollow, rolled
+from ..supply.supply import AMPLE, PrescribedInlet, Supply
+from .form import FormBody, heights, hollow, rolled
 from .inputs import (
     ContactLaw,
     Direction,
@@ -56,6 +54,18 @@ STORED = 3  # place of the elastic energy beside their powers
 FACTOR = 0  # elastic force over approach^n [N/m^n]
 DAMPING = 1  # [N s/m]
 ENERGY = 2  # elastic energy over approach^(n + 1) [J/m^(n + 1)]
+
+NODES = 600  # of a law, over the logarithm of the approach
+SPAN = (1e-4, 30.0)  # of approaches, over that of the largest load [-]
+HERTZ = 1.5  # exponent of the force
+# loads over the largest of a race, at which films are solved; stiffness over that of Hertz and
+# damping change by some per cent between them
+SOLVED_LOADS = (0.2, 1.0)
+POINTS = 129  # and half of them; damping of the 6208 within 1.5 % of that from 257
+STARVED_POINTS = 257  # behind a layer, where the damping is small and feels the mesh
+
+RACES = {Race.INNER: FormBody.INNER, Race.OUTER: FormBody.OUTER}
+AXES = {Direction.X: 0, Direction.Y: 1, Direction.Z: 2}
 
 
 class ContactLawTable(NamedTuple):
@@ -94,16 +104,6 @@ class VibrationArrays(NamedTuple):
     sensor: Array  # stiffness [N/m], damping [N s/m], axis it moves along (0, 1, 2), shape (3,)
     ball_mass: float  # [kg]
     centrifugal_force: float  # on a ball at the end's speed [N]
-
-
-NODES = 600  # of a law, over the logarithm of the approach
-SPAN = (1e-4, 30.0)  # of approaches, over that of the largest load [-]
-HERTZ = 1.5  # exponent of the force
-# loads over the largest of a race, at which films are solved; stiffness over that of Hertz and
-# damping change by some per cent between them
-SOLVED_LOADS = (0.2, 1.0)
-POINTS = 129  # and half of them; damping of the 6208 within 1.5 % of that from 257
-STARVED_POINTS = 257  # behind a layer, where the damping is small and feels the mesh
 
 
 class FilmsNotSolvedError(RuntimeError):
@@ -192,7 +192,7 @@ def heaviest(contacts: Sequence[BearingContact], race: Race) -> BearingContact:
 def film_load_fractions(
     contacts: Sequence[BearingContact],
     asperities: Asperities,
-    supply: Supply | InletFilm | None,
+    supply: Supply | PrescribedInlet | None,
     balls: int,
 ) -> dict[Race, float]:
     """Load that the film of the heaviest contact of each race carries, over its whole load.
@@ -203,7 +203,7 @@ def film_load_fractions(
         All contacts of the bearing.
     asperities : Asperities
         Roughness of the surfaces and the law by which asperities carry load.
-    supply : Supply or InletFilm or None
+    supply : Supply or PrescribedInlet or None
         Supply of oil that limits the films; None: flooded.
     balls : int
         Number of balls [-].
@@ -219,7 +219,7 @@ def film_load_fractions(
         oil = OilAtInlets(oil=supply or AMPLE, balls=balls)
         (film,) = supplied_films([contact], [None], oil)
         if film is not None:
-            shares[race] = 1.0 - asperities.share(contact, film.central.value)
+            shares[race] = 1.0 - asperities.load_fraction(contact, film.central.value)
     return shares
 
 
@@ -399,10 +399,6 @@ def law_table(approach: Array, factor: Array, damping: Array, exponent: float) -
     )
 
 
-RACES = {Race.INNER: Place.INNER, Race.OUTER: Place.OUTER}
-AXES = {Direction.X: 0, Direction.Y: 1, Direction.Z: 2}
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Assembled:
     """Numbers of the equations, and what was solved for them."""
@@ -485,7 +481,7 @@ def assembled(
             assert contact.hertz is not None  # it is loaded
             along = contact.hertz.semi_axis_x
             transmissions[race] = dry_transmission(along)
-            uneven = not (model.form.is_even(RACES[race]) and model.form.is_even(Place.BALL))
+            uneven = not (model.form.is_even(RACES[race]) and model.form.is_even(FormBody.BALL))
             if model.options.wave_filter is WaveFilter.FILM and uneven:
                 assert contact.conditions is not None  # its film was solved
                 shortest = _largest_number(solution, model, race, along)
@@ -539,8 +535,8 @@ def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
             "displacement: is given in all directions, and the outer ring stands still"
         )
     limit = 0.5 * model.options.sample_rate
-    numbers = [wave.ball for wave in model.form.waves.get(Place.BALL, ())]
-    numbers += [defect.ball for defect in model.form.defects_of(Place.BALL)]
+    numbers = [wave.ball for wave in model.form.waves.get(FormBody.BALL, ())]
+    numbers += [defect.ball for defect in model.form.defects_of(FormBody.BALL)]
     balls = solution.bearing.balls
     if max(numbers, default=0) > balls:
         raise ValueError(f"ball: {max(numbers)} is given a form, but there are {balls} balls")
@@ -555,9 +551,9 @@ def _check_orders(solution: QuasistaticSolution, model: VibrationModel, limit: f
     operation = solution.operation
     cage = solution.cage_speed
     rates = {
-        Place.INNER: abs(operation.inner_speed - cage),
-        Place.OUTER: abs(cage - operation.outer_speed),
-        Place.BALL: float(np.abs(solution.spin_speed).mean()),
+        FormBody.INNER: abs(operation.inner_speed - cage),
+        FormBody.OUTER: abs(cage - operation.outer_speed),
+        FormBody.BALL: float(np.abs(solution.spin_speed).mean()),
     }
     for place, waves in model.form.waves.items():
         order = max((wave.order for wave in waves), default=0)
@@ -588,7 +584,7 @@ def _largest_number(
     ball_radius = 0.5 * solution.bearing.ball_diameter
     waves = model.form.waves.get(RACES[race], ())
     numbers = [wave.order * along / radius for wave in waves]
-    numbers += [w.order * along / ball_radius for w in model.form.waves.get(Place.BALL, ())]
+    numbers += [w.order * along / ball_radius for w in model.form.waves.get(FormBody.BALL, ())]
     if model.form.profiles or model.form.defects:
         conditions_speed = abs(solution.operation.shaft_speed) * radius
         numbers.append(pi * model.options.sample_rate * along / max(0.5 * conditions_speed, 1e-9))
@@ -724,13 +720,15 @@ def _ball_heights(
     """
     bearing = solution.bearing
     form = model.form
-    if form.is_even(Place.BALL):
+    if form.is_even(FormBody.BALL):
         return np.zeros((2, 1, 2))
     radius = 0.5 * bearing.ball_diameter
-    equal = not form.defects_of(Place.BALL)
-    equal &= all(wave.ball == 0 for wave in form.waves.get(Place.BALL, ()))
-    rows = [heights(form, Place.BALL, ball + 1) for ball in range(1 if equal else bearing.balls)]
-    for defect in form.defects_of(Place.BALL):
+    equal = not form.defects_of(FormBody.BALL)
+    equal &= all(wave.ball == 0 for wave in form.waves.get(FormBody.BALL, ()))
+    rows = [
+        heights(form, FormBody.BALL, ball + 1) for ball in range(1 if equal else bearing.balls)
+    ]
+    for defect in form.defects_of(FormBody.BALL):
         rows[defect.ball - 1] -= hollow(defect, radius)
     both = []
     for race in RACES:

@@ -16,7 +16,7 @@ from oilfilm.ehl.arrays import Array
 POINTS = 65536  # of a height over a turn: linear between, order 500 to 3e-4
 
 
-class Place(Enum):
+class FormBody(Enum):
     """Body that a form belongs to."""
 
     INNER = "inner ring"
@@ -56,7 +56,7 @@ class Wave:
 class Defect:
     """A hollow of one track."""
 
-    place: Place
+    place: FormBody
     kind: DefectKind
     width: float  # along the track [m]
     depth: float  # [m]
@@ -73,17 +73,17 @@ class Defect:
 class SurfaceForm:
     """Differences of the surfaces of a bearing from circles and grooves."""
 
-    waves: dict[Place, tuple[Wave, ...]] = field(default_factory=dict)
-    profiles: dict[Place, Array] = field(default_factory=dict)  # heights over a turn, even [m]
+    waves: dict[FormBody, tuple[Wave, ...]] = field(default_factory=dict)
+    profiles: dict[FormBody, Array] = field(default_factory=dict)  # heights over a turn, even [m]
     ball_diameters: tuple[float, ...] = ()  # of each ball over the nominal one [m]
     defects: tuple[Defect, ...] = ()
 
-    def defects_of(self, place: Place) -> tuple[Defect, ...]:
+    def defects_of(self, place: FormBody) -> tuple[Defect, ...]:
         """Defects of one body, or of all balls.
 
         Parameters
         ----------
-        place : Place
+        place : FormBody
             body
 
         Returns
@@ -93,12 +93,12 @@ class SurfaceForm:
         """
         return tuple(defect for defect in self.defects if defect.place is place)
 
-    def is_even(self, place: Place) -> bool:
+    def is_even(self, place: FormBody) -> bool:
         """Check whether a body has neither waviness nor profile nor defect.
 
         Parameters
         ----------
-        place : Place
+        place : FormBody
             body
 
         Returns
@@ -110,14 +110,14 @@ class SurfaceForm:
         return not uneven
 
 
-def heights(form: SurfaceForm, place: Place, ball: int = 0) -> Array:
+def heights(form: SurfaceForm, place: FormBody, ball: int = 0) -> Array:
     """Waves and profile of a body over a turn, without its defects.
 
     Parameters
     ----------
     form : SurfaceForm
         form of all surfaces
-    place : Place
+    place : FormBody
         body
     ball : int, default 0
         number of the ball, from 1 [-]

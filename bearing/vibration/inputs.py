@@ -1,6 +1,5 @@
-r"""Inputs of the vibration of a bearing, in SI.
-
-Transmission of waves of a surface into the bearing: the contact is as long as a short wave.
+r"""Inputs of the vibration of a bearing, in SI, and the transmission of waves of a surface into
+it: the contact is as long as a short wave.
 
 A small height g(x, y) under a contact moves the bodies apart, under the same load, by
 
@@ -31,6 +30,10 @@ from oilfilm.ehl.traction.linear_response import wave_transmission
 
 from ..geometry import Race
 from .form import SurfaceForm
+
+STEP = 0.8  # of k a at most, between waves that are solved; splines between them
+LEAST = 3  # waves that are solved at least
+FASTEST = 4.0  # k a beyond which the dry part counts: less than a quarter of a wave is left there
 
 
 class ContactLaw(Enum):
@@ -139,11 +142,6 @@ class VibrationModel:
     options: VibrationOptions = field(default_factory=VibrationOptions)
     # part of the heaviest contacts' loads that films carry, the rest is on asperities; else all
     film_load_fractions: dict[Race, float] = field(default_factory=dict)  # [-]
-
-
-STEP = 0.8  # of k a at most, between waves that are solved; splines between them
-LEAST = 3  # waves that are solved at least
-FASTEST = 4.0  # k a beyond which the dry part counts: less than a quarter of a wave is left there
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

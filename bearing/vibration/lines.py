@@ -17,10 +17,9 @@ import numpy as np
 
 from ..geometry import Race
 from ..operation import Operation
-from ..quasistatic.solution import QuasistaticSolution
-from ..rating.frequencies import Frequencies, kinematic_frequencies
+from ..quasistatic.solution import Frequencies, QuasistaticSolution, kinematic_frequencies
 from .assembly import Assembled, mean_angle
-from .form import Place, SurfaceForm
+from .form import FormBody, SurfaceForm
 
 LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as one [-]
 HARMONICS = 3  # of what repeats with each ball, smoothly
@@ -59,10 +58,10 @@ def expected_lines(
     speeds = np.asarray(equations.arrays.speeds) / (2.0 * pi)
     balls = solution.bearing.balls
     lines = []
-    for place, ring in ((Place.INNER, speeds[0]), (Place.OUTER, speeds[1])):
+    for place, ring in ((FormBody.INNER, speeds[0]), (FormBody.OUTER, speeds[1])):
         for wave in form.waves.get(place, ()):
             lines += _ring_lines(place, wave.order, balls, (float(ring), float(speeds[2])))
-    for wave in form.waves.get(Place.BALL, ()):
+    for wave in form.waves.get(FormBody.BALL, ()):
         lines += _ball_lines(wave.order, abs(float(speeds[3])), abs(float(speeds[2])))
     if any(form.ball_diameters):
         lines.append(
@@ -70,9 +69,9 @@ def expected_lines(
         )
     slipped = passing(solution, equations)
     passes = {
-        Place.INNER: slipped.ball_pass_inner,
-        Place.OUTER: slipped.ball_pass_outer,
-        Place.BALL: 2.0 * slipped.ball_spin,
+        FormBody.INNER: slipped.ball_pass_inner,
+        FormBody.OUTER: slipped.ball_pass_outer,
+        FormBody.BALL: 2.0 * slipped.ball_spin,
     }
     for place in dict.fromkeys(defect.place for defect in form.defects):
         name = f"defect of the {place.value}"
@@ -126,7 +125,9 @@ def kinematic(solution: QuasistaticSolution) -> Frequencies:
     return kinematic_frequencies(solution.bearing, operation, angle)
 
 
-def _ring_lines(place: Place, order: int, balls: int, speeds: tuple[float, float]) -> list[Line]:
+def _ring_lines(
+    place: FormBody, order: int, balls: int, speeds: tuple[float, float]
+) -> list[Line]:
     """Lines of a wave of a ring. speeds: of the ring and of the cage [Hz]."""
     numbers = range(order // balls, order // balls + 2)
     offsets = {k: order - k * balls for k in numbers}

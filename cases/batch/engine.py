@@ -175,6 +175,14 @@ def run_batch(
         If the folder cannot be used, or another program writes the same points.
     OSError
         If a finished point cannot be written; all finished before stay.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> import oilfilm
+    >>> from oilfilm.cases.batch import LocalPool
+    >>> sweep = oilfilm.read_sweep("6208_load_and_speed")
+    >>> batch = oilfilm.run_batch(sweep, Path("sweep"), lambda: LocalPool(2))  # doctest: +SKIP
     """
     start = perf_counter()
     single = selection.shard is SINGLE_WRITER

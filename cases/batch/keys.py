@@ -1,6 +1,6 @@
 """Names of points, tables and contacts on disk: hashes of all they depend on.
 
-The program that computes, as one word: results of different code never mix.
+The program is among it, as one word: results of different code never mix.
 """
 
 import hashlib
@@ -17,11 +17,17 @@ from oilfilm.bearing.library.plugins import plugin_sources
 
 PACKAGES = ("ehl", "bearing", "postprocess", "cases")
 SUFFIXES = (".py", ".npz", ".csv", ".toml")
-# what no result of a point depends on: commands, pictures, reports, shipped cases
+# no result of a point depends on these: commands, pictures, reports, shipped cases
 LEFT_OUT = ("cases/cli", "postprocess/scene", "postprocess/report", "postprocess/compare")
 LIBRARY = "cases/library"
 CATALOGUE = f"{LIBRARY}/catalogue"  # of it, what cases read
 LIBRARIES = ("numpy", "scipy", "numba", "scikit-fem")  # whose versions show in the last digits
+
+# tables of a case that leave its contacts as they are
+WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics", "load_cases")
+DESCRIBING = ("title", "source", "assumed")  # keys of a case without effect on results
+NOT_IN_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
+NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
 
 
 def program_sources() -> Iterator[Path]:
@@ -50,14 +56,6 @@ def program_digest() -> str:
     digest.update(repr([(name, metadata.version(name)) for name in LIBRARIES]).encode())
     digest.update(plugin_sources())
     return digest.hexdigest()[:16]
-
-
-# tables of a case that leave its contacts as they are
-WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics", "load_cases")
-DESCRIBING = ("title", "source", "assumed")  # keys of a case without effect on results
-NOT_IN_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
-
-NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
 
 
 @lru_cache(maxsize=4096)

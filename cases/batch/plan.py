@@ -1,13 +1,8 @@
 """The points of a sweep, each made when it is asked for.
 
-Points of the blocks of a sweep file: factorial, listed, Latin hypercube, differences.
-
-Points as documents of cases: what a point sets takes the place of what the case says of the
-same in other keys.
-
-Faults of points as faults of the sweep file: at the key that a point varies or fixes.
-
-The numbers that a sweep file wants to be drawn.
+A block of a sweep file (factorial, listed, sampled, differences) gives variations; a variation
+gives the document of a case, in which a value of the point replaces alternatives of the case's.
+Faults of a point are faults of the sweep file, at the key that the point varies or fixes.
 """
 
 import hashlib
@@ -42,6 +37,33 @@ from .sweep_file import SensitivityTable, SweepFile
 
 MOST_POINTS = 10_000_000
 
+# keys of a table that say the same quantity
+ROWS = {
+    "bearing": ((*CLEARANCE, "clearance_class"),),
+    "fit": (
+        ("inner_ring_interference_um", "shaft_tolerance"),
+        ("outer_ring_interference_um", "housing_tolerance"),
+    ),
+    "lubricant": (VISCOSITIES,),
+}
+SENSITIVITY = "sensitivity"  # block whose points stay near the case as it is
+HIDING = {
+    "bearing": (
+        "ball_diameter_mm",
+        "pitch_diameter_mm",
+        "balls",
+        "inner_groove_radius_mm",
+        "outer_groove_radius_mm",
+    ),
+    "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
+}
+FORMAT = 4  # of what a point leaves on disk
+INPUT_FILES = (("friction", "traction_table"),)  # table and key of files that a case reads
+SIMPLE = frozenset((float, int, str))  # a truth value equals a number
+BITS = 256  # of the sum of hashes
+Document = dict[str, Any]
+MOST_PANELS = 3  # of a figure
+
 
 @dataclass(frozen=True, slots=True)
 class Setting:
@@ -67,7 +89,7 @@ def block_settings(table: dict[str, Any], where: KeyPath) -> list[Setting]:
     ----------
     table : dict[str, Any]
         The block as parsed.
-    where : Path
+    where : KeyPath
         Path of the block in the file.
 
     Returns
@@ -276,18 +298,6 @@ def differences(
     return variations, notes, problems
 
 
-# keys of a table that say the same quantity
-ROWS = {
-    "bearing": ((*CLEARANCE, "clearance_class"),),
-    "fit": (
-        ("inner_ring_interference_um", "shaft_tolerance"),
-        ("outer_ring_interference_um", "housing_tolerance"),
-    ),
-    "lubricant": (VISCOSITIES,),
-}
-SENSITIVITY = "sensitivity"  # block whose points stay near the case as it is
-
-
 class PointDocuments:
     """The case's document with the values of variations, without their alternatives."""
 
@@ -319,8 +329,7 @@ class PointDocuments:
             node[key] = setting.value
         for table, key, _ in self._alternatives(variation):
             value = document[table].pop(key)
-            if key == CLEARANCE[1]:
-                # of the rating life
+            if key == CLEARANCE[1]:  # the rating life still needs it
                 document[table].setdefault("nominal_contact_angle_deg", value)
         return document
 
@@ -394,18 +403,6 @@ def _alternatives(base: dict[str, Any], variation: Variation) -> Iterator[tuple[
             yield "operation", "temperature", "temperature_C"
 
 
-HIDING = {
-    "bearing": (
-        "ball_diameter_mm",
-        "pitch_diameter_mm",
-        "balls",
-        "inner_groove_radius_mm",
-        "outer_groove_radius_mm",
-    ),
-    "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
-}
-
-
 def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseProblem]:
     """Problems of a bearing or an oil varied by name whose values the case itself overrides.
 
@@ -473,15 +470,6 @@ def _meets(path: KeyPath, problem: KeyPath) -> bool:
     """Tell whether a problem's path is that of a key, lies below it, or is a table around it."""
     shorter = min(len(path), len(problem))
     return shorter > 0 and path[:shorter] == tuple(problem[:shorter])
-
-
-FORMAT = 4  # of what a point leaves on disk
-INPUT_FILES = (("friction", "traction_table"),)  # table and key of files that a case reads
-
-SIMPLE = frozenset((float, int, str))  # a truth value equals a number
-BITS = 256  # of the sum of hashes
-
-Document = dict[str, Any]
 
 
 class Plan(Sequence[Point]):
@@ -679,9 +667,6 @@ def _current_digest(name: str) -> str:
 @lru_cache(maxsize=64)
 def _file_digest(name: str, _changed: int, _size: int) -> str:
     return digest(Path(name).read_bytes())
-
-
-MOST_PANELS = 3  # of a figure
 
 
 def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseProblem]:

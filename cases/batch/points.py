@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from pathlib import Path as FilePath
+from pathlib import Path
 from typing import Any
 
 from oilfilm.postprocess.batch.results import Design
@@ -57,7 +57,7 @@ class Sweep:
     points: Sequence[Point]
     messages: tuple[str, ...] = ()
     assumed: tuple[str, ...] = ()
-    table: FilePath | None = None
+    table: Path | None = None
     table_points: int = 257
     plot: tuple[str, ...] = ()
     designs: tuple[Design, ...] = ()

@@ -43,6 +43,8 @@ MOST_LINES = 100_000  # of batch.csv where it is not asked for
 MISSING = "missing"  # status of a point that no record tells of
 NO_RECORD = "not computed yet, or its record is damaged; --resume computes it"
 
+Writer = Callable[[Columns, Path], None]
+
 
 class Stored:
     """The points of a batch, read from its folder; rows once, and then from `file`."""
@@ -289,9 +291,6 @@ def batched(keys: Iterable[str], size: int) -> Iterator[list[str]]:
     left = iter(keys)
     while chunk := list(islice(left, size)):
         yield chunk
-
-
-Writer = Callable[[Columns, Path], None]
 
 
 def write_batch(

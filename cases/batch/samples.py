@@ -1,6 +1,6 @@
 """Points drawn at random: Latin hypercubes, Sobol sequences, designs of Morris and of Saltelli.
 
-How the value of a key is distributed: ranges and laws of blocks of samples.
+The value of a key has a range, or a distribution.
 """
 
 import math
@@ -30,6 +30,10 @@ RANGE = "allowed: [first, last], two numbers, first < last"
 ALLOWED = "allowed: [first, last], or one of " + ", ".join(
     f"{{ {name} = {form} }}" for name, form in FORMS.items()
 )
+
+# levels of Morris' designs at the ends of a law without ends: its quantiles of 2.5 and 97.5 %
+OUTER = 0.025
+Options = HypercubeOptions | SampleOptions | MorrisOptions | SobolOptions
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,11 +169,6 @@ def correlated(probabilities: Array, matrix: Array) -> Array:
     return stats.norm.cdf(scores)
 
 
-# levels of Morris' designs at the ends of a law without ends: its quantiles of 2.5 and 97.5 %
-OUTER = 0.025
-Options = HypercubeOptions | SampleOptions | MorrisOptions | SobolOptions
-
-
 def sampled_blocks(file: SweepFile) -> tuple[list[tuple[Sampled, Design]], list[CaseProblem]]:
     """Blocks of points that are drawn at random, in the order of the format's description.
 
@@ -240,7 +239,7 @@ def sampled_block(
         Keys and options as parsed.
     options : Options
         The checked options.
-    where : Path
+    where : KeyPath
         Path of the block in the file.
 
     Returns

@@ -1,20 +1,13 @@
-"""Traction tables that points of a batch share: which points, over which loads and speeds, made
-before the points.
+"""Results that points of a batch share: traction tables, contacts, films of tables under way.
 
 tables/NAME.zip     both races; NAME is a hash of the inputs of all points that share them
 
-Things that took long to compute, a file each, named after all that they depend on.
-
-A file holds a digest of its name and content, and arrays and objects of `ehl`, nothing else. It is
-read with care: it may come from anywhere, and be damaged.
-
-Solved contacts on disk, named after all they depend on: equal ones are solved once.
-
-Films of a traction table on disk while it grows, so that an interrupted one goes on.
+Each stands in a file of its own, named after all it depends on. The file of a contact or a film
+contains a digest of its name and content, and arrays and objects of `ehl`, nothing else; it is
+read with care, since it may come from anywhere, and be damaged.
 """
 
 import pickle
-import shutil
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
@@ -34,8 +27,7 @@ from oilfilm.bearing.friction.tables import (
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
 from oilfilm.ehl.multigrid.threads import cores
-from oilfilm.ehl.oil.rheology import Rheology
-from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.film import FilmSample, film_sample
 from oilfilm.ehl.traction_table.table import TableContact, TableRange
 
@@ -51,8 +43,16 @@ from .points import Point, Sweep
 from .store import TABLES, write_file
 
 DIGEST = 16  # bytes at the beginning of a file
-# what arrays are put together from, beside the classes of `ehl`
+# constructors of arrays, beside the classes of `ehl`
 ARRAY_CLASSES = frozenset(("_reconstruct", "_frombuffer", "scalar", "ndarray", "dtype"))
+
+SUFFIX = ".contact"
+MOST_BYTES = 4_000_000_000  # the contacts of a batch grow no further
+# written by this process between two looks at how large all of them are: the looks of a batch take
+# a time that grows with its contacts, not with their square [bytes]
+BETWEEN = MOST_BYTES // 40
+Solver = Callable[[ContactConditions, SolverOptions, FilmPhysics], ContactSolution]
+Place = tuple[float, float]
 
 
 class _Reader(pickle.Unpickler):
@@ -115,15 +115,6 @@ def _digest(path: Path, data: bytes) -> bytes:
     return blake2b(data, digest_size=DIGEST, key=path.name.encode()[:64]).digest()
 
 
-SUFFIX = ".contact"
-MOST_BYTES = 4_000_000_000  # the contacts of a batch grow no further
-# written by this process between two looks at how large all of them are: the looks of a batch take
-# a time that grows with its contacts, not with their square [bytes]
-BETWEEN = MOST_BYTES // 40
-
-Solver = Callable[[ContactConditions, SolverOptions, FilmPhysics], ContactSolution]
-
-
 class ContactCache:
     """The contacts of a folder: looked up there first, and left there when they are solved."""
 
@@ -171,9 +162,6 @@ class ContactCache:
         return self._free > 0
 
 
-Place = tuple[float, float]
-
-
 def stored_film_sampler(
     folder: Path,
 ) -> Callable[[TableContact, TableRange, Place, int, bool], FilmSample]:
@@ -204,17 +192,6 @@ def stored_film_sampler(
         return found
 
     return sample
-
-
-def remove_films(folder: Path) -> None:
-    """Remove the films of a table that is complete.
-
-    Parameters
-    ----------
-    folder : Path
-        Folder of the films.
-    """
-    shutil.rmtree(folder, ignore_errors=True)
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
@@ -287,7 +264,8 @@ def with_table_names(
     points: Sequence[Point],
     sharing: Sequence[str | None],
     documents: Sequence[dict[str, Any]],
-    made_of: tuple[str | None, int],
+    given: str | None,
+    nodes: int,
 ) -> tuple[Point, ...]:
     """The points with the names of their tables, which their own names then depend on, too.
 
@@ -299,10 +277,11 @@ def with_table_names(
         What the tables of each must have in common; None of those that need none.
     documents : sequence of dict
         Of each, as run.
-    made_of : (str or None, int)
-        Hash of the tables that the sweep file names; nodes of the films of tables to be made [-].
+    given : str or None
+        Hash of the tables that the sweep file names.
+    nodes : int
+        Nodes of the films of tables to be made [-].
     """
-    given, nodes = made_of
     texts: dict[str, set[str]] = {}
     for common, document in zip(sharing, documents, strict=True):
         if common is not None:
@@ -350,7 +329,9 @@ def foreign_points(
         assert case.rheology is not None  # of every bearing case
         oil = (case.lubricant, case.rheology)
         try:
-            require_fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
+            require_fitting_tables(
+                tables(case.lubricant), path.name, case.bearing, *oil, case.films.solids
+            )
         except ValueError as problem:
             numbers = [number for number, name in sharing.items() if name == common]
             wrong.setdefault(str(problem).replace(str(path), path.name), []).extend(numbers)
@@ -485,7 +466,7 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
         progress(done, total, f"traction tables, {state}")
 
     return {
-        race: build_table(contact, whole, options, race_progress(notify, race))
+        race: build_traction_table(contact, whole, options, race_progress(notify, race))
         for race, contact in contacts.items()
     }
 
@@ -504,7 +485,7 @@ def _without_films(case: Case) -> Case:
 
 
 @lru_cache(maxsize=2)
-def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
+def tables_once(path: str) -> Callable[[Lubricant], Tables]:
     """Tables of both races of a file, which each worker reads once.
 
     Parameters
@@ -514,7 +495,7 @@ def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
 
     Returns
     -------
-    Callable[[Lubricant, Rheology], Tables]
-        Function of an oil and its shear law that gives the tables.
+    Callable[[Lubricant], Tables]
+        Function of an oil that gives the tables.
     """
     return tables_of_file(Path(path))

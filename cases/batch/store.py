@@ -77,7 +77,7 @@ def open_folder(directory: Path, *, resume: bool, single_writer: bool = True) ->
 
 
 def has_points(directory: Path) -> bool:
-    """Tell whether a folder contains points of a batch; those of old versions are single files.
+    """Tell whether a folder contains points of a batch.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def has_points(directory: Path) -> bool:
     bool
         True if it does.
     """
-    return any(map(holds_rows, store_files(directory))) or any((directory / POINTS).glob("*.json"))
+    return any(map(holds_rows, store_files(directory)))
 
 
 def remove_unfinished(directory: Path) -> None:

@@ -1,6 +1,6 @@
 """A sweep file: read, expanded into points, checked as cases before anything runs.
 
-Shares of a batch that are computed apart, by programs that know nothing of each other.
+Shards are parts of a batch that are computed by programs which do not know of each other.
 """
 
 import random
@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path as FilePath
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from oilfilm.postprocess.batch.results import Design
@@ -55,6 +55,10 @@ SEED = 70_241_903  # of their choice
 MOST_CHECKED = 100_000  # points of kinds that are checked one by one, 2 ms each
 EVERY_POINT = ("torque", "dynamics")  # kinds whose tables depend on all points: all are checked
 
+Checked = dict[int, tuple[str | None, Case | ContactCase]]
+MOST_SHARDS = 100_000
+DIGITS = 8  # of a point's name that tell its shard
+
 
 @dataclass(frozen=True, slots=True)
 class _Source:
@@ -62,19 +66,19 @@ class _Source:
 
     text: str
     name: str
-    folder: FilePath
+    folder: Path
 
     def error(self, faults: Iterable[CaseProblem]) -> CaseError:
         """The faults with their lines."""
         return faults_error(faults, self.name, self.text)
 
 
-def read_sweep(name_or_path: str | FilePath) -> Sweep:
+def read_sweep(name_or_path: str | Path) -> Sweep:
     """Read a sweep file, or a shipped one by its name, and check each of its points as a case.
 
     Parameters
     ----------
-    name_or_path : str | FilePath
+    name_or_path : str | Path
         The file or its name.
 
     Returns
@@ -86,6 +90,13 @@ def read_sweep(name_or_path: str | FilePath) -> Sweep:
     ------
     CaseError
         If something is wrong, with one line for every error.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> sweep = oilfilm.read_sweep("6208_load_and_speed")
+    >>> len(sweep.points), sweep.keys
+    (16, ('operation.inner_speed_rpm', 'operation.radial_load_N'))
     """
     path = find_sweep(name_or_path)
     return sweep_from_text(read_text(path), str(path), path.parent)
@@ -101,7 +112,7 @@ def _sweep_tables(text: str, name: str) -> dict[str, Any]:
     return document
 
 
-def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Sweep:
+def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
     """The sweep that the text of a file describes.
 
     Parameters
@@ -110,7 +121,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         Content of the file.
     name : str
         Name of the file in messages.
-    folder : FilePath | None, optional
+    folder : Path | None, optional
         Folder in which the case is looked for first.
 
     Returns
@@ -123,7 +134,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     CaseError
         If something is wrong, with one line for every error.
     """
-    source = _Source(text, name, folder or FilePath())
+    source = _Source(text, name, folder or Path())
     file = _file(source)
     case_file = _case_file(file.case, source)
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
@@ -196,12 +207,9 @@ def _of_each_kind(block: Sequence[Variation]) -> Sequence[Variation]:
     return block[:1] if isinstance(block, Factorial | Sampled) else block
 
 
-Checked = dict[int, tuple[str | None, Case | ContactCase]]
-
-
 def _with_tables(
     file: SweepFile, points: list[Point], checked: Checked, source: _Source
-) -> tuple[FilePath | None, tuple[Point, ...]]:
+) -> tuple[Path | None, tuple[Point, ...]]:
     """The file of traction tables that is given, and all points with the names of theirs."""
     examples: dict[str, Case] = {}
     for common, case in checked.values():
@@ -212,12 +220,12 @@ def _with_tables(
     named = {p.number: name for p, name in zip(points, sharing, strict=True) if name is not None}
     table = _table_file(file, named, examples, source)
     given = None if table is None else digest(table.read_bytes())
-    return table, with_table_names(points, sharing, documents, (given, file.table_points))
+    return table, with_table_names(points, sharing, documents, given, file.table_points)
 
 
 def _table_file(
     file: SweepFile, common: dict[int, str], examples: dict[str, Case], source: _Source
-) -> FilePath | None:
+) -> Path | None:
     """The traction tables that the sweep file names, which must be those of its points."""
     if file.table is None:
         return None
@@ -255,7 +263,7 @@ def _title(case: str, keys: tuple[str, ...]) -> str:
     return f"{case}; varied: {', '.join(names[:4])}{' ...' if len(names) > 4 else ''}"
 
 
-def _case_file(case: str, source: _Source) -> FilePath:
+def _case_file(case: str, source: _Source) -> Path:
     """The case beside the sweep file if there is one, else as every command finds it."""
     try:
         return find_case(case, source.folder)
@@ -381,10 +389,6 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Ca
         yield CaseProblem(("compute",), f"point {number}: {wrong}", 'allowed: "run"')
 
 
-MOST = 100_000  # shards
-DIGITS = 8  # of a point's name that tell its shard
-
-
 @dataclass(frozen=True, slots=True)
 class Shard:
     """The share `number` of `count` of the points, by their names; counted from 1."""
@@ -440,7 +444,7 @@ def shard_of(text: str) -> Shard:
     match = re.fullmatch(r"(\d+)/(\d+)", text.strip())
     if match:
         number, count = map(int, match.groups())
-        if 1 <= number <= count <= MOST:
+        if 1 <= number <= count <= MOST_SHARDS:
             return Shard(number, count)
     allowed = "allowed: I/N with I from 1 to N, as 3/8"
     raise CaseError(f"--shard {text}: names no share of the points; {allowed}")

@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 from enum import StrEnum
 from functools import partial
 from pathlib import Path
+from shutil import rmtree
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -237,14 +238,12 @@ def temperatures(
 
     loaded = load_bearing(case, "temperatures need a bearing", heated=False)
     directory = results_directory(case, output, as_json)
-    from ..runs.bearing import run_case
-    from ..runs.temperatures import run_temperatures
+    from ..runs import temperatures as study
 
     report_cost(temperatures_cost(loaded), quiet=quiet)
     duration = None if hours is None else 3600.0 * hours
     with progress_bar(quiet=quiet) as progress:
-        study = partial(run_temperatures, loaded, case, run_case, duration, progress)
-        results = interruptible(study)
+        results = interruptible(partial(study.temperatures, loaded, case, duration, progress))
     from oilfilm.postprocess.temperatures.results import temperatures_summary
     from oilfilm.postprocess.temperatures.write import temperatures_table, write_temperatures
 
@@ -337,7 +336,7 @@ def _film_sampler(path: Path | None) -> Iterator[FilmSampler]:
     """Solves films and keeps them beside the table until that is complete."""
     from oilfilm.ehl.traction_table.film import film_sample
 
-    from ..batch.shared_tables import remove_films, stored_film_sampler
+    from ..batch.shared_tables import stored_film_sampler
 
     if path is None:
         yield film_sample
@@ -354,4 +353,4 @@ def _film_sampler(path: Path | None) -> Iterator[FilmSampler]:
                 f"finished films are kept in {folder}; {room}the same command goes on with them"
             )
         raise
-    remove_films(folder)
+    rmtree(folder, ignore_errors=True)

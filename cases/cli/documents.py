@@ -1,7 +1,4 @@
-"""Commands on results: report, compare, cut, interferogram, diagram, export.
-
-Commands that look at results: view.
-"""
+"""Commands on results: report, compare, cut, interferogram, diagram, export, view."""
 
 from dataclasses import replace
 from enum import StrEnum
@@ -30,7 +27,6 @@ Contact = Annotated[
     str | None,
     typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film."),
 ]
-
 
 DOCUMENTS = {"xlsx": "workbook", "pdf": "pages"}  # formats of `export` that are no meshes
 
@@ -292,7 +288,7 @@ def view(
                 print_message(f"movie in {scene.movie(directory, movie, small)}")
         if screenshot is None and html is None and movie is None:
             with reading(directory):
-                scene.show(directory, options)
+                scene.view(directory, options)
     except CaseError:
         raise
     except scene.RenderingError as error:

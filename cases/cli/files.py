@@ -327,10 +327,10 @@ def _properties(material: Material) -> str:
 
 def _oil(name: str) -> str:
     """Viscosity and its pressure coefficient, or why a plug-in has none."""
-    from oilfilm.bearing.library.lubricants import library_lubricant
+    from oilfilm.bearing.library.lubricants import load_lubricant
 
     try:
-        oil = library_lubricant(name, to_si("oil_C", 40.0))
+        oil = load_lubricant(name, to_si("oil_C", 40.0))
     except PluginError as error:
         return str(error)
     viscosity = from_si("viscosity_mPa_s", oil.viscosity)

@@ -1,10 +1,9 @@
 """A new case file for a bearing by its designation or its boundary dimensions.
 
-Speed, loads, oil and cooling of a new case, chosen by its speed factor n d_m.
-
-Up to `BATH_SPEED_FACTOR` an oil bath to the middle of the lowest ball, or the grease of a bearing
-with seals or shields on both sides; beyond it oil that circulates through a jet and takes the heat
-along. The oil is the grade whose viscosity at 70 C comes nearest to kappa = 2 of ISO 281.
+The speed factor n d_m chooses speed, loads, oil and cooling: up to `BATH_SPEED_FACTOR` an oil bath
+to the middle of the lowest ball, or the grease of a bearing with seals or shields on both sides;
+beyond it oil that circulates through a jet and takes the heat along. The oil is the grade whose
+viscosity at 70 C comes nearest to kappa = 2 of ISO 281.
 """
 
 import re
@@ -16,7 +15,7 @@ from typing import Any
 from oilfilm.bearing.library.bearings import load_catalogue_entry, named_designation
 from oilfilm.bearing.library.catalogue import boundary_dimensions, with_designation
 from oilfilm.bearing.library.designation import Designation, series_and_bore
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.library.plugins import library_data
 from oilfilm.bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
 from oilfilm.bearing.rating.life import viscosity_ratio
@@ -42,6 +41,46 @@ OIL_TEMPERATURE = to_si("oil_C", 70.0)
 GRADES = tuple(f"iso vg {grade}" for grade in (10, 15, 22, 32, 46, 68, 100, 150, 220))
 OIL_RISE = 20.0  # of the circulating oil, which sets its flow [K]; assumed
 SUPPLY_TEMPERATURE = 40.0  # of circulating oil [C]; assumed
+
+SPINDLE_SERIES = ("70", "719")
+SPINDLE_ANGLE = 26.0  # of bearings known by their size that count likewise [deg]
+RIGHT_ANGLE = 90.0  # [deg]
+EXAMPLE_SIZE = (25.0, (47.0, 8.0))  # bore, outside diameter and width of an example [mm]
+PRECISE = ("P5", "P4", "P2")
+PRELOADS = {"DB": ("+x", "-x"), "DF": ("-x", "+x"), "DT": ("+x", "+x")}
+# keys of an entry that a case file shows, in this order
+SHOWN = (
+    "type",
+    "bore_mm",
+    "outside_diameter_mm",
+    "width_mm",
+    "ball_diameter_mm",
+    "balls",
+    "pitch_diameter_mm",
+    "inner_groove_radius_mm",
+    "outer_groove_radius_mm",
+    "clearance_class",
+    "diametral_clearance_um",
+    "free_contact_angle_deg",
+    "inner_shoulder_diameter_mm",
+    "outer_shoulder_diameter_mm",
+    "tolerance_class",
+    "ring_material",
+    "ball_material",
+    "basic_dynamic_rating_kN",
+    "basic_static_rating_kN",
+    "skf_series",
+)
+# choices of the user, not a property that a source could give
+KNOWN_CHOICES = (
+    "operation.inner_speed_rpm",
+    "operation.radial_load_N",
+    "operation.axial_load_N",
+    "operation.temperature",
+    "lubricant.name",
+    "lubricant.grease",
+    "friction.lubrication",
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -148,7 +187,7 @@ def _circulation(
     Share of oil in the cavity X = 1e5 W^0.37/(n d_m^1.7), W in cm^3/min, n in r/min, d_m in mm
     (Parker, NASA TP-2275, 1984, for 0.8 to 8 L/min; read second hand).
     """
-    oil = library_lubricant(grade, OIL_TEMPERATURE)
+    oil = load_lubricant(grade, OIL_TEMPERATURE)
     pitch = entry["pitch_diameter_mm"]
     name = "angular contact" if kind.angular else "deep groove"
     torque, _ = palmgren_torque(
@@ -180,7 +219,7 @@ def _grade(speed: float, pitch_diameter: float) -> str:
     """Oil of the library nearest to `AIM_KAPPA` at `OIL_TEMPERATURE`; [r/min], [mm]."""
 
     def distance(grade: str) -> float:
-        oil = library_lubricant(grade, OIL_TEMPERATURE)
+        oil = load_lubricant(grade, OIL_TEMPERATURE)
         viscosity = oil.viscosity / oil.density
         kappa = viscosity_ratio(viscosity, abs(speed) * RPM, pitch_diameter * MILLIMETRE)
         return abs(log(kappa / AIM_KAPPA))
@@ -239,37 +278,6 @@ def two_digits(value: float) -> float:
         return 0.0
     step = 10.0 ** (floor(log10(value)) - 1)
     return float(f"{round(value / step) * step:.6g}")
-
-
-SPINDLE_SERIES = ("70", "719")
-SPINDLE_ANGLE = 26.0  # of bearings known by their size that count likewise [deg]
-RIGHT_ANGLE = 90.0  # [deg]
-EXAMPLE_SIZE = (25.0, (47.0, 8.0))  # bore, outside diameter and width of an example [mm]
-PRECISE = ("P5", "P4", "P2")
-PRELOADS = {"DB": ("+x", "-x"), "DF": ("-x", "+x"), "DT": ("+x", "+x")}
-# keys of an entry that a case file shows, in this order
-SHOWN = (
-    "type",
-    "bore_mm",
-    "outside_diameter_mm",
-    "width_mm",
-    "ball_diameter_mm",
-    "balls",
-    "pitch_diameter_mm",
-    "inner_groove_radius_mm",
-    "outer_groove_radius_mm",
-    "clearance_class",
-    "diametral_clearance_um",
-    "free_contact_angle_deg",
-    "inner_shoulder_diameter_mm",
-    "outer_shoulder_diameter_mm",
-    "tolerance_class",
-    "ring_material",
-    "ball_material",
-    "basic_dynamic_rating_kN",
-    "basic_static_rating_kN",
-    "skf_series",
-)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -436,18 +444,6 @@ def _text(
         lines += ["", f"[{table}]", *(f"{key} = {value}" for key, value in rows.items())]
     lines += ["", *_rows(entry, designation), "[ehl]", 'film_maps = "all"']
     return "\n".join(lines) + "\n"
-
-
-# what the user is to choose, not a property that a source could give
-KNOWN_CHOICES = (
-    "operation.inner_speed_rpm",
-    "operation.radial_load_N",
-    "operation.axial_load_N",
-    "operation.temperature",
-    "lubricant.name",
-    "lubricant.grease",
-    "friction.lubrication",
-)
 
 
 def _bearing_lines(entry: Mapping[str, Any]) -> Iterator[str]:

@@ -1,6 +1,6 @@
-"""Output of the commands that compute: directories, files and messages.
+"""Common steps of the commands that compute: load, lock, announce, save, report.
 
-Estimated time of long work, announced before it begins; within a factor of two or so.
+Long work is announced before it begins, with its estimated time within a factor of two or so.
 """
 
 from __future__ import annotations
@@ -18,12 +18,37 @@ if TYPE_CHECKING:
 
     from rich.console import Group
 
+    from oilfilm.ehl import SolverOptions
     from oilfilm.postprocess.bearing.results import BearingResults
     from oilfilm.postprocess.contact.summary import ContactResults
 
-    from ..format.case import Case
+    from ..format.case import Case, ContactCase
+    from ..format.dynamics import DynamicsTable
     from ..runs.drawing import Drawing
     from ..runs.films import Progress
+
+
+LONG = 5.0  # work that takes less is not announced [s]
+# processor time of a film on 257 nodes, which grows with their square; measured on one core of
+# 2.5 GHz, the ball on disc and the contacts of the 6208
+FILM_SECONDS = 0.6
+FILM_POINTS = 257
+EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7000C
+# a simulation for each ball and simulated second, measured likewise on 7008_axial, 7008_radial
+# and 7008_combined (0.8 to 1.7), and on 6304_planar
+DYNAMICS_SECONDS = 1.6
+PLANAR_SECONDS = 0.4  # with the equations of a plane
+AXIAL_SECONDS = 2.0  # of one ball for all, with ring and cage; not for each ball
+# a ball, of films without a solve in balance, with the heat of their friction
+STATE_SECONDS = 0.01
+# a step in time on 257 nodes along x, y >= 0, measured likewise on waviness_ball_on_disc
+STEP_SECONDS = 0.05
+# a vibration for each ball and simulated second, and its films; likewise, 6208_waviness
+VIBRATION_SECONDS = 3.0
+VIBRATION_FILMS = 5.0
+TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
+TABLE_FILMS = 120  # of the tables of both races, without refinement
+ATLAS_FILM_SECONDS = 0.25  # of a film of a table by the atlas, its shear [s]
 
 
 def load_bearing(name: str, needed: str, *, heated: bool = True, own_table: bool = True) -> Case:
@@ -256,36 +281,6 @@ def _of_failure(message: str) -> bool:
     return "not converged" in message or message.startswith(
         ("equilibrium of", "no film was computed")
     )
-
-
-if TYPE_CHECKING:
-    from oilfilm.ehl import SolverOptions
-
-    from ..format.case import Case, ContactCase
-    from ..format.dynamics import DynamicsTable
-
-LONG = 5.0  # work that takes less is not announced [s]
-# of processor time for a film on 257 nodes, which grows with their square; measured on one core of
-# 2.5 GHz, the ball on disc and the contacts of the 6208
-FILM_SECONDS = 0.6
-FILM_POINTS = 257
-EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7000C
-# of a simulation for each ball and simulated second, measured likewise on 7008_axial, 7008_radial
-# and 7008_combined (0.8 to 1.7), and on 6304_planar
-DYNAMICS_SECONDS = 1.6
-PLANAR_SECONDS = 0.4  # with the equations of a plane
-AXIAL_SECONDS = 2.0  # of one ball for all, with ring and cage; not for each ball
-# of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
-STATE_SECONDS = (
-    0.01  # a ball, of films without a solve in balance, with the heat of their friction
-)
-STEP_SECONDS = 0.05
-# of a vibration for each ball and simulated second, and of its films; likewise, 6208_waviness
-VIBRATION_SECONDS = 3.0
-VIBRATION_FILMS = 5.0
-TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
-TABLE_FILMS = 120  # of the tables of both races, without refinement
-ATLAS_FILM_SECONDS = 0.25  # of a film of a table by the atlas, its shear [s]
 
 
 def report_cost(cost: tuple[str, float], *, quiet: bool) -> None:

@@ -1,9 +1,4 @@
-"""Command: dynamics.
-
-Command: vibration.
-
-Command: transient.
-"""
+"""Commands that compute over time: dynamics, vibration, transient."""
 
 from __future__ import annotations
 
@@ -45,6 +40,37 @@ from .terminal import (
     guarded,
     progress_bar,
 )
+
+if TYPE_CHECKING:
+    from oilfilm.bearing.dynamics.simulation import Simulation
+    from oilfilm.postprocess.contact.transient_summary import TransientResults
+    from oilfilm.postprocess.dynamics.results import DynamicsResults
+
+    from ..format.case import Case
+
+Restart = Annotated[
+    Path | None,
+    typer.Option(
+        "--restart", metavar="FILE", help="Go on from the restart file of an interrupted run."
+    ),
+]
+Tables = Annotated[
+    Path | None,
+    typer.Option(
+        "--table", metavar="FILE", help="Traction tables that 'oilfilm table' built for the case."
+    ),
+]
+Animation = Annotated[
+    Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, too.")
+]
+Window = Annotated[
+    str | None,
+    typer.Option(
+        "--window",
+        metavar="MS,MS",
+        help="Times that --animate shows; default: the last half turn of the cage.",
+    ),
+]
 
 
 @app.command()
@@ -97,39 +123,6 @@ def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool
     save_with(lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set)
     document = vibration_summary(results)
     return report(document, lambda: vibration_table(document), directory, as_json, quiet)
-
-
-if TYPE_CHECKING:
-    from oilfilm.bearing.dynamics.simulation import Simulation
-    from oilfilm.postprocess.dynamics.results import DynamicsResults
-
-    from ..format.case import Case
-
-Restart = Annotated[
-    Path | None,
-    typer.Option(
-        "--restart", metavar="FILE", help="Go on from the restart file of an interrupted run."
-    ),
-]
-Tables = Annotated[
-    Path | None,
-    typer.Option(
-        "--table", metavar="FILE", help="Traction tables that 'oilfilm table' built for the case."
-    ),
-]
-
-Animation = Annotated[
-    Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, too.")
-]
-
-Window = Annotated[
-    str | None,
-    typer.Option(
-        "--window",
-        metavar="MS,MS",
-        help="Times that --animate shows; default: the last half turn of the cage.",
-    ),
-]
 
 
 @app.command()
@@ -261,10 +254,6 @@ def _keep(
     print_message(f"history so far in {directory}; go on with --restart {path}")
 
 
-if TYPE_CHECKING:
-    from oilfilm.postprocess.contact.transient_summary import TransientResults
-
-
 @app.command()
 @guarded
 def transient(
@@ -281,8 +270,7 @@ def transient(
     from oilfilm.ehl.transient.run import StartError
 
     from ..format.case import ContactCase, load_case
-    from ..runs.transient import Interrupted as TransientInterrupted
-    from ..runs.transient import run_transient
+    from ..runs.transient import Interrupted, run_transient
 
     loaded = load_case(case)
     if not isinstance(loaded, ContactCase):
@@ -301,7 +289,7 @@ def transient(
     except StartError as problem:
         print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
         return NOT_CONVERGED
-    except TransientInterrupted as stop:
+    except Interrupted as stop:
         if stop.kept:
             print_message(
                 f"finished steps are kept in {folder}; the same command goes on with them"

@@ -1,12 +1,7 @@
-"""Exit codes, error messages, and printing of results.
+"""The application `oilfilm` and its terminal: shared options, streams, exit codes, progress.
 
-Standard streams that may be closed, full, or of an encoding without some characters.
-
-The application `oilfilm` and the options its commands share.
-
-Progress on standard error: a bar on a terminal, now and then a line elsewhere.
-
-Folders of results that a command reads: there, and as they were written.
+Streams may be closed, full, or of an encoding without some characters. Progress goes to standard
+error, as a bar on a terminal and now and then as a line elsewhere.
 """
 
 from __future__ import annotations
@@ -37,7 +32,49 @@ from ..runs.interrupt import interrupt, print_message
 from ..runs.kernel_cache import ensure_kernel_cache
 from ..runs.output_directory import damaged_files
 
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
 STREAMS = (0, 1, 2)
+
+NOT_CONVERGED = 1
+BAD_INPUT = 2
+INTERRUPTED = 3
+FAILED = 4
+MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
+P = ParamSpec("P")
+T = TypeVar("T")
+EXIT_STACK: ContextVar[ExitStack] = ContextVar("EXIT_STACK")  # what a command holds until its end
+app = typer.Typer(
+    name="oilfilm",
+    help="Oil films in every contact of a ball bearing.",
+    epilog=(
+        "Exit codes: 0 converged, 1 not converged, 2 bad input, 3 interrupted, "
+        "4 failure of the machine."
+    ),
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+)
+CaseName = Annotated[
+    str,
+    typer.Argument(
+        metavar="CASE", help="A case file, with or without .toml, or the name of a shipped case."
+    ),
+]
+Output = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="DIR", help="Where results go; default: CASE_results."),
+]
+Json = Annotated[
+    bool,
+    typer.Option("--json", help="Print the summary as JSON; files are then written with -o only."),
+]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no table.")]
+FIRST_LINE = 5.0  # after the start of the work [s]; each further one after twice the time
+LONGEST_SILENCE = 60.0  # [s]
+ANEW = "compute the results again"
 
 
 def prepare_streams() -> None:
@@ -77,21 +114,6 @@ def output_is_written() -> bool:
         drop_output()
         return False
     return True
-
-
-if TYPE_CHECKING:
-    from rich.console import RenderableType
-
-NOT_CONVERGED = 1
-BAD_INPUT = 2
-INTERRUPTED = 3
-FAILED = 4
-MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
-
-P = ParamSpec("P")
-T = TypeVar("T")
-
-EXIT_STACK: ContextVar[ExitStack] = ContextVar("HELD")  # what a command holds until its end
 
 
 def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
@@ -255,35 +277,6 @@ def print_table(table: RenderableType) -> None:
     Console().print(table)
 
 
-app = typer.Typer(
-    name="oilfilm",
-    help="Oil films in every contact of a ball bearing.",
-    epilog=(
-        "Exit codes: 0 converged, 1 not converged, 2 bad input, 3 interrupted, "
-        "4 failure of the machine."
-    ),
-    add_completion=False,
-    rich_markup_mode=None,
-    pretty_exceptions_enable=False,
-    no_args_is_help=True,
-)
-CaseName = Annotated[
-    str,
-    typer.Argument(
-        metavar="CASE", help="A case file, with or without .toml, or the name of a shipped case."
-    ),
-]
-Output = Annotated[
-    Path | None,
-    typer.Option("--output", "-o", metavar="DIR", help="Where results go; default: CASE_results."),
-]
-Json = Annotated[
-    bool,
-    typer.Option("--json", help="Print the summary as JSON; files are then written with -o only."),
-]
-Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no table.")]
-
-
 def _print_version(requested: bool) -> None:
     if requested:
         from ..version import version
@@ -302,10 +295,6 @@ def oilfilm(
     ] = False,
 ) -> None:
     """Oil films in every contact of a ball bearing."""
-
-
-FIRST_LINE = 5.0  # after the start of the work [s]; each further one after twice the time
-LONGEST_SILENCE = 60.0  # [s]
 
 
 @contextmanager
@@ -387,9 +376,6 @@ def _report_compilation() -> Iterator[None]:
         yield
     finally:
         logger.removeHandler(notice)
-
-
-ANEW = "compute the results again"
 
 
 @contextmanager

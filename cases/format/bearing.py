@@ -387,11 +387,11 @@ def rating(table: BearingTable, contamination_factor: float | None) -> RatingInp
     RatingInput
         Ratings [N] and nominal contact angle [rad].
     """
-    si = table.si()
-    return RatingInput(
-        dynamic_rating=si["basic_dynamic_rating"],
-        static_rating=si["basic_static_rating"],
-        nominal_contact_angle=nominal_contact_angle(table),
+    angle = nominal_contact_angle(table)
+    return table.build(
+        RatingInput,
+        "basic",
+        nominal_contact_angle=angle,
         contamination_factor=contamination_factor,
     )
 

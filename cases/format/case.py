@@ -57,7 +57,17 @@ class AnyCase:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case(AnyCase):
-    """A bearing case, SI."""
+    """A bearing case, SI.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> case = oilfilm.load_case("6208_full_ceramic")
+    >>> case.bearing.balls, f"{case.operation.temperature - 273.15:.0f} C"
+    (9, '40 C')
+    >>> isinstance(case, oilfilm.Case)
+    True
+    """
 
     bearing: Bearing
     lubricant: Lubricant
@@ -71,12 +81,12 @@ class Case(AnyCase):
     inlet: InletFactors = NO_LOSS  # of the rolling moment of its films [-]
     heating: HeatingInput | None = None  # the heat balance, where the case has one
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
-    # where fits or temperatures change it; `bearing` has the operating one
+    # given where fits or temperatures change it; `bearing` has the operating one
     clearance: ClearanceBudget | None = None
     seats: fits.Seats  # of the rings, for their strength
     rows: tuple[Row, ...] | None = None  # None: a single one
     load_cases: tuple["LoadCaseInput", ...] = ()  # states of a duty cycle
-    # that films stand behind [m], or the flow that gives each contact its own; None: flooded
+    # layer that films stand behind [m], or the flow that gives each its own; None: flooded
     inlet_layer: InletLayer | Supply | None = None
 
 
@@ -119,6 +129,13 @@ def load_case(name_or_path: str | Path, *, own_table: bool = True) -> Case | Con
     ------
     CaseError
         If something is wrong, with one line for every error.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> case = oilfilm.load_case("6208_full_ceramic")
+    >>> f"{case.operation.inner_speed:.0f} rad/s", case.bearing.ball_material.name
+    ('1047 rad/s', 'silicon nitride')
     """
     path = find_case(name_or_path)
     return case_from_text(read_text(path), str(path), own_table=own_table)

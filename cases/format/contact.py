@@ -1,7 +1,4 @@
-"""[contact] of a single contact; [ehl] of both kinds of case.
-
-Grid and physics of the films of a case; apart from the tables, whose check needs no solver.
-"""
+"""[contact] of a single contact; [ehl] of both kinds of case: grid and physics of the films."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -59,6 +56,10 @@ from .rules import (
     shown,
 )
 
+ALIGNED = 1e-9  # sine of the entrainment's angle to x that counts as none [-]
+MOST_PASSES = 100  # of a track; each is a solve
+WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
+
 
 class FilmModel(Enum):
     """Physics of the films."""
@@ -114,8 +115,6 @@ class GridTable(Table):
         return {**table, "tolerance": TOLERANCE}
 
 
-ALIGNED = 1e-9  # sine of the entrainment's angle to x that counts as none [-]
-MOST_PASSES = 100  # of a track; each is a solve
 Frequency = Annotated[float, Field(gt=0.0, le=1e9, allow_inf_nan=False)]
 
 
@@ -363,7 +362,7 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
                 ("contact", VELOCITIES[0]), str(problem), "allowed: a mean above zero"
             )
     if values.given("ehl", "track_passes"):
-        # what leaves a contact is known where its film is solved behind its layer
+        # the layer that leaves a contact is known where its film is solved behind its layer
         needed = {"starvation": Starvation.SOLVED.value, "film_model": FilmModel.NEWTONIAN.value}
         for name, wanted in needed.items():
             if (found := values.get("ehl", name)) not in (None, wanted):
@@ -397,28 +396,19 @@ def contact(
     ContactConditions | MoesConditions
         Load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-].
     """
-    si = table.si()
     if table.moes_M is not None and table.moes_L is not None:
-        return MoesConditions(
-            load_parameter=table.moes_M,
-            lubricant_parameter=table.moes_L,
-            radius_ratio=table.radius_ratio or 1.0,
-            lubricant=oil,
-            entrainment_angle=si["entrainment_angle"],
-        )
-    modulus = si["reduced_modulus"]
+        groups = {"load_parameter": table.moes_M, "lubricant_parameter": table.moes_L}
+        return table.build(MoesConditions, lubricant=oil, **groups)
+    modulus = table.si()["reduced_modulus"]
     if modulus is None:
         assert table.material_1 and table.material_2  # checked before
         modulus = reduced_modulus(materials[table.material_1], materials[table.material_2])
-    given = table.si(*DIMENSIONS, *KINEMATICS, "entrainment_angle_deg")
+    motion: dict[str, Any] = {}
     if table.velocity_1_m_s is not None and table.velocity_2_m_s is not None:
-        motion = surface_motion(table.velocity_1_m_s, table.velocity_2_m_s)
-        given |= motion._asdict()
-    return ContactConditions(
-        reduced_modulus=modulus,
-        lubricant=oil,
-        coating=_coating(table, materials),
-        **{name: value for name, value in given.items() if value is not None},
+        motion = surface_motion(table.velocity_1_m_s, table.velocity_2_m_s)._asdict()
+    coating = _coating(table, materials)
+    return table.build(
+        ContactConditions, reduced_modulus=modulus, lubricant=oil, coating=coating, **motion
     )
 
 
@@ -428,8 +418,9 @@ def _coating(table: ContactTable, materials: Mapping[str, Material]) -> Coating 
         return None
     assert table.material_1 and table.substrate_material  # checked before
     coating, substrate = materials[table.material_1], materials[table.substrate_material]
-    return Coating(
-        thickness=table.si()["coating_thickness"],
+    return table.build(
+        Coating,
+        "coating",
         youngs_modulus=coating.youngs_modulus,
         poisson_ratio=coating.poisson_ratio,
         substrate_youngs_modulus=substrate.youngs_modulus,
@@ -453,9 +444,6 @@ def contact_defaults(table: ContactTable) -> dict[str, float]:
     if table.moes_M is not None:
         return {"radius_ratio": 1.0}
     return {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}
-
-
-WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -2,13 +2,12 @@
 
 import tomllib
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import chain, pairwise
-from pathlib import Path as FilePath
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from pydantic import PrivateAttr, TypeAdapter
+from pydantic import TypeAdapter
 
 from . import (
     bearing,
@@ -25,7 +24,7 @@ from . import (
 )
 from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
-from .dynamics import RENAMED, CageTable, DynamicsTable
+from .dynamics import CageTable, DynamicsTable
 from .fields import Table, between, described, schema_of, validated
 from .fits import FitTable, RingsTable, TemperaturesTable
 from .friction import FrictionTable
@@ -39,8 +38,6 @@ from .rules import (
     CaseError,
     CaseProblem,
     CaseValues,
-    KeyPath,
-    dotted,
     faults_error,
     nearest_name,
     relation_faults,
@@ -76,22 +73,11 @@ class CaseFile(Table):
     assumed: tuple[str, ...] = described("table.key whose value no source gives", (), strict=False)
     lubricant: LubricantTable
     materials: dict[str, MaterialTable] = described("materials by name", {})
-    _notes: tuple[str, ...] = PrivateAttr(())  # on keys of an older version
-
-    def model_post_init(self, context: Any) -> None:
-        """Store the notes that the file was read with.
-
-        Parameters
-        ----------
-        context : Any
-            The notes.
-        """
-        self._notes = tuple(context or ())
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Notes on keys that were read in another way than they are written."""
-        return self._notes
+        """Notes on keys that do not agree."""
+        return ()
 
 
 class BearingFile(CaseFile):
@@ -122,15 +108,15 @@ class BearingFile(CaseFile):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Notes on keys, and on two laws of friction that differ."""
+        """Notes on two laws of friction that differ."""
         law = self.friction.traction
         if self.dynamics is None or law in (None, "films", self.dynamics.friction):
-            return self._notes
+            return ()
         note = (
             f'two laws of friction: friction.traction = "{law}" in traction equilibrium, '
             f'dynamics.friction = "{self.dynamics.friction}" in the simulation'
         )
-        return (*self._notes, note)
+        return (note,)
 
 
 class ContactFile(CaseFile):
@@ -177,12 +163,12 @@ def _load_case_conflicts(values: CaseValues, known: list[CaseProblem]) -> Iterat
                 yield load_cases.load_case_problem(fault, index, own)
 
 
-def read_text(path: FilePath) -> str:
+def read_text(path: Path) -> str:
     """Read the text of a case file.
 
     Parameters
     ----------
-    path : FilePath
+    path : Path
         The file.
 
     Returns
@@ -300,10 +286,8 @@ def check_document(
     if any(key in document for key in SWEEP_TABLES):
         allowed = "run it with 'oilfilm batch'"
         return None, [CaseProblem((), "a sweep", allowed, line=1)]
-    # 1. what this version does not take, or takes under another name
+    # 1. what this version does not take
     document, faults = _set_aside(document)
-    document, renamed, more = _with_new_names(document)
-    faults += more
     contact_alone = "contact" in document and "bearing" not in document
     if "contact" in document and "bearing" in document:
         finding = "found together with [bearing]"
@@ -315,14 +299,13 @@ def check_document(
     faults += unknown
     # 3. each value by itself, then the rules between those that are valid
     model: type[BearingFile | ContactFile] = ContactFile if contact_alone else BearingFile
-    file, wrong = _validate(model, document, renamed)
+    file, wrong = _validate(model, document)
     faults += wrong
     values = CaseValues(document, frozenset(fault.path for fault in faults))
     conflicts = list(_conflicts(values, OF_CONTACTS if contact_alone else OF_BEARINGS))
     faults += conflicts
     faults += _load_case_conflicts(values, conflicts)
     faults += _assumed(values)
-    faults = [replace(fault, path=renamed.get(fault.path, fault.path)) for fault in faults]
     return file, _without_consequences(faults, unknown_bearing=bool(unknown))
 
 
@@ -348,57 +331,15 @@ def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseProbl
     return document, faults
 
 
-def _with_new_names(
-    document: dict[str, Any],
-) -> tuple[dict[str, Any], dict[KeyPath, KeyPath], list[CaseProblem]]:
-    """The document with keys of [dynamics] that now belong to [friction], their paths in the file
-    by their new ones, and a fault where both are given and differ.
-    """
-    assumed = document.get("assumed")
-    if isinstance(assumed, list | tuple):
-        names = {f"dynamics.{key}": f"friction.{new}" for key, new in RENAMED.items()}
-        assumed = [names.get(name, name) if isinstance(name, str) else name for name in assumed]
-        document = {**document, "assumed": assumed}
-    simulation = document.get("dynamics")
-    friction = document.get("friction", {})
-    if not isinstance(simulation, dict) or not isinstance(friction, dict):
-        return document, {}, []
-    law = simulation.get("friction")
-    simulation = dict(simulation)
-    friction = dict(friction)
-    renamed: dict[KeyPath, KeyPath] = {}
-    faults = []
-    for key, new in RENAMED.items():
-        if key not in simulation:
-            continue
-        value = simulation.pop(key)
-        if new == "coefficient" and law != "coulomb":
-            continue  # without its law it had no effect
-        if friction.get(new, value) != value:
-            both = f"found together with friction.{new}"
-            allowed = f"allowed: friction.{new}, which replaces it"
-            faults.append(CaseProblem(("dynamics", key), both, allowed))
-        else:
-            friction[new] = value
-            renamed["friction", new] = ("dynamics", key)
-    if friction:
-        document = {**document, "friction": friction}
-    return {**document, "dynamics": simulation}, renamed, faults
-
-
 def _validate(
-    model: type[BearingFile | ContactFile],
-    document: dict[str, Any],
-    renamed: dict[KeyPath, KeyPath],
+    model: type[BearingFile | ContactFile], document: dict[str, Any]
 ) -> tuple[BearingFile | ContactFile | None, list[CaseProblem]]:
     missing = []
     if "schema_version" not in document:
         document = {**document, "schema_version": 1}
         allowed = "needed: schema_version = 1"
         missing = [CaseProblem(("schema_version",), MISSING, allowed, line=1)]
-    later = "and will not be read under its old name by the next version"
-    notes = [f"{dotted(old)}: is now {dotted(new)}, {later}" for new, old in renamed.items()]
-    file, faults = validated(model, document, notes)
+    file, faults = validated(model, document)
     return file, missing + faults
 
 

@@ -161,12 +161,6 @@ GUIDED_BY_RING = tuple(
 )
 LARGEST_HISTORY = 2_000_000  # rows; of ten balls, some 420 numbers each, 7 GB
 SAMPLES = 2000  # of a history by default
-RENAMED = {  # earlier keys, accepted for one version, and those of [friction] in their place
-    "friction_maximum": "traction_maximum",
-    "friction_maximum_slide": "traction_maximum_slide",
-    "friction_limit": "traction_limit",
-    "friction_coefficient": "coefficient",
-}
 RELATIONS: tuple[Relation, ...] = (
     OnlyWith("cage.land_oil_share", (Where("cage.pocket_friction"),), default=1.0),
     Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),

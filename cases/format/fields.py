@@ -59,7 +59,7 @@ class Table(BaseModel):
         chosen = keys or tuple(type(self).model_fields)
         return {name: _si(key, getattr(self, key)) for name, key in names_in_si(chosen)}
 
-    def build(self, kind: type[D], **given: Any) -> D:
+    def build(self, kind: type[D], prefix: str = "", **given: Any) -> D:
         """Build an object of a dataclass whose fields have the names of keys without their units.
 
         Words become members of its enums; keys that are left out leave its defaults.
@@ -68,6 +68,8 @@ class Table(BaseModel):
         ----------
         kind : type
             The dataclass, SI.
+        prefix : str, default ""
+            First word of keys that the fields leave out, as `sensor` of `sensor_mass_kg`.
         **given : Any
             Fields that follow from something else than the key of their name.
 
@@ -79,7 +81,7 @@ class Table(BaseModel):
         own = self.si()
         values: dict[str, Any] = {}
         for field in dataclass_fields(kind):  # type: ignore[arg-type]
-            value = own.get(field.name)
+            value = own.get(f"{prefix}_{field.name}", own.get(field.name))
             if isinstance(field.type, type) and issubclass(field.type, Enum) and value is not None:
                 value = field.type(value)
             if value is not None:
@@ -87,9 +89,7 @@ class Table(BaseModel):
         return kind(**values | given)
 
 
-def validated(
-    model: type[T], document: Mapping[str, Any], context: Any = None
-) -> tuple[T | None, list[CaseProblem]]:
+def validated(model: type[T], document: Mapping[str, Any]) -> tuple[T | None, list[CaseProblem]]:
     """Check a document against its tables.
 
     Parameters
@@ -98,8 +98,6 @@ def validated(
         The tables of the file.
     document : mapping
         Values by key, as parsed.
-    context : Any, optional
-        Context of the validation.
 
     Returns
     -------
@@ -109,7 +107,7 @@ def validated(
         All values that are wrong.
     """
     try:
-        return model.model_validate(document, context=context), []
+        return model.model_validate(document), []
     except ValidationError as error:
         return None, schema_faults(error.errors(include_url=False), schema_of(model))
 

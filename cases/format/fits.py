@@ -419,7 +419,7 @@ def seats_of(fit: Fit | None, table: TemperaturesTable | None) -> Seats:
     return Seats(fit=fit, rise=_rises(table), reference=table.si()["reference"])
 
 
-# where no [temperatures] gives the one of measurement [K]
+# temperature of measurement where no [temperatures] gives it [K]
 REFERENCE = to_si("reference_C", TemperaturesTable.model_fields["reference_C"].default)
 
 

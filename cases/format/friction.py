@@ -1,6 +1,6 @@
-"""[friction], the shear law of the oil, and what heats the bearing.
+"""[friction], the shear law of the oil, and the heat sources of the bearing.
 
-[friction] traction: friction of balls on races, from films, a law, or tables in a file.
+`friction.traction` takes the friction of balls on races from films, a law, or tables in a file.
 """
 
 import warnings
@@ -27,7 +27,7 @@ from oilfilm.bearing.library.bearings import named_designation
 from oilfilm.bearing.library.catalogue import nearest_series
 from oilfilm.bearing.library.lubricants import limiting_coefficient, lubricant_data
 from oilfilm.bearing.operation import BallKinematics
-from oilfilm.bearing.supply.supply import CAPTURED, InletFilm, Supply
+from oilfilm.bearing.supply.supply import CAPTURED, PrescribedInlet, Supply
 from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.bearing.torque.skf import InletFactors, Lubrication, series_of
 from oilfilm.ehl import Lubricant
@@ -59,6 +59,18 @@ from .shipped import table_path
 CONSTANTS = [(name, c) for name, law in COEFFICIENTS.items() for c in law.constants]
 
 LAWS = ("films", "table", *COEFFICIENTS, "coulomb")
+
+# tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
+LIMITING_COEFFICIENT = 0.047
+SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
+# ways of lubrication whose oil balls have to push aside
+WITH_LEVEL = (Lubrication.OIL_BATH.value, Lubrication.OIL_JET.value)
+# along x of the films that traction is taken from, at most [-]; friction of the inner race of a
+# 6208 at 500 N and 2 % slide is 0.2 % from that of 257 (65: 1.4 %)
+FILM_POINTS = 129
+SAME_RTOL = 1.0e-6  # relative difference up to which a table is for this bearing [-]
+# the same of rolling radii, which 15 degrees of contact angle change by 4 % in shipped cases
+SAME_RADIUS_RTOL = 0.05
 
 
 def _with_constants(table: type[Table]) -> type[Table]:
@@ -171,17 +183,6 @@ HEATED = Where("friction.heat_transfer_W_K")
 SUPPLIED = Where("friction.supply_mL_min")
 STARVED = Where("friction.heating_torque", "starved", also=(HEATED, Where("lubricant")))
 WITH_STARVED = 'with heating_torque = "starved"'
-# tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
-LIMITING_COEFFICIENT = 0.047
-# keys that are fields of `FrictionInput`, but for their units
-SAME_NAME_FIELDS = (
-    *("coefficient", "oil", "oil_fraction", "oil_level_mm", "drag_factor", "as_printed"),
-    "seal_diameter_mm",
-)
-SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
-
-# ways of lubrication whose oil balls have to push aside
-WITH_LEVEL = (Lubrication.OIL_BATH.value, Lubrication.OIL_JET.value)
 
 
 def _only_with(where: Where, *names: str) -> Iterator[Relation]:
@@ -353,10 +354,10 @@ def friction(
             f"friction.oil_level_mm: {text}, SKF's model leaves the churning of the oil out",
             stacklevel=2,
         )
-    return FrictionInput(
-        **table.si(*SAME_NAME_FIELDS),
+    return table.build(
+        FrictionInput,
+        "palmgren",
         sealed=_sealed(table, bearing),
-        lubrication=Lubrication(table.lubrication),
         series=_series(bearing, angular=angular),
         static_rating=si["basic_static_rating"],
         dynamic_rating=si["basic_dynamic_rating"],
@@ -365,8 +366,6 @@ def friction(
         cage=cage,
         boundary=table.boundary_coefficient,
         full_film=table.full_film_coefficient,
-        viscous_factor=table.palmgren_viscous_factor,
-        load_factor=table.palmgren_load_factor,
         roughness=roughness(surface),
         sharing=LoadSharing.ZHOU_HOEPRICH
         if surface is None
@@ -399,17 +398,17 @@ def _series(bearing: BearingTable, *, angular: bool) -> str | None:
     return series
 
 
-def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | InletFilm | None:
+def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | PrescribedInlet | None:
     """Layer of oil at the inlets [m], or flow [m^3/s] and what is assumed of it; None: flooded."""
     if lubricant.inlet_film_um is not None:
-        return InletFilm(layer=lubricant.si()["inlet_film"])
+        return PrescribedInlet(layer=lubricant.si()["inlet_film"])
     si = table.si()
     if si["supply"] is None:
         return None
-    return Supply(
+    return table.build(
+        Supply,
+        "supply",
         flow=si["supply"],
-        track_share=si["supply_track_share"],
-        loss=si["supply_loss"],
         residence_time=si["supply_residence"],
         captured=(si["supply_track_share_least"], si["supply_track_share_most"]),
     )
@@ -464,11 +463,6 @@ def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
         constants["carreau_exponent"] = keys["carreau_exponent"]
         constants["yasuda_exponent"] = keys.get("yasuda_exponent", 2.0)
     return Rheology(law=law, **constants)
-
-
-# along x of the films that traction is taken from, at most [-]; friction of the inner race of a
-# 6208 at 500 N and 2 % slide is 0.2 % from that of 257 (65: 1.4 %)
-FILM_POINTS = 129
 
 
 def ball_traction(
@@ -595,11 +589,6 @@ def _films(friction: FrictionInput, films: CaseFilms) -> FilmTraction:
     return FilmTraction(solve=solve, rheology=rheology, asperities=friction.asperities)
 
 
-SAME_RTOL = 1.0e-6  # relative difference up to which a table is for this bearing [-]
-# of the rolling radius, which 15 degrees of contact angle change by 4 % in shipped cases [-]
-SAME_RADIUS_RTOL = 0.05
-
-
 def read_race_tables(
     path: Path, bearing: Bearing, oil: Lubricant, rheology: Rheology, solids: Solids | None = None
 ) -> Tables:
@@ -628,11 +617,11 @@ def read_race_tables(
     ValueError
         If the file is damaged, or of another bearing or oil.
     """
-    tables = tables_of_file(path)(oil, rheology)
+    tables = tables_of_file(path)(oil)
     return require_fitting_tables(tables, str(path), bearing, oil, rheology, solids)
 
 
-def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
+def tables_of_file(path: Path) -> Callable[[Lubricant], Tables]:
     """Read a file of traction tables once.
 
     Parameters
@@ -642,8 +631,8 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
 
     Returns
     -------
-    Callable[[Lubricant, Rheology], Tables]
-        Function of an oil and its shear law that gives the tables; ValueError for another oil.
+    Callable[[Lubricant], Tables]
+        Function of an oil that gives the tables; ValueError for another oil.
 
     Raises
     ------
@@ -655,25 +644,22 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
     except OSError as error:
         raise ValueError(f"{path} cannot be read: {error.strerror or error}") from None
 
-    def tables_at(oil: Lubricant, rheology: Rheology) -> Tables:
+    def tables_at(oil: Lubricant) -> Tables:
         try:
-            return {race: _at(table, oil, rheology) for race, table in read.items()}
+            return {race: _at(table, oil) for race, table in read.items()}
         except ValueError as error:
             raise ValueError(f"{path}: {error}") from error
 
     return tables_at
 
 
-def _at(
-    stored: TractionTable | TemperatureTable, oil: Lubricant, rheology: Rheology
-) -> TractionTable:
-    """The table at the temperature of an oil, with its rheology where that is the tables' own."""
+def _at(stored: TractionTable | TemperatureTable, oil: Lubricant) -> TractionTable:
+    """The table at the temperature of an oil."""
     if isinstance(stored, TractionTable):
         return stored
     if oil.temperature is None:
         raise ValueError("has tables at several temperatures, and the lubricant has none")
-    table = stored.at(oil.temperature, oil)
-    return table
+    return stored.at(oil.temperature, oil)
 
 
 def require_fitting_tables(

@@ -19,7 +19,7 @@ from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
 from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded
 from .rules import CaseProblem, CaseValues, nearest_name, shown
 
-# of a material that its table in the case may leave to the library's
+# keys of a material that its table in the case may leave to the library's
 LIBRARY_FIELDS = (
     *("kind", "thermal_expansion", "thermal_conductivity", "specific_heat"),
     *("bending_strength", "weibull_modulus"),

@@ -1,6 +1,6 @@
 """[lubricant] and [lubricants.NAME]: the oil at the temperature of operation.
 
-Constants of Tait, Doolittle and Yasutomi of an oil, and the coefficient that follows.
+The constants of Tait, Doolittle and Yasutomi give the pressure-viscosity coefficient.
 """
 
 import warnings
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import log
 from typing import Annotated, Any, Literal
 
-from oilfilm.bearing.library.lubricants import library_lubricant, list_lubricants, lubricant_data
+from oilfilm.bearing.library.lubricants import list_lubricants, load_lubricant, lubricant_data
 from oilfilm.ehl import DensityLaw, Lubricant, ViscosityLaw
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
@@ -422,7 +422,7 @@ NUMBERS = {  # field of `Lubricant`: its key
     "flooded_layer": "flooded_layer_um",
 }
 LAWS = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
-# of an oil whose density is not given [kg/m^3]: the library's mineral oils have 854 to 874 at 40 C
+# density of an oil without one [kg/m^3]: the library's mineral oils have 854 to 874 at 40 C
 DENSITY = 870.0
 # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
 VISCOSITY_UNUSED = 1.0
@@ -674,7 +674,7 @@ def _of_library(
     laws; and the temperature at which its constants of free volume were measured [K].
     """
     laws = {} if own else {name: given[name] for name in LAWS if name in given}
-    base = library_lubricant(given.pop("name"), temperature, **laws)
+    base = load_lubricant(given.pop("name"), temperature, **laws)
     return base, lubricant_data(base.name).get("doolittle", {}).get("reference_K")
 
 

@@ -210,7 +210,7 @@ def rows(
     """
     if tables is None:
         return None
-    # where nothing turns, no kinematics counts
+    # at rest no kinematics counts
     at_rest = QuasistaticModel(curvature=model.curvature, rings=model.rings)
     result = []
     for table in tables:

@@ -1,10 +1,8 @@
 """Relations between the keys of a case file, as data, and their one checker.
 
-A rule looks only at values that are valid by themselves: all errors are reported at once.
-
-Faults of a case file in words: line, key, found, allowed, nearest valid name.
-
-`tomllib` gives values, not lines: where a key stands in the text is read here.
+A rule looks only at values that are valid by themselves: all errors are reported at once, each
+with line, key, finding, allowed values and nearest valid name. `tomllib` gives values, not lines:
+the line of a key is read from the text here.
 """
 
 import re
@@ -19,7 +17,7 @@ from oilfilm.ehl.units import UNITS
 KeyPath = tuple[str | int, ...]
 
 MISSING = "missing"
-# of difflib, from which on a name counts as a slip of another: of keys with two wrong letters 99 %
+# ratio of difflib from which on a name is a slip of another: of keys with two wrong letters 99 %
 # are recognised, of keys of other tables 7 % taken for one of this table (0.7: 96 and 4 %)
 SIMILARITY = 0.65
 # not of a single contact
@@ -101,7 +99,17 @@ class InvalidKeyError(ValueError):
 
 
 class CaseError(ValueError):
-    """A case that cannot be run, with a line for each error and what is known of its key."""
+    """A case that cannot be run, with a line for each error and what is known of its key.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> try:
+    ...     oilfilm.load_case("6208_full_ceramics")
+    ... except oilfilm.CaseError as error:
+    ...     print(error.messages[0].partition(";")[0])
+    6208_full_ceramics: no such file, and no shipped case has this name
+    """
 
     def __init__(
         self, messages: str | Iterable[str], problems: Iterable[CaseProblem] = ()
@@ -138,7 +146,7 @@ def dotted(path: KeyPath) -> str:
 
     Parameters
     ----------
-    path : Path
+    path : KeyPath
         Path of a key.
 
     Returns
@@ -311,7 +319,7 @@ def schema_node(schema: dict[str, Any], path: KeyPath) -> dict[str, Any]:
     ----------
     schema : dict[str, Any]
         The schema.
-    path : Path
+    path : KeyPath
         Path of the key.
 
     Returns
@@ -395,7 +403,7 @@ def find_line(lines: Mapping[KeyPath, int], path: KeyPath) -> int:
     ----------
     lines : Mapping[Path, int]
         Line by path of the key.
-    path : Path
+    path : KeyPath
         Path of the key.
 
     Returns

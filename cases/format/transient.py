@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from math import inf
-from pathlib import Path as FilePath
+from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -301,7 +301,7 @@ def read_columns(key: KeyPath, file: str, allowed: str) -> Array:
         If the file cannot be read, or holds something else.
     """
     try:
-        text = FilePath(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
+        text = Path(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
         return np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
     except OSError as error:
         finding = f"{file} cannot be read: {error.strerror or error}"

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 import numpy as np
 
-from oilfilm.bearing.vibration.form import Defect, DefectKind, Place, SurfaceForm, Wave
+from oilfilm.bearing.vibration.form import Defect, DefectKind, FormBody, SurfaceForm, Wave
 from oilfilm.bearing.vibration.inputs import (
     ContactLaw,
     Direction,
@@ -33,7 +33,7 @@ from .rules import (
 from .transient import read_columns
 
 DEFECTS_MAXIMUM = 20
-WAVES_MAXIMUM = 2000
+WAVES = {"strict": False, "max_length": 2000}
 BALLS_MAXIMUM = 1000
 REFERENCE = 1e-6  # of levels of acceleration, ISO 1683 [m/s^2]
 END_TIME = 0.5  # [s]
@@ -72,7 +72,7 @@ class BallWaveTable(WaveTable):
 class DefectTable(Table):
     """A hollow of one track."""
 
-    place: Annotated[str, OneOf(Place)] = described("body it is on", ...)
+    place: Annotated[str, OneOf(FormBody)] = described("body it is on", ...)
     kind: Annotated[str, OneOf(DefectKind)] = described(
         "spall: flat, sharp edges; pit: round bottom; dent: no edges", ...
     )
@@ -86,13 +86,13 @@ class FormTable(Table):
     """Form of the surfaces: what they differ by from circles; `oilfilm vibration`."""
 
     inner_waviness: tuple[WaveTable, ...] = described(
-        "[[form.inner_waviness]], orders of the inner race", (), strict=False, max_length=2000
+        "[[form.inner_waviness]], orders of the inner race", (), **WAVES
     )
     outer_waviness: tuple[WaveTable, ...] = described(
-        "[[form.outer_waviness]], orders of the outer race", (), strict=False, max_length=2000
+        "[[form.outer_waviness]], orders of the outer race", (), **WAVES
     )
     ball_waviness: tuple[BallWaveTable, ...] = described(
-        "[[form.ball_waviness]], orders of the balls", (), strict=False, max_length=2000
+        "[[form.ball_waviness]], orders of the balls", (), **WAVES
     )
     inner_profile: str | None = described(
         "text file with columns of angle [deg] and height [um] over a turn of the inner race",
@@ -245,7 +245,8 @@ def vibration(
     form: FormTable | None,
     support: SupportTable | None,
     table: VibrationTable | None,
-    speeds: tuple[float, float | None],
+    speed: float,
+    end_time: float | None,
 ) -> VibrationModel:
     """Model of the vibration.
 
@@ -257,8 +258,10 @@ def vibration(
         The checked table [support], where there is one.
     table : VibrationTable | None
         The checked table [vibration], where there is one.
-    speeds : tuple[float, float | None]
-        Speed of the inner ring [rad/s], and end time of [dynamics] [s].
+    speed : float
+        Speed of the inner ring [rad/s].
+    end_time : float | None
+        End time of [dynamics] [s], where there is one.
 
     Returns
     -------
@@ -273,7 +276,7 @@ def vibration(
     return VibrationModel(
         form=SurfaceForm() if form is None else surface_form(form),
         support=Support() if support is None else _support(support),
-        options=_options(table or VibrationTable(), *speeds),
+        options=_options(table or VibrationTable(), speed, end_time),
     )
 
 
@@ -296,14 +299,14 @@ def surface_form(table: FormTable) -> SurfaceForm:
         If a profile cannot be read.
     """
     waves = {
-        Place.INNER: tuple(wave.build(Wave) for wave in table.inner_waviness),
-        Place.OUTER: tuple(wave.build(Wave) for wave in table.outer_waviness),
-        Place.BALL: tuple(wave.build(Wave) for wave in table.ball_waviness),
+        FormBody.INNER: tuple(wave.build(Wave) for wave in table.inner_waviness),
+        FormBody.OUTER: tuple(wave.build(Wave) for wave in table.outer_waviness),
+        FormBody.BALL: tuple(wave.build(Wave) for wave in table.ball_waviness),
     }
     files = {
-        Place.INNER: ("inner_profile", table.inner_profile),
-        Place.OUTER: ("outer_profile", table.outer_profile),
-        Place.BALL: ("ball_profile", table.ball_profile),
+        FormBody.INNER: ("inner_profile", table.inner_profile),
+        FormBody.OUTER: ("outer_profile", table.outer_profile),
+        FormBody.BALL: ("ball_profile", table.ball_profile),
     }
     profiles = {place: _profile(*given) for place, given in files.items() if given[1]}
     return SurfaceForm(
@@ -315,16 +318,9 @@ def surface_form(table: FormTable) -> SurfaceForm:
 
 
 def _support(table: SupportTable) -> Support:
-    si = table.si()
-    sensor = None
-    if table.sensor_mass_kg is not None:
-        sensor = Sensor(
-            mass=si["sensor_mass"],
-            frequency=si["sensor_frequency"],
-            damping_ratio=si["sensor_damping_ratio"],
-        )
+    sensor = None if table.sensor_mass_kg is None else table.build(Sensor, "sensor")
     fixed = table.inner_ring == "held"
-    outer_mass = si["outer_ring_mass"]
+    outer_mass = table.outer_ring_mass_kg
     return table.build(Support, inner_ring_fixed=fixed, outer_mass=outer_mass, sensor=sensor)
 
 

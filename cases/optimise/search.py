@@ -1,19 +1,17 @@
-"""Designs computed by the batch until there are enough, the best ones proved by full solves.
+"""Designs computed by the batch until there are enough, the best ones confirmed by full solves.
 
-Gaussian process of one number over the unit cube, with a known noise for each value.
-
-Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), algorithm 2.1; Matern
-kernel of 5/2 with a length for each key, eq. 4.17; hyperparameters of the largest marginal
+The surrogate is a Gaussian process of one number over the unit cube, with a known noise for each
+value: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), algorithm 2.1;
+Matern kernel of 5/2 with a length for each key, eq. 4.17; hyperparameters of the largest marginal
 likelihood, eq. 5.8.
 
-Which designs are computed next: expected improvement where the constraints are likely met.
+The next designs have the largest expected improvement where the constraints are likely met: Jones,
+Schonlau and Welch (1998) for one goal; Knowles (2006) for several, as one goal by random weights;
+several designs at a time by taking the surrogate's mean for those not computed yet (Ginsbourger et
+al. 2010, the kriging believer).
 
-Jones, Schonlau and Welch (1998) for one goal; Knowles (2006) for several, as one goal by random
-weights; several designs at a time by taking the surrogate's mean for those not computed yet
-(Ginsbourger et al. 2010, the kriging believer).
-
-The case and the best designs once more as [proof] says, with solved films: what is gained, and
-how far it is known.
+At the end the case and the best designs are computed with solved films, see [proof]: the
+improvement, and its error.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -43,6 +41,20 @@ from .study import Design, OptimisationResult, Study, designs_of
 LENGTHS = (0.05, 10.0)  # of the kernel over the unit cube [-]: shorter ones are noise, longer flat
 JITTER = 1e-8  # of the variance: what rounding takes from a matrix of equal points
 START = 0.5  # length that the search begins with [-]
+
+CANDIDATES = 1024  # places of the unit cube at which the improvement is looked for, a power of 2
+LOCAL_CANDIDATES = 512  # more of them about the best designs
+LOCAL_DEVIATION = 0.05  # of those, standard deviation in the unit cube [-]
+Booleans = NDArray[np.bool_]
+SUM_WEIGHT = 0.05  # share of the sum of goals, Knowles (2006), eq. 2
+MOST_CONFIRMED = 3  # designs of a front: both ends of the first goal and the middle
+CASE = "case"  # the first of what is proved
+NODES = "ehl.points"  # key whose half gives the error of numbers without an error bar
+FEWEST = 33  # nodes that a film may have
+# a number of the search that is so far from its proof misleads the search, and is told [-]
+VISIBLE = 0.01
+Compute = Callable[[Sweep], Sequence[BatchPoint]]
+COVERAGE = 2.0  # standard deviations of an error bar, which is to hold the number in 95 of 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -126,13 +138,6 @@ def _minus_likelihood(
     factor, _ = cho_factor(_covariance(positions, np.exp(logarithms), variances), lower=True)
     fit = 0.5 * values @ cho_solve((factor, True), values)
     return float(fit + np.log(np.diag(factor)).sum())
-
-
-CANDIDATES = 1024  # places of the unit cube at which the improvement is looked for, a power of 2
-LOCAL_CANDIDATES = 512  # more of them about the best designs
-LOCAL_DEVIATION = 0.05  # of those, standard deviation in the unit cube [-]
-Booleans = NDArray[np.bool_]
-SUM_WEIGHT = 0.05  # share of the sum of goals, Knowles (2006), eq. 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,7 +226,7 @@ def next_designs(observations: Observations, count: int, seed: int) -> Array:
             positions = np.vstack([positions, designs])
         met = np.concatenate([observations.feasible[complete], np.ones(len(designs), dtype=bool)])
         designs.append(
-            _best_candidate(fitted(positions, value, noise), limits, (positions, met), rng)
+            _best_candidate(fitted(positions, value, noise), limits, positions, met, rng)
         )
     return np.array(designs)
 
@@ -257,11 +262,11 @@ def scalar_goal(goals: Array, noise: Array, rng: np.random.Generator) -> tuple[A
 def _best_candidate(
     model: Surrogate,
     limits: list[Surrogate],
-    before: tuple[Array, Booleans],
+    positions: Array,
+    met: Booleans,
     rng: np.random.Generator,
 ) -> Array:
     """Place of the largest expected improvement times the probability that constraints are met."""
-    positions, met = before
     means = model.predict(positions)[0]
     order = np.argsort(np.where(met, means, np.inf))[:4]
     keys = positions.shape[1]
@@ -302,16 +307,6 @@ def pareto_front(goals: Array) -> Booleans:
         better = (goals <= own).all(axis=1) & (goals < own).any(axis=1)
         front[k] = not better.any()
     return front
-
-
-MOST_CONFIRMED = 3  # designs of a front: both ends of the first goal and the middle
-CASE = "case"  # the first of what is proved
-NODES = "ehl.points"  # key whose half gives the error of numbers without an error bar
-FEWEST = 33  # nodes that a film may have
-# a number of the search that is so far from its proof misleads the search, and is told [-]
-VISIBLE = 0.01
-
-Compute = Callable[[Sweep], Sequence[BatchPoint]]
 
 
 def confirm_designs(found: OptimisationResult, compute: Compute) -> OptimisationResult:
@@ -506,9 +501,6 @@ def _differences(name: str, search_designs: Design, proof: Design) -> Iterator[s
         if abs(value - before) > max(bars, VISIBLE * abs(value)):
             share = abs(value - before) / abs(value)
             yield f"{name}: {key} {before:.4g} in the search, {value:.4g} proved ({share:.1%} off)"
-
-
-COVERAGE = 2.0  # standard deviations of an error bar, which is to hold the number in 95 of 100
 
 
 class PersistentPool(LocalPool):

@@ -1,12 +1,9 @@
-"""An optimisation file read: keys that vary, goals, constraints, scatter.
-
-Designs and their numbers, from the points of the batch.
-"""
+"""An optimisation: its file, and its designs with their numbers from the points of the batch."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from pathlib import Path as FilePath
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -140,12 +137,12 @@ def _plain(value: float, whole: bool) -> float:
     return int(value) if whole else value
 
 
-def read_study(path: str | FilePath) -> Study:
+def read_study(path: str | Path) -> Study:
     """Read an optimisation file.
 
     Parameters
     ----------
-    path : str | FilePath
+    path : str | Path
         The file.
 
     Returns
@@ -158,7 +155,7 @@ def read_study(path: str | FilePath) -> Study:
     CaseError
         If something is wrong, with one line for every error.
     """
-    file_path = FilePath(path)
+    file_path = Path(path)
     name = str(path)
     text = read_text(file_path)
     file, wrong = validated(OptimisationFile, parse(text, name))

@@ -1,9 +1,7 @@
 """Run a case: equilibrium of the bearing, then the film of every distinct contact.
 
-States of a duty cycle: equilibrium, life and friction torque of each.
-
-Effects of the oil supply beside the torque: torque with other supplies, films after the supply
-stops.
+Beside it states of a duty cycle (equilibrium, life and friction torque of each), and effects of
+the oil supply: torque with other supplies, films after the supply stops.
 """
 
 from collections.abc import Callable, Sequence
@@ -21,13 +19,12 @@ from oilfilm.bearing.films.formula import formula_film
 from oilfilm.bearing.films.operating import OilAtInlets, solved_films, supplied_films
 from oilfilm.bearing.friction.laws import FilmTraction, LawTraction
 from oilfilm.bearing.operation import BallKinematics
-from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.quasistatic.solution import QuasistaticSolution, bearing_frequencies
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
-from oilfilm.bearing.rating.frequencies import bearing_frequencies
 from oilfilm.bearing.rating.life import bearing_life
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
-from oilfilm.bearing.supply.supply import AMPLE, GrooveOil, InletFilm, Supply, groove_oil
-from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
+from oilfilm.bearing.supply.supply import AMPLE, GrooveOil, PrescribedInlet, Supply, groove_oil
+from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, friction_torque
 from oilfilm.bearing.torque.integrated import (
     SolvedShear,
     bearing_films,
@@ -79,6 +76,11 @@ HALF_AND_HALF = (
     "its balls are taken as half and half in place of traction equilibrium, which loads hardly "
     "depend on"
 )
+
+OnFilmsSolved = Callable[[BearingResults], None]
+WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
+ROUGH_POINTS = 129  # of films with heat in the first round [-]
+STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
 
 def solve_load_cases(
@@ -153,7 +155,7 @@ def _load_case_torque(
     if case.rheology is not None:
         arguments = (case.friction, case.inlet, case.rheology, case.lubricant)
         shear = films_torque(solution, contacts, (None,) * len(contacts), *arguments)
-    found = torque_breakdown(solution, contacts, case.lubricant, case.friction, shear=shear)
+    found = friction_torque(solution, contacts, case.lubricant, case.friction, shear=shear)
     return found.total, found.chosen
 
 
@@ -236,7 +238,7 @@ def _total_at(
         return lambda supply: None
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
 
-    def total(supply: Supply | InletFilm) -> float:
+    def total(supply: Supply | PrescribedInlet) -> float:
         if supply == friction.scarce:
             return known
         at = friction.at_supply(supply, state.bearing)
@@ -246,13 +248,6 @@ def _total_at(
         return shear.torque.total + seal
 
     return total
-
-
-OnFilmsSolved = Callable[[BearingResults], None]
-
-WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
-ROUGH_POINTS = 129  # of films with heat in the first round [-]
-STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
 
 class Interrupted(Exception):  # noqa: N818
@@ -284,7 +279,7 @@ def run_case(
     solve : Solve | None, optional
         Solver of one film in place of the film model's own: a batch reads what it has solved
         before.
-    filmed : OnFilmsSolved | None, optional
+    on_films_solved : OnFilmsSolved | None, optional
         Called with the results up to the films, before friction; not where the torque decides the
         temperature, and with it the films.
     equilibria : Equilibria | None, optional
@@ -299,6 +294,12 @@ def run_case(
     ------
     Interrupted
         On Ctrl-C, with the results of the finished contacts.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> results = oilfilm.run_case(oilfilm.load_case("6208_full_ceramic"))  # doctest: +SKIP
+    >>> oilfilm.summary(results)["torque_N_mm"]["total"]  # doctest: +SKIP
     """
     notify = progress or (lambda done, total, state: None)
     equilibria = equilibria or Equilibria()
@@ -578,7 +579,7 @@ def _torque(
     shear = None
     if state.operation.inner_speed != state.operation.outer_speed:
         shear = _law_shear(case, state, contacts) or _film_shear(case, state, contacts, films)
-    return torque_breakdown(
+    return friction_torque(
         state,
         contacts,
         case.lubricant,

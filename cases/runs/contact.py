@@ -60,6 +60,13 @@ def run_contact(
     -------
     ContactResults
         Film, traction and response; times in [s].
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> results = oilfilm.run_contact(oilfilm.load_case("moes_20_10"))
+    >>> results.solution.converged
+    True
     """
     messages = (*case.warnings, *case.films.messages)
     start = perf_counter()

@@ -1,7 +1,4 @@
-"""Films of the contacts of a bearing, equal ones solved once, in parallel.
-
-Strength of the rings of a case, and the tension in the surfaces of its contacts.
-"""
+"""Films of the contacts of a bearing, equal ones solved once in parallel; strength of rings."""
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, as_completed

@@ -1,11 +1,8 @@
 """The folder of a result: complete or not there; files of others are never replaced.
 
-Integrity of files of results: a digest of each stands beside them.
-
-One writer at a time in a folder of results, and an end to what killed ones have left.
-
-A writer holds the lock of `.NAME.lock` beside the folder, which the system takes from a process
-that ends, however it ends. What else is there of the name's temporary folders is then nobody's.
+A digest of each file stands beside it. A writer holds the lock of `.NAME.lock` beside the folder,
+which the system takes from a process that ends, however it ends. Other temporary folders of the
+name then belong to nobody.
 """
 
 import atexit
@@ -28,6 +25,16 @@ from ..format.rules import CaseError
 
 DIGESTS = ".oilfilm-digests.json"
 PIECE = 2**20  # read at a time [bytes]
+
+
+SCRATCH = "oilfilm-scratch-"
+YOUNG = 60.0  # age up to which a folder may be between its making and its locking [s]
+UNFINISHED = re.compile(rf"\..*-[a-z0-9_]{{8}}{re.escape(PARTIAL)}(\.\w+)?")
+TEMPORARY = ".partial"  # end of the name of a folder that is being written
+# lists the files written, so that a later run replaces that and nothing else
+MANIFEST = ".oilfilm-files.json"
+# removed first and put in place last: where it stands, the result is complete
+LAST = "summary.json"
 
 
 def write_digests(folder: Path, names: Iterable[str]) -> None:
@@ -94,11 +101,6 @@ def _is_as_written(path: Path, digest: object) -> bool:
 
 if sys.platform != "win32":
     import fcntl
-
-SCRATCH = "oilfilm-scratch-"
-YOUNG = 60.0  # age up to which a folder may be between its making and its locking [s]
-UNFINISHED = re.compile(rf"\..*-[a-z0-9_]{{8}}{re.escape(PARTIAL)}(\.\w+)?")
-TEMPORARY = ".partial"  # end of the name of a folder that is being written
 
 
 @contextmanager
@@ -240,12 +242,6 @@ def _locked(lock: Path, target: Path, *, shared: bool) -> int | None:
             if os.path.samestat(os.fstat(handle), lock.stat()):
                 return handle
         os.close(handle)  # of a writer that has just ended and removed it
-
-
-# what we wrote, so that a later run replaces that and nothing else
-MANIFEST = ".oilfilm-files.json"
-# removed first and put in place last: where it stands, the result is complete
-LAST = "summary.json"
 
 
 def check_output(directory: Path) -> None:

@@ -1,4 +1,4 @@
-"""Worker processes of all commands: their start, their preparation, their end."""
+"""Worker processes of all commands: how they begin, what they do first, how they end."""
 
 import gc
 import os

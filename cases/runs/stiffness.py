@@ -1,7 +1,4 @@
-"""Run the stiffness of a case over the speed of its inner ring.
-
-Run the slip maps of a case, the rows shared among processes.
-"""
+"""Run the stiffness of a case over the speed of its inner ring, and its slip maps."""
 
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor

@@ -11,12 +11,12 @@ from oilfilm.bearing.heating.over_time import warm_up
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
 from oilfilm.bearing.torque.breakdown import INTEGRATED
 from oilfilm.ehl.units import from_si
-from oilfilm.postprocess.bearing.results import BearingResults
 from oilfilm.postprocess.temperatures.results import TemperatureResults
 
 from ..format.case import Case
 from ..format.rules import CaseError
 from ..version import version
+from .bearing import run_case
 from .films import Progress
 from .heating import ReportedTorque, heating_problem
 
@@ -25,12 +25,8 @@ LOST_COURSE = 3600.0  # that of a bearing without a balance [s]
 HALVINGS = 6  # of the speed of the case, in search of one with a balance
 
 
-def run_temperatures(
-    case: Case,
-    name: str,
-    run: Callable[[Case], BearingResults],
-    duration: float | None = None,
-    progress: Progress | None = None,
+def temperatures(
+    case: Case, name: str = "case", duration: float | None = None, progress: Progress | None = None
 ) -> TemperatureResults:
     """Balances of heat from slow speeds to what bounds them, and the course of the temperatures
     from ambient at the speed of the case; films by the film atlas or formulas.
@@ -38,11 +34,9 @@ def run_temperatures(
     Parameters
     ----------
     case : Case
-        The bearing.
-    name : str
+        The bearing, with `[friction]` and the cooling of its housing.
+    name : str, default "case"
         Name of the case in messages.
-    run : Callable[[Case], BearingResults]
-        Computes a case: `oilfilm.cases.runs.bearing.run_case`.
     duration : float | None, optional
         Time of the course [s]; None: five times the longest time constant.
     progress : Progress | None, optional
@@ -57,13 +51,22 @@ def run_temperatures(
     ------
     CaseError
         If the case has no friction, or does not say where its heat goes.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> results = oilfilm.temperatures(oilfilm.load_case("6208_self_heating"))
+    >>> results.heating.converged
+    True
+    >>> f"{results.heating.balance.temperature - 273.15:.0f} C"
+    '45 C'
     """
     start = perf_counter()
     notify = progress or (lambda done, total, state: None)
     notify(0, 3, "balance at the speed of the case")
     given = case.file.operation.model_copy(update={"temperature": "given"})
     cold = replace(case, file=case.file.model_copy(update={"operation": given}), film_maps="none")
-    results = run(cold)
+    results = run_case(cold)
     if cold.heating is None or results.heating is None:
         raise CaseError(
             f"{name}: temperatures need friction.heat_transfer_W_K, and a ring that turns"
@@ -80,7 +83,7 @@ def run_temperatures(
         if at.state is None or not at.converged:
             raise CaseError(f"{name}: no balance of heat at any speed tried: {at.note}")
         branch = balances_over_speed(
-            at_speed(problem, factor), at.state, _told(notify, 1, "balances over the speed, films")
+            at_speed(problem, factor), at.state, _by_film_temperature(notify)
         )
         stable = heating.stability
         if duration is None:
@@ -99,9 +102,10 @@ def run_temperatures(
     )
 
 
-def _told(notify: Progress, done: int, words: str) -> Callable[[float], None]:
+def _by_film_temperature(notify: Progress) -> Callable[[float], None]:
     """Progress by film temperatures [K]."""
-    return lambda kelvin: notify(done, 3, f"{words} at {from_si('temperature_C', kelvin):.0f} C")
+    text = "balances over the speed, films at"
+    return lambda kelvin: notify(1, 3, f"{text} {from_si('temperature_C', kelvin):.0f} C")
 
 
 def _nearest_balance(

@@ -1,6 +1,6 @@
-"""Films that traction equilibrium takes its friction from: those of a run, on a coarser grid.
+"""Equilibrium of a case: under a hypothesis on the balls, or in traction equilibrium.
 
-Equilibrium of a case: under a hypothesis on the balls, or in traction equilibrium.
+Traction equilibrium takes its friction from the films of the run, on a coarser grid.
 """
 
 from collections.abc import Callable, Sequence
@@ -25,13 +25,16 @@ from ..format.case import Case
 from ..format.contact import CaseFilms
 from .films import Progress, Solve, film_solver, solve_contacts
 
+MOST_STORED = 1000  # equilibria, some 10 kB each
+ANY_TEMPERATURE = 293.15  # of all operations that have one equilibrium [K]
+
 
 @dataclass(frozen=True, kw_only=True)
 class PooledFilms:
     """Solves the films of many contacts side by side, equal ones once."""
 
     case: CaseFilms
-    # as in `run_case`
+    # likewise in `run_case`
     workers: int | None = None
     progress: Progress | None = None
     solve: Solve | None = None
@@ -181,10 +184,6 @@ def contact_tractions(
         else None
         for c, film in zip(contacts, solutions, strict=True)
     )
-
-
-MOST_STORED = 1000  # equilibria, some 10 kB each
-ANY_TEMPERATURE = 293.15  # of all operations that have one equilibrium [K]
 
 
 def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:

@@ -1,7 +1,4 @@
-"""Run of a contact over time.
-
-Steps of a contact over time on disk while it runs, so that an interrupted run goes on.
-"""
+"""Run of a contact over time, whose steps stay on disk while it runs, so that it can go on."""
 
 import io
 import json
@@ -29,6 +26,8 @@ from .interrupt import finish_first, interruptible
 
 STATE_FILE = "state.npz"
 EVERY = 5.0  # between two states on disk [s]
+
+NOT_USED = "ehl.tolerance, ehl.certify: not used over time, where transient.tolerance counts"
 
 
 class Checkpoints:
@@ -162,9 +161,6 @@ def _restore(run: TransientRun, state: dict[str, Any], frames: list[Frame]) -> N
         (float(state["exterior"]), int(state["halvings"])),
         (steps, frames),
     )
-
-
-NOT_USED = "ehl.tolerance, ehl.certify: not used over time, where transient.tolerance counts"
 
 
 class Interrupted(KeyboardInterrupt):

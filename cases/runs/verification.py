@@ -56,7 +56,7 @@ class Check:
 
     @property
     def passed(self) -> bool:
-        """Whether the number lies within its bounds; not a number does not."""
+        """Tell if the number lies within its bounds; not a number does not."""
         return self.least <= self.value <= self.most
 
 

@@ -57,8 +57,8 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     end_time = None if file.dynamics is None else file.dynamics.end_time_s
     table = file.vibration or VibrationTable()
     try:
-        times = (case.operation.inner_speed, end_time)
-        model = vibration(file.form, file.support, file.vibration, times)
+        speed = case.operation.inner_speed
+        model = vibration(file.form, file.support, file.vibration, speed, end_time)
         response = frequency_response(file.support)
         notify(0, 1000, "equilibrium and films")
         state = interruptible(partial(case_equilibrium, case))

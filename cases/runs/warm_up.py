@@ -80,14 +80,14 @@ def _motion() -> None:
     data = assemble(case.bearing, case.operation, model, point).kernel
     p = data.bearing
     balls = data.balls
-    y = data.whole
+    y = data.full_state
     dy = data.rates
     inner, outer, cage = _motion_kernels.place_bodies(case.bearing.balls, y, 1.0, 0.0)
     renew_pockets(p, balls, y, 1, 1e-6, 1.0)
     renew_friction(data, y, 1, 1e-6, 1.0)
     implicit_friction(p, balls, y, inner, outer)
-    cage_land(p, data.memory, 0, inner, cage)
-    pocket_forces(p, balls, data.memory, cage, y)
+    cage_land(p, data.impact_speeds, 0, inner, cage)
+    pocket_forces(p, balls, data.impact_speeds, cage, y)
     _motion_kernels.cage_equations(p, y, cage, dy)
     _motion_kernels.ring_equations(p, 0.0, y, 0.0, inner, dy)
     _motion_kernels.energies(y, data, np.zeros(3))

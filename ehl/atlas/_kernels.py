@@ -5,6 +5,8 @@ import numpy as np
 from ..compiled import compiled
 from ..oil._kernels import exponential_of
 
+FARTHEST = 600.0  # up to which e^-t is no zero and `exponential_of` holds [-]
+
 
 @compiled
 def _cubic(at, count, weights, slopes):
@@ -110,9 +112,6 @@ def look_up(x, features, shares, low, step, lattice, oils, out):
         out[n, 4] += shares[1, n] * own[2]
 
 
-FARTHEST = 600.0  # up to which e^-t is no zero and `exponential_of` holds [-]
-
-
 @compiled
 def _radial(x, places, shares, out):
     """(1 + t + t^2/3) e^-t, t = sqrt(5) |(x - place) shares|, of places (3, n)."""
@@ -126,7 +125,7 @@ def _radial(x, places, shares, out):
 
 @compiled
 def near_functions(x, places, scales, step, found):
-    """The functions of `table.near` with places (n, 3) at x (m, 3), found of shape (m, n)."""
+    """Radial functions `table.slanted_radial` of places (n, 3) at x (m, 3), into found (m, n)."""
     centre, width, variance = step[:3]
     shares = 1.0 / scales
     narrow = 1.0 / step[3:]

@@ -1,20 +1,18 @@
-"""Pressure and film over the ellipse of a flooded contact from a table of solved ones, for
-traction without a solve.
+"""Pressure and film over the ellipse of flooded contacts from a table of solved ones, for traction
+without a solve: of one contact at all nodes, of many at few places.
 
-What is tabulated are the nodes that a traction table shears (`film_quadrature`): 64 lines, the
-edges of the zone of high pressure on each, pressure and film at 24 places from edge to edge, so
-that the spike stands at nearly the same place of its line in every contact; and what lies around
-that zone, in 45 cells of elliptical rings and sectors. All of it over Hertz' pressure and
-semi-axes and, of films, a^2/Rx/A, is one vector of solved contacts, of which the first principal
-modes stay.
-Their amplitudes are Gaussian processes in (ln A, sqrt L, ln D), A as in `table`, with Matern's
-kernel of 5/2, plus sqrt L times terms of the oil, whose coefficients are such processes, too. At
-last the pressure is scaled so that it carries the load. Fitted by `tools/atlas/fields.py`.
+Tabulated are the nodes that a traction table shears (`film_quadrature`): 64 lines, the edges of
+the zone of high pressure on each, pressure and film at 24 places from edge to edge, so that the
+spike stands at nearly the same place of its line in every contact; and what lies around that zone,
+in 45 cells of elliptical rings and sectors. All of it over Hertz' pressure and semi-axes and, of
+films, a^2/Rx/A, is one vector of solved contacts, of which the first principal modes stay. Their
+amplitudes are Gaussian processes in (ln A, sqrt L, ln D), A as in `table`, with Matern's kernel of
+5/2, plus sqrt L times terms of the oil, whose coefficients are such processes, too. At last the
+pressure is scaled so that it carries the load. Fitted by `tools/atlas/fields.py`.
 
-Pressure and film of many contacts at few places, for their friction without a solve.
-
-The vector of `fields` is linear in the amplitudes of its modes until its pressure is made to carry
-the load, so modes interpolated once to fewer lines and places give fields there directly.
+The vector is linear in the amplitudes of its modes until its pressure is made to carry the load,
+so modes interpolated once to fewer lines and places give the fields of many contacts there
+directly (`film_shapes`).
 
 A contact outside the range of the fields has those of the nearest place inside it, over its own
 Hertz pressure, semi-axes and central film: so friction goes on without a step, and what it is
@@ -72,6 +70,21 @@ OIL = 0.1
 # centre of positions in the oil's terms
 CENTRE = np.array([2.5, 2.5, -2.5])
 SPREAD = np.array([1.2, 1.5, 1.5])
+
+HALF_LINES = 12  # on one side of the middle, all of one width
+PLACES = 14  # of Gauss' rule from edge to edge of each line
+# ranges of A, L, D, alpha [1/Pa] and z of the solved contacts
+BOX = ((2.8, 160.0), (1.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
+PLACE = len(BOX) + 1  # numbers of a place [-]
+SEAM = (11.0, 15.0)  # of A, between which the table of light contacts goes over into the other
+
+# shapes of the components of one vector
+SHAPES = (
+    *((), (HALF_LINES,), (HALF_LINES,)),
+    *((HALF_LINES, PLACES), (HALF_LINES, PLACES), (PLACES,), (2,)),
+    *((CELL_ROWS, CELLS), (), ()),
+)
+SIZES = tuple(prod(shape) for shape in SHAPES)
 
 
 class FieldTable(NamedTuple):
@@ -380,14 +393,6 @@ def _mirrored(half: Array) -> Array:
     return np.concatenate([other[:, ::-1], half], axis=1)
 
 
-HALF_LINES = 12  # on one side of the middle, all of one width
-PLACES = 14  # of Gauss' rule from edge to edge of each line
-# ranges of A, L, D, alpha [1/Pa] and z of the solved contacts
-BOX = ((2.8, 160.0), (1.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
-PLACE = len(BOX) + 1  # numbers of a place [-]
-SEAM = (11.0, 15.0)  # of A, between which the table of light contacts goes over into the other
-
-
 class FilmShapes(NamedTuple):
     """Fields of n contacts: nodes of high pressure (5, n, m), and those around them, (5, n, k).
 
@@ -412,15 +417,6 @@ class _Parts(NamedTuple):
     cells: Array  # (k, 7, cells)
     load: Array  # (k,)
     shear: Array
-
-
-# shapes of the components of one vector
-SHAPES = (
-    *((), (HALF_LINES,), (HALF_LINES,)),
-    *((HALF_LINES, PLACES), (HALF_LINES, PLACES), (PLACES,), (2,)),
-    *((CELL_ROWS, CELLS), (), ()),
-)
-SIZES = tuple(prod(shape) for shape in SHAPES)
 
 
 def shape_coordinates(contacts: Sequence[ContactConditions], semi_axes: Array) -> Array:

@@ -22,7 +22,7 @@ from ..arrays import Array
 
 FILE = Path(__file__).with_suffix(".csv")
 TERMS = ("i", "j", "k", "l", "m")  # exponents of x, y, w, z and a
-# of A, L and Rx/Ry [-], of alpha [1/Pa] and of Roelands' exponent [-]
+# ranges of A, L and Rx/Ry [-], of alpha [1/Pa] and of Roelands' exponent [-]
 RANGE = {
     "A": (7.0, 160.0),
     "L": (0.0, 30.0),

@@ -1,28 +1,22 @@
 """Films, rolling moment and stiffness of a flooded contact by the atlas, without a solve.
 
-Newtonian and isothermal, flooded; entrainment along x, or at an angle (`skewed`); the oil after
+Newtonian and isothermal, flooded; entrainment along x, or at an angle; the oil after
 Roelands with the density of Dowson and Higginson, or one of another law, for which a Roelands oil
 stands (`oils`). Each value has the error within which nineteen of twenty contacts lay that were
-solved to judge the table. What the table does not cover is refused.
+solved to judge the table. Contacts beyond the table are refused; `nearest_covered` gives the
+nearest one within it, `atlas_disagreements` compares a solved film with that of the atlas.
 
-Entrainment at an angle: the straight contact that has its curvatures along and across the
-entrainment, and what the mixed curvature changes.
-
-In the frame of the entrainment the gap is S X^2/2 + T Y^2/2 + C X Y. Without C the contact is one
-of R_x/S and the ratio T/S, whose load and oil are M S^(5/4) and L S^(1/4). The functions of the
-table at that place, x, are exact at C = 0, along both principal directions and in circles; else
+Entrainment at an angle: in its frame the gap is S X^2/2 + T Y^2/2 + C X Y. Without C the contact
+is one of R_x/S and the ratio T/S, whose load and oil are M S^(5/4) and L S^(1/4). The functions of
+the table at that place, x, are exact at C = 0, along both principal directions and in circles;
+else
 
     F(x, m) = F(x) + m sum_i w_i m_i k(|((x, m) - (x_i, m_i))/l|),   m = C^2/(S T)
 
 with the radial functions of `table`, fitted to solutions at an angle by `tools/atlas/skewed.py`,
 and terms of the oil. Films are counted in a^2/R_x of the straight contact, and the deflection less
-the difference of both Hertz approaches.
-
-Effect of a rotation of the entrainment on films.
-
-A solved film beside that of the atlas: what one of them has wrong the other tells.
-
-The contact nearest to one that the atlas does not cover.
+the difference of both Hertz approaches. A rotation of the entrainment changes them by a fitted law
+(`rotation_law`).
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -55,6 +49,35 @@ SKEW_RANGE = {
 ACROSS_CLASSES = (1.0, 2.0)  # T/S, below, between and above which errors were judged
 STRAIGHT = 1e-12  # m below which the entrainment counts as along a principal direction
 MIXED = 3  # functions that the mixed curvature adds to, ln(Hc A), ln(Hmin A), Hc - H0
+
+# speed at the end of the ellipse by a rotation of the entrainment, over u_m, up to which the table
+# counts
+ROTATION = 0.02
+ROTATION_WIDE = 0.65  # what the minimum film's bar grows by over it, Rx/Ry above `SLIM`
+SLIM = 0.1  # Rx/Ry up to which ellipses are as those of ball bearings
+
+# ranges of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was validated
+RANGE = {
+    "A = a^2/(Rx^2 sqrt(2U))": (0.35, 160.0),
+    "L": (0.0, 30.0),
+    "Rx/Ry": (0.01, 5.0),
+    "roelands_z": (0.3, 1.1),
+    "pressure_viscosity": (8e-9, 32e-9),
+}
+CASE_KEYS = {"pressure_viscosity": ("pressure_viscosity_1_GPa", 1e-9)}  # and the key's unit
+ALIGNED = 1e-9  # sine of the angle between entrainment and x that counts as none
+LAYERS = (8.0, 25.0, 400.0)  # of the tabulated moments, over 1 + H_c [-]
+THINNEST_LAYER = 3.0  # over 1 + H_c, beyond which the moment is extrapolated no further
+MOES_LAYER = 25.0  # of Moes conditions, over a^2/Rx
+STEP = 0.02  # of ln A, over which H0 is differentiated
+# relative error of the stiffness below and above A = `LIGHT`: 70 contacts solved at 0.985 and
+# 1.015 of the load were within 6.9 % (A 2.2 to 6.5, others below 0.6 %) and 0.6 % [-]
+STIFFNESS_ERROR = (0.07, 0.01)
+# error of the moment that the gap of circles takes from that of paraboloids: 95 % of the drawn by
+# `python tools/atlas/circles.py 20261127 30` are within 0.17 [-]
+CIRCLES = 0.2
+
+EDGE = 1e-9  # within a range [-]
 
 
 class Along(NamedTuple):
@@ -222,11 +245,6 @@ def skew_bars(ratio: float, base: bool) -> Array:
     return np.asarray(skew().bars[0 if base else 1, np.searchsorted(ACROSS_CLASSES, ratio)])
 
 
-# speed at the end of the ellipse by a rotation of the entrainment, over u_m, up to which the table
-# counts
-ROTATION = 0.02
-ROTATION_WIDE = 0.65  # what the minimum film's bar grows by over it, Rx/Ry above `SLIM`
-SLIM = 0.1  # Rx/Ry up to which ellipses are as those of ball bearings
 # There it lowers the minimum film by 1 - exp(-k t^2), and moves the central one by some t^2: 80
 # contacts solved with and without, k 0.5 to 2.4, seven light ones, k 0.03 to 1.3
 # (`docs/theory/film_atlas.md`)
@@ -295,28 +313,6 @@ def rotation_effect(load: float, ratio: float, turning: float) -> tuple[float, f
     square = turning**2
     lowered = exp(-law.minimum * square)
     return lowered, law.minimum_error * square, law.central_error * square
-
-
-# ranges of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was validated
-RANGE = {
-    "A = a^2/(Rx^2 sqrt(2U))": (0.35, 160.0),
-    "L": (0.0, 30.0),
-    "Rx/Ry": (0.01, 5.0),
-    "roelands_z": (0.3, 1.1),
-    "pressure_viscosity": (8e-9, 32e-9),
-}
-CASE_KEYS = {"pressure_viscosity": ("pressure_viscosity_1_GPa", 1e-9)}  # and the key's unit
-ALIGNED = 1e-9  # sine of the angle between entrainment and x that counts as none
-LAYERS = (8.0, 25.0, 400.0)  # of the tabulated moments, over 1 + H_c [-]
-THINNEST_LAYER = 3.0  # over 1 + H_c, beyond which the moment is extrapolated no further
-MOES_LAYER = 25.0  # of Moes conditions, over a^2/Rx
-STEP = 0.02  # of ln A, over which H0 is differentiated
-# relative error of the stiffness below and above A = `LIGHT`: 70 contacts solved at 0.985 and
-# 1.015 of the load were within 6.9 % (A 2.2 to 6.5, others below 0.6 %) and 0.6 % [-]
-STIFFNESS_ERROR = (0.07, 0.01)
-# error of the moment that the gap of circles takes from that of paraboloids: 95 % of the drawn by
-# `python tools/atlas/circles.py 20261127 30` are within 0.17 [-]
-CIRCLES = 0.2
 
 
 class NotInAtlasError(ValueError):
@@ -803,9 +799,6 @@ def atlas_disagreements(solution: ContactSolution) -> Iterator[Pair]:
             > unit * solved.uncertainty + tabulated.uncertainty
         ):
             yield name, solved, tabulated
-
-
-EDGE = 1e-9  # within a range [-]
 
 
 def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | None, float]:

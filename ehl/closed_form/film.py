@@ -1,12 +1,12 @@
-r"""Film thickness formulas from curve fits: starting guesses and comparisons, never oracles.
+r"""Closed forms for a film: its thickness by curve fits, its reduction by heat, the amplitude of a
+waviness.
 
-All take the entrainment along the principal direction x, smooth surfaces, a Newtonian oil and a
-flooded inlet; isothermal, but for the reduction by heat. Ranges of the fits:
-`docs/theory/contact.md`.
+The film formulas are starting guesses and comparisons, never oracles. All take the entrainment
+along the principal direction x, smooth surfaces, a Newtonian oil and a flooded inlet; isothermal,
+but for the reduction by heat. Ranges of the fits: `docs/theory/contact.md`.
 
-Thermal reduction factor: film with the heat of its inlet over the isothermal film.
-
-In pure rolling, without a solve with heat, it is
+The thermal reduction factor, film with the heat of its inlet over the isothermal film, is in pure
+rolling
 
     s = 1/(1 + a L_T^b (p_h/E')^c/[1 + (M_0/M)^d]),    L_T = eta_0 beta u_m^2/k.
 
@@ -18,11 +18,9 @@ the contact, also outside the solved box, where nothing is heated: the low end o
 the bracket out. Bodies are steel and silicon nitride; sliding is neglected. The formula of Gupta
 et al. (`film_reduction_gupta`), a fit to line contacts, takes a third more.
 
-Amplitude of a small waviness in a lubricated contact, in closed form.
-
-A waviness r = Re r_a exp(i omega_x (x - u_b t) + i omega_y y) on a body of speed u_b, in a flat
-film h of uniform high pressure. Hooke (2006); as printed in Morales-Espejel and Brizmer, Tribology
-Transactions 54 (2011) 625:
+A small waviness r = Re r_a exp(i omega_x (x - u_b t) + i omega_y y) on a body of speed u_b, in a
+flat film h of uniform high pressure. Hooke (2006); as printed in Morales-Espejel and Brizmer,
+Tribology Transactions 54 (2011) 625:
 
 .. math::
     \frac{p_a}{r_a} = \frac{\kappa E'}{4} \frac{i Q}{1 - i Q - i C Q}, \qquad
@@ -44,6 +42,29 @@ from ..conditions import ContactConditions, moes_groups, speed_load_material
 
 # a film thicker than this fraction of R_x lies in a gap that is no paraboloid: outside the model
 MAX_FILM_OVER_RADIUS = 0.02
+
+# fitted, see above [-]
+LOSS_FACTOR = 1.52  # a
+LOSS_BY_LOADING = 0.66  # b
+LOSS_BY_PRESSURE = 0.352  # c
+LIGHT_CONTACT = 14.5  # M_0
+LIGHT_POWER = 4.0  # d
+SPREAD = 0.2  # of the loss 1 - s [-]
+# L_T beyond which no film was solved; the spread is twice as wide there [-]
+LARGEST_LOADING = 12.0
+
+# Heat properties of a mineral oil, for oils without their own. Conductivity: Larsson and
+# Andersson (2000), paraffinic mineral oil, second-hand [W/(m K)].
+MINERAL_CONDUCTIVITY = 0.137
+# beta = 0.110 (eta/Pa s)^0.282 [1/K], fitted to ISO VG 10 to 220 of the library from 40 to 100
+# degrees Celsius, within 22 %; its other oils have 0.51 to 1.31 of it
+MINERAL_FALL = 0.110
+MINERAL_FALL_POWER = 0.282
+ASSUMED_SPREAD = 0.35  # of the loss, more, of such an oil (0.51^0.55 to 1.31^0.55) [-]
+
+# constants of A_d/A_i = 1/(1 + c1 x + c2 x^2), Venner and Lubrecht (2000), as quoted by
+# Morales-Espejel and Brizmer (2011): circular contacts, pure rolling
+AMPLITUDE_FIT = (0.15, 0.015)
 
 
 def film_hamrock_dowson_minimum(conditions: ContactConditions) -> float:
@@ -214,26 +235,6 @@ def film_reduction_gupta(pressure_ratio: float, loading: float, slide_roll_ratio
     return (1.0 - 13.2 * pressure_ratio * loading**0.42) / (1.0 + 0.213 * sliding * loading**0.64)
 
 
-# fitted, see above [-]
-LOSS_FACTOR = 1.52  # a
-LOSS_BY_LOADING = 0.66  # b
-LOSS_BY_PRESSURE = 0.352  # c
-LIGHT_CONTACT = 14.5  # M_0
-LIGHT_POWER = 4.0  # d
-SPREAD = 0.2  # of the loss 1 - s [-]
-# L_T beyond which no film was solved; the spread is twice as wide there [-]
-LARGEST_LOADING = 12.0
-
-# Heat properties of a mineral oil, for oils without their own. Conductivity: Larsson and
-# Andersson (2000), paraffinic mineral oil, second-hand [W/(m K)].
-MINERAL_CONDUCTIVITY = 0.137
-# beta = 0.110 (eta/Pa s)^0.282 [1/K], fitted to ISO VG 10 to 220 of the library from 40 to 100
-# degrees Celsius, within 22 %; its other oils have 0.51 to 1.31 of it
-MINERAL_FALL = 0.110
-MINERAL_FALL_POWER = 0.282
-ASSUMED_SPREAD = 0.35  # of the loss, more, of such an oil (0.51^0.55 to 1.31^0.55) [-]
-
-
 class ThermalReduction(NamedTuple):
     """Thermal reduction factor of a film: film with inlet heat over the isothermal film."""
 
@@ -326,11 +327,6 @@ def heat_loss(loading: float, pressure_ratio: float, moes_load: float = inf) -> 
     rise = LOSS_FACTOR * loading**LOSS_BY_LOADING * pressure_ratio**LOSS_BY_PRESSURE
     rise /= 1.0 + (LIGHT_CONTACT / moes_load) ** LIGHT_POWER
     return rise / (1.0 + rise)
-
-
-# of A_d/A_i = 1/(1 + c1 x + c2 x^2), Venner and Lubrecht (2000), as quoted by Morales-Espejel and
-# Brizmer (2011): circular contacts, pure rolling
-AMPLITUDE_FIT = (0.15, 0.015)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,15 +1,12 @@
 """Starvation factors of films, rolling moment and damping: value behind an inlet layer over the
 flooded one.
 
-`starvation_factors` is the law of this program, tabulated from its solutions. The formulas of
-others are for comparison.
-
-The law of starvation as tabulated: four functions of four numbers.
-
-These are x = (ln H_c, ln(1 + L/3), ln(Rx/Ry), ln r). H_c is the flooded film by the formula of
-Nijenbanning, Venner and Moes (1994) over a^2/Rx, which says how far the inlet's gap is that of the
-undeformed bodies. Each function is a trend of second degree and a sum of radial functions around
-the solved contacts, fitted to solutions by `tools/starvation/fit.py`:
+`starvation_factors` is the law of this program, tabulated from its solutions; the formulas of
+others are for comparison. It is four functions of x = (ln H_c, ln(1 + L/3), ln(Rx/Ry), ln r). H_c
+is the flooded film by the formula of Nijenbanning, Venner and Moes (1994) over a^2/Rx, which says
+how far the inlet's gap is that of the undeformed bodies. Each function is a trend of second degree
+and a sum of radial functions around the solved contacts, fitted to solutions by
+`tools/starvation/fit.py`:
 
     f(x) = trend(x) + sum_i w_i k(|(x - x_i)/l|),   k(d) = (1 + t + t^2/3) e^-t,  t = sqrt(5) d
 
@@ -46,6 +43,12 @@ LEAST_RISE = 1e-6  # of ln R, ln R_min and s from node to node
 HALVINGS = 50
 LARGEST_LOG_EXPONENT = 5.0  # ln g
 PAIRS = np.triu_indices(4)
+
+EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
+WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
+# factor on the uncertainties of a contact outside the solved ones, which takes the values of the
+# nearest point inside; assumed
+OUTSIDE = 4.0
 
 
 class Function(NamedTuple):
@@ -276,13 +279,6 @@ def _errors(tabulated: Table, log_film: float) -> Array:
     return np.array(
         [[np.interp(log_film, tabulated.error_films, row) for row in rows] for rows in flat]
     )
-
-
-EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
-WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
-# factor on the uncertainties of a contact outside the solved ones, which takes the values of the
-# nearest point inside; assumed
-OUTSIDE = 4.0
 
 
 @dataclass(frozen=True, slots=True)

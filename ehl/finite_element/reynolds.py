@@ -12,11 +12,7 @@ saw-tooth along the stream; the last term does, tau |U| half an edge and Pi the 
 nodes: orthogonal subscales, Codina (2000). A smooth q passes it but for the third order, so that
 tau needs to follow neither pressure nor film, and Newton's matrix is exact. Integrals are exact
 along the edges and by the trapezoidal rule across, so that the cavitation boundary of a line does
-not enter the equations of the next.
-
-Edges of a rectangle mesh; nodes have the numbers i ny + j.
-
-Density, viscosity and reduced pressure of the oil over pressure.
+not enter the equations of the next. Nodes of the rectangle mesh have the numbers i ny + j.
 """
 
 from collections.abc import Callable
@@ -32,6 +28,20 @@ from ..arrays import Array
 from ..oil import _kernels
 from ..oil.lubricant import Lubricant, density, log_viscosity_ratio
 from ..scaling import ScaledContact
+
+# pressure over p_h up to which laws without closed form are tabulated, beyond which they stay; 200
+# or 800 samples change the films by less than 1e-6
+LARGEST_PRESSURE = 4.0
+SAMPLES = 401
+# samples of the reduced pressure, which bends within 1/alpha: a tenth of that at alpha p_h = 200
+REDUCED_SAMPLES = 8001
+
+# rho/rho_0, its derivative by P, and ln(eta/eta_0) [-]
+Laws = tuple[Array, Array, Array]
+OilLaws = Callable[[Array], Laws]  # of P
+
+# share of the diffusion of first order that stands for that of the third in the preconditioner
+NEAR_DIFFUSION = 0.75
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,18 +146,6 @@ def at_ends(
     return sparse.csr_matrix(entries, shape=(len(edge), nodes))
 
 
-# of the laws without closed form: pressures over p_h up to which they are tabulated, beyond which
-# they stay; 200 or 800 samples change the films by less than 1e-6
-LARGEST_PRESSURE = 4.0
-SAMPLES = 401
-# of the reduced pressure, which bends within 1/alpha: a tenth of that at alpha p_h = 200
-REDUCED_SAMPLES = 8001
-
-# rho/rho_0, its derivative by P, and ln(eta/eta_0) [-]
-Laws = tuple[Array, Array, Array]
-OilLaws = Callable[[Array], Laws]  # of P
-
-
 def oil_laws(contact: ScaledContact) -> OilLaws:
     """Density and viscosity as functions of the pressure P = p/p_h >= 0.
 
@@ -231,10 +229,6 @@ def reduced_pressure(contact: ScaledContact) -> Callable[[Array], Array]:
         return np.asarray(integral(inside) + last * (P - inside))
 
     return reduced
-
-
-# of the diffusion of the first order that stands for that of the third in the preconditioner
-NEAR_DIFFUSION = 0.75
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,13 +3,9 @@
 Unknowns are the nodal pressures on a graded rectangle mesh and the constant H0; equations are the
 weak Reynolds equation with the cavitation condition (`reynolds.py`), the film H = H0 + gap +
 compliance P (`solid/compliance.py`) and the load balance (`newton.py`). The solution does not
-depend on the start, which may be the multigrid's pressure.
+depend on the start: Hertz, or pressure and film of another solution, such as the multigrid's.
 
-Lines of a rectangle mesh graded by halving.
-
-Initial state of Newton's method: pressure and film of another solution, or Hertz.
-
-Meshes of a contact, each twice as fine as the one before, and what is set up once on each.
+Meshes have lines graded by halving, each mesh twice as many as the one before.
 """
 
 import time
@@ -41,6 +37,39 @@ HALVINGS = 5  # at most, from the largest cell to the smallest
 ROOTS = range(1, 33)  # numbers of largest cells that are tried
 SIZE_FACTORS = (1.0, 1.2, 1.45, 1.7)  # of the size wanted, over the smallest cell
 COARSE_SIZE_FACTORS = (2.0, 2.4, 2.9, 3.4)  # with a single largest cell: the coarsest meshes
+
+Start = Callable[[Array, Array], tuple[Array, Array]]  # pressure and film at X, Y [-]
+
+SMALLEST_FILM = 0.05  # of the film guess, where the start has none
+
+CELLS_Y = 7 / 16  # across half the contact, per cell along it
+# lines of nodes along and across whose compliance enters the preconditioner; with (3, 2) the inner
+# race of a 6208 takes 80 % more time on 257 points, with (3, 1) 20 %
+REACH = (3, 0)
+# Cells along x in Hertz half extents, up to a factor. Twice FINEST, half INSIDE or an outlet from
+# 0.35 change the films of the 6208's inner race on 65 lines by less than 0.1 %
+FINEST = 0.1  # over the length of the inlet
+INSIDE = 1 / 16  # largest inside the contact
+OUTLET = (0.0, 1.2)  # ends of the finest region, through which the exit constriction runs
+# across the half contact: over the length of the inlet, largest inside, ends of the finest region.
+# The minimum film of M 2000, L 0 on 257 lines is within 4 % so, 8.7 % off with even cells of 1/40
+SIDE_FINEST = 0.05
+SIDE_INSIDE = 1 / 20
+SIDE = (0.75, 1.0)
+GROWTH = 0.12  # of the cells before and inside the contact, over the distance from the finest
+OUTER_GROWTH = 0.25  # of those behind and at the side of it
+
+Conditions = ContactConditions | MoesConditions
+
+LEVELS = 3
+POINTS = 257  # where the options leave them open
+MAX_CELLS = 512  # along x
+MAX_CELLS_SKEWED = 256  # of both halves
+# loads through which a contact is reached without another solution to start from: M of the
+# first, and the ratio of each to the one before
+FIRST_LOAD = 50.0
+LOAD_RATIO = 3.0
+COARSEST = 32  # cells along x on which lighter loads are solved
 
 
 def graded_lines(
@@ -114,11 +143,6 @@ def refined(lines: NDArray[np.int_]) -> NDArray[np.int_]:
     finer[::2] = 2 * lines
     finer[1::2] = lines[:-1] + lines[1:]
     return finer
-
-
-Start = Callable[[Array, Array], tuple[Array, Array]]  # pressure and film at X, Y [-]
-
-SMALLEST_FILM = 0.05  # of the film guess, where the start has none
 
 
 def hertz_start(contact: ScaledContact) -> Start:
@@ -197,24 +221,6 @@ def _bilinear(X: Array, Y: Array, values: Array) -> Callable[[Array, Array], Arr
     """Bilinear between nodes, continued outside."""
     inside = RegularGridInterpolator((X, Y), values, bounds_error=False, fill_value=None)
     return lambda x, y: np.asarray(inside(np.stack((x, y), axis=-1)))
-
-
-CELLS_Y = 7 / 16  # across half the contact, per cell along it
-# lines of nodes along and across whose compliance enters the preconditioner; with (3, 2) the inner
-# race of a 6208 takes 80 % more time on 257 points, with (3, 1) 20 %
-REACH = (3, 0)
-# Cells along x in Hertz half extents, up to a factor. Twice FINEST, half INSIDE or an outlet from
-# 0.35 change the films of the 6208's inner race on 65 lines by less than 0.1 %
-FINEST = 0.1  # over the length of the inlet
-INSIDE = 1 / 16  # largest inside the contact
-OUTLET = (0.0, 1.2)  # ends of the finest region, through which the exit constriction runs
-# across the half contact: over the length of the inlet, largest inside, ends of the finest region.
-# The minimum film of M 2000, L 0 on 257 lines is within 4 % so, 8.7 % off with even cells of 1/40
-SIDE_FINEST = 0.05
-SIDE_INSIDE = 1 / 20
-SIDE = (0.75, 1.0)
-GROWTH = 0.12  # of the cells before and inside the contact, over the distance from the finest
-OUTER_GROWTH = 0.25  # of those behind and at the side of it
 
 
 def lattices(
@@ -368,19 +374,6 @@ def level_on(contact: ScaledContact, mesh: Lattice, is_open: bool, start: Start)
     return level
 
 
-Conditions = ContactConditions | MoesConditions
-
-LEVELS = 3
-POINTS = 257  # where the options leave them open
-MAX_CELLS = 512  # along x
-MAX_CELLS_SKEWED = 256  # of both halves
-# loads through which a contact is reached without another solution to start from: M of the
-# first, and the ratio of each to the one before
-FIRST_LOAD = 50.0
-LOAD_RATIO = 3.0
-COARSEST = 32  # cells along x on which lighter loads are solved
-
-
 @dataclass(slots=True)
 class Attempt:
     """The meshes solved so far: the last one, films of those that converged, and the outcome."""
@@ -424,6 +417,16 @@ def solve_contact_finite_element(
     ------
     ValueError
         if conditions contain an inlet layer: mass is not conserved behind one here
+
+    Examples
+    --------
+    >>> from oilfilm import Lubricant, MoesConditions, SolverOptions
+    >>> from oilfilm import solve_contact_finite_element
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
+    >>> contact = MoesConditions(load_parameter=20.0, lubricant_parameter=5.0, lubricant=oil)
+    >>> solution = solve_contact_finite_element(contact, SolverOptions(points=65))
+    >>> solution.converged, f"{solution.film_central_dimensionless.value:.2f}"
+    (True, '0.31')
     """
     options = options or SolverOptions()
     if conditions.inlet_layer is not None:

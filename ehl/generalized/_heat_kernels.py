@@ -10,8 +10,8 @@ zeta, which continuity gives. At the nodes inside by three-point differences for
 upwind ones for W, which keep the temperature between those it comes from where nothing heats; at
 the walls the temperatures of the bodies follow the flux that they take up (three-point, too), T =
 T_hist + R q with q = +-k/h T_zeta, see `solid/heat.py`. Conduction along the film is neglected: it
-is thin. rheology, section, work: as in `_stress_kernels`; differences: slopes at both
-walls of `section.wall_slopes`.
+is thin. rheology, section, work: as in `_kernels`; differences: slopes at both walls of
+`film_heat.wall_slopes`.
 
 Upwind differences conduct D = rho c |W|/h s/2 on their own, s the distance in zeta to the node
 that W comes from: they are of first order. Their temperatures give the velocities and the heat of
@@ -52,9 +52,13 @@ U, V, RATE_X, RATE_Y, CROSSING, INFLOW, ADVECTED, SOURCE, CAPACITY, COMPRESSION 
 # the derivative of the heat of shear by the temperatures: a diagonal less the product of a column
 # (along) and a row (pull)
 DIAGONAL, ALONG, PULL = range(10, 13)
-# of the linear system: three diagonals, the solution of `along`
+# rows of the linear system: three diagonals, the solution of `along`
 LOWER, MIDDLE, UPPER, COUPLED = range(13, 17)
 LAST, FLOW_ROWS = range(17, 19)  # the temperatures that the flow is of [K]
+
+# share of the step towards temperatures of second order, where oil recirculates: 0, 1 and 2 of 32
+# fast contacts on 129 points needed the continuation with 0.5, 0.7 and 1
+FOLLOWED = 0.5
 
 
 @compiled
@@ -80,7 +84,7 @@ def solve_tridiagonal(flow, right):
 
 @compiled
 def conduction_left(spread, crossing, distance):
-    """Of conduction, k/h^2 = spread, beside that of upwind differences over a distance."""
+    """Conduction, k/h^2 = spread, left beside that of upwind differences over a distance."""
     own = 0.5 * abs(crossing) * distance
     return spread * spread / (own + np.sqrt(spread * spread + own * own))
 
@@ -350,7 +354,7 @@ def sharpen_heat_column(
 
 @compiled
 def heat_of_shear(height, weights, temperature, flow):
-    """Of a column [W/m^2], linearised about the temperatures that its flow is of."""
+    """Heat of shear of a column [W/m^2], linearised about the temperatures that its flow is of."""
     drawn = 0.0
     for k in range(temperature.size):
         drawn += flow[PULL, k] * (temperature[k] - flow[LAST, k])
@@ -359,11 +363,6 @@ def heat_of_shear(height, weights, temperature, flow):
         source = flow[SOURCE, k] + flow[DIAGONAL, k] * (temperature[k] - flow[LAST, k])
         total += height * weights[k] * (source - flow[ALONG, k] * drawn)
     return total
-
-
-# of the step towards temperatures of second order, where oil recirculates: 0, 1 and 2 of 32 fast
-# contacts on 129 points needed the continuation with 0.5, 0.7 and 1
-FOLLOWED = 0.5
 
 
 def column_rooms(n):
@@ -514,7 +513,7 @@ def heat_sweep(
                 flow, out,
             )  # fmt: skip
             dissipation[j, i] = heat_of_shear(height, section[1], temperature[j, i], flow)
-            # what the columns beside it have not seen now
+            # change that the columns beside it have not seen now
             if renewed:
                 unseen[j, i] = left
             moved = largest_shift(upwind[j, i], upwind_last)

@@ -1,5 +1,5 @@
-"""Columns of film, compiled: the integrals of the generalized Reynolds equation, Yang and Wen
-(1990), by the stress of `_stress_kernels`.
+"""Columns of film, compiled: their stress, and the integrals of the generalized Reynolds equation,
+Yang and Wen (1990).
 
 With 1/eta_e = (1/h) int dz/eta*, 1/eta'_e = (1/h^2) int z dz/eta*, rho_e = (1/h) int rho dz,
 rho'_e = (1/h^2) int rho int_0^z dz'/eta* dz, rho''_e = (1/h^3) int rho int_0^z z' dz'/eta* dz, the
@@ -260,7 +260,7 @@ def newtonian_column(rise, rate, section, work):
 
 @compiled
 def is_newtonian(rheology):
-    """Whether an oil neither thins nor has a limiting stress."""
+    """True for an oil that neither thins nor has a limiting stress."""
     return int(rheology[0]) == NEWTONIAN and not np.isfinite(rheology[4])
 
 

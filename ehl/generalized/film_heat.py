@@ -1,6 +1,6 @@
 """Heat of a film and its surfaces, advanced by one sweep in each direction a cycle.
 
-Nodes across the film, Gauss-Lobatto, with weights, integrals and differences.
+The nodes across the film are those of Gauss and Lobatto.
 """
 
 from copy import deepcopy
@@ -17,11 +17,17 @@ from ..oil.lubricant import oil_numbers, viscosity
 from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor
-from . import _heat_kernels as _kernels
+from . import _heat_kernels
 
 # across the film: integrals exact for polynomials of degree 21. A multiple of four, as many
 # numbers as a register holds: with 11, three of them alone, a film with heat takes a tenth longer
 NODES = 12
+
+Mask = NDArray[np.bool_]
+
+# [K]. Films of 19 contacts within 2.5e-4 of those with all columns in each sweep (0.15 K: 1e-3)
+SMALLEST_PENDING_CHANGE = 0.05
+SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,13 +108,6 @@ def wall_slopes(section: Section) -> tuple[Array, Array]:
     return below, above
 
 
-Mask = NDArray[np.bool_]
-
-# [K]. Films of 19 contacts within 2.5e-4 of those with all columns in each sweep (0.15 K: 1e-3)
-SMALLEST_PENDING_CHANGE = 0.05
-SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeatState:
     """Heat of one grid, SI; n nodes across the film."""
@@ -157,7 +156,7 @@ class FilmHeat:
     def __post_init__(self) -> None:
         for name in ("temperature", "thermal"):
             if getattr(self.conditions.lubricant, name) is None:
-                raise ValueError(f"{name} of the lubricant is needed for a solve with heat")
+                raise ValueError(f"the lubricant's {name} is needed for a solve with heat")
 
     @property
     def inlet(self) -> float:
@@ -224,10 +223,10 @@ class FilmHeat:
         if last and last.fields:
             state.pending_change[:] += self._unfollowed(last.temperature, last.fields, fields)
         before = state.temperature.copy()
-        rooms = _kernels.column_rooms(section.nodes.size)
+        rooms = _heat_kernels.column_rooms(section.nodes.size)
         unsolved = 0
         for forward in sweeps:
-            unsolved = _kernels.heat_sweep(
+            unsolved = _heat_kernels.heat_sweep(
                 *(fields.p, fields.h, fields.gradient, *speeds),
                 *((grid.hx * a, grid.hy * a), grid.symmetric, forward),
                 *(oil_numbers(oil), heat, section.integration),

@@ -1,9 +1,8 @@
 """Contacts whose oil thins under shear and heats up, by a generalized Reynolds equation.
 
-From the Newtonian film of uniform temperature to that of an oil that thins and heats up.
-
 With an oil whose viscosity falls a millionfold under shear, cycles with frozen coefficients
 diverge from a pressure that is far from the solution and converge from one that is close to it.
+Hence:
 
 1. Solve the Newtonian film.
 2. On the finest grid, raise the fraction of rheology and heat (`flow.Continuation`) from zero
@@ -90,6 +89,18 @@ TEMPERATURE_RELAXATION = 0.3  # +8, -4 with heat
 CHANGE_FRACTION = 0.05
 # largest change in a cycle [K] at which cycles are accelerated; none
 REST_TEMPERATURE_CHANGE = 1.0
+
+# fraction of the columns that may stay unsolved or over the limiting stress, measured: they lie at
+# the edge of the cavity, where hardly anything flows
+UNSOLVED_FRACTION = 0.005
+# error bar of the film by twelve nodes across it: a fraction, and one times the fourth power of
+# what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power thicker than on
+# 36 nodes, on which up to a fifth as much is left
+SECTION_FRACTION = 5e-4
+SECTION_ERROR = 0.55
+# error bar of the film for each kelvin by which the heat of a film at rest still changes: where
+# the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
+UNCONVERGED_HEAT_ERROR = 3e-4
 
 
 def solve_by_continuation(
@@ -321,19 +332,6 @@ def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmVa
     return FilmValue(value=ratio * plain.value, uncertainty=uncertainty, finest=finest)
 
 
-# fraction of the columns that may stay unsolved or over the limiting stress, measured: they lie at
-# the edge of the cavity, where hardly anything flows
-UNSOLVED_FRACTION = 0.005
-# error bar of the film by twelve nodes across it: a fraction, and one times the fourth power of
-# what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power thicker than on
-# 36 nodes, on which up to a fifth as much is left
-SECTION_FRACTION = 5e-4
-SECTION_ERROR = 0.55
-# error bar of the film for each kelvin by which the heat of a film at rest still changes: where
-# the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
-UNCONVERGED_HEAT_ERROR = 3e-4
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GeneralizedSolution:
     """One contact with its oil's rheology and heat; fields on the grid of `contact`."""
@@ -549,13 +547,13 @@ def _checked(
     if state is None:
         return contact, state
     few = UNSOLVED_FRACTION * contact.P.size
-    over = f"the limiting stress is below h/2 grad p at {state.over_limit_columns} columns"
+    over = f"limiting stress is below h/2 grad p at {state.over_limit_columns} columns"
     if not contact.converged:
         if state.over_limit_columns:
-            contact = replace(contact, message=f"{contact.message}; {over} of the last cycle")
+            contact = replace(contact, message=f"{contact.message}; the {over} of the last cycle")
         return contact, state
     if state.over_limit_columns > few:
-        reason = f"{over}, where no oil of that law flows steadily"
+        reason = f"the {over}, where no oil of that law flows steadily"
     elif not state.change <= FLOW_TOLERANCE:
         changed = f"shear and heat changed the flow by {state.change:.1e} in the last cycle"
         reason = f"{changed}; try more cycles"

@@ -1,4 +1,5 @@
-"""Compiled linear systems of the line relaxation, LANES lines at once.
+"""Compiled Reynolds equation: its residual, and the linear systems of the line relaxation, LANES
+lines at once.
 
 The lines stand side by side, a number of each in one register: what belongs to a node is a row of
 COLUMNS fields of LANES numbers each. Rows and fields lie at distances that the compiler knows, and
@@ -13,6 +14,39 @@ from ..compiled import compiled
 from ..oil._kernels import copy, exponential, logarithm
 
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
+
+LANES = 8  # lines solved at once, as many as fit a register of 512 bits
+LOWER = 4  # sub-diagonals of the line system
+UPPER = 3  # super-diagonals of the line system
+WIDTH = LOWER + UPPER + 1
+REACH = LOWER + 3  # kernel entries needed
+# places at which the fields of a node begin in its row, after the WIDTH diagonals
+RIGHT = WIDTH * LANES  # right-hand side, in the end the solution
+EPS = (WIDTH + 1) * LANES
+SIDES = (WIDTH + 2) * LANES  # sum of eps in the two next lines
+FLOW = (WIDTH + 3) * LANES
+DENSITY = (WIDTH + 4) * LANES  # H times the derivative of the flow by P
+GAUSS = (WIDTH + 5) * LANES  # one where the node is Gauss-Seidel, else zero
+SPREAD = (WIDTH + 6) * LANES  # one where it is Jacobi, else zero
+# minus the derivative of d_Y(flow H) by the film of this line and the two upstream, and by P
+LATERAL = (WIDTH + 7) * LANES
+# behind a node that its oil does not fill: one, and the share of that oil that leaves along the
+# line
+FRONT = (WIDTH + 11) * LANES
+SHARE = (WIDTH + 12) * LANES
+# oil that a node stores over time: derivative by the film, and by the pressure at that film
+STORED = (WIDTH + 13) * LANES
+STORED_BY_PRESSURE = (WIDTH + 14) * LANES
+COLUMNS = WIDTH + 15
+ROW = COLUMNS * LANES
+# the row of the node in a window, and the numbers of a window
+HERE = LOWER * ROW
+WINDOW = (LOWER + 1 + LOWER) * ROW
+
+# kinds of nodes: how the relaxation changes them
+FIXED = 0
+GAUSS_SEIDEL = 1
+JACOBI = 2
 
 
 @compiled
@@ -107,7 +141,7 @@ def operator_of_line(P, north, south, eps, eps_north, eps_south, flow, H, hx, hy
         along = (eps[i + 1] + e) * (P[i + 1] - P[i]) - (e + eps[i - 1]) * (P[i] - P[i - 1])
         across = (eps_north[i] + e) * (north[i] - P[i]) - (e + eps_south[i]) * (P[i] - south[i])
         out[i] = cx * along + cy * across
-    # as `_along`, both sides of a node at hand
+    # sums of `_along`, both sides of a node at hand
     for k in range(P.size - 4):
         own = 1.5 * flow[k + 2] * H[k + 2]
         before = own - 2.0 * flow[k + 1] * H[k + 1] + 0.5 * flow[k] * H[k]
@@ -153,35 +187,6 @@ def residual_sums(P, H, residual, flow_x, flow_y, hx, hy):
                 balance += residual[j, i]
                 divergence += abs(couette)
     return size, balance, divergence
-
-
-LANES = 8  # lines solved at once, as many as fit a register of 512 bits
-LOWER = 4  # sub-diagonals of the line system
-UPPER = 3  # super-diagonals of the line system
-WIDTH = LOWER + UPPER + 1
-REACH = LOWER + 3  # kernel entries needed
-# where the fields of a node begin in its row, after the WIDTH diagonals
-RIGHT = WIDTH * LANES  # right-hand side, in the end the solution
-EPS = (WIDTH + 1) * LANES
-SIDES = (WIDTH + 2) * LANES  # sum of eps in the two next lines
-FLOW = (WIDTH + 3) * LANES
-DENSITY = (WIDTH + 4) * LANES  # H times the derivative of the flow by P
-GAUSS = (WIDTH + 5) * LANES  # one where the node is Gauss-Seidel, else zero
-SPREAD = (WIDTH + 6) * LANES  # one where it is Jacobi, else zero
-# minus the derivative of d_Y(flow H) by the film of this line and the two upstream, and by P
-LATERAL = (WIDTH + 7) * LANES
-# behind a node that its oil does not fill: one, and the share of that oil that leaves along the
-# line
-FRONT = (WIDTH + 11) * LANES
-SHARE = (WIDTH + 12) * LANES
-# of what a node stores over time: its derivative by the film, and by the pressure at that film
-STORED = (WIDTH + 13) * LANES
-STORED_BY_PRESSURE = (WIDTH + 14) * LANES
-COLUMNS = WIDTH + 15
-ROW = COLUMNS * LANES
-# the row of the node in a window, and the numbers of a window
-HERE = LOWER * ROW
-WINDOW = (LOWER + 1 + LOWER) * ROW
 
 
 @compiled
@@ -476,12 +481,6 @@ def solve_lines(work, lanes, lines, mesh, weights, reversing, backward, flow_y, 
         _substitute(work[(LOWER + i) * ROW : (LOWER + i) * ROW + WINDOW], lanes)
 
 
-# kinds of nodes: how the relaxation changes them
-FIXED = 0
-GAUSS_SEIDEL = 1
-JACOBI = 2
-
-
 @compiled
 def _line_residual(j, P, H, eps, flow_x, flow_y, f, storage, hx, hy, residual):
     """f - L(P) at the nodes of line j, with what they store over time."""
@@ -546,7 +545,7 @@ def _interleave(eps, flow, slope, H, residual, kinds, start, stop, work):
 
 @compiled
 def _interleave_fill(empty, share, start, stop, work):
-    """As `_interleave`, of the nodes whose oil does not fill the gap, at the nodes behind them."""
+    """Interleave the nodes whose oil does not fill the gap, at the nodes behind them."""
     for j in range(start, stop, 2):
         lane = (j - start) // 2
         for i in range(1, empty.shape[1]):
@@ -558,8 +557,8 @@ def _interleave_fill(empty, share, start, stop, work):
 
 @compiled
 def _interleave_lateral(flow, slope, H, hy, kinds, empty, start, stop, work):
-    """As `_interleave`, of the flow across the lines: zero where the stencil leaves the grid, and
-    at fixed nodes; without what enters from a node whose oil does not fill the gap.
+    """Interleave the flow across the lines: zero where the stencil leaves the grid, and at fixed
+    nodes; without what enters from a node whose oil does not fill the gap.
     """
     for i in range(1, H.shape[1] - 1):
         row = work[(LOWER + i) * ROW + LATERAL : (LOWER + i + 1) * ROW]
@@ -581,7 +580,7 @@ def _interleave_lateral(flow, slope, H, hy, kinds, empty, start, stop, work):
 
 @compiled
 def _interleave_storage(storage, H, kinds, start, stop, work):
-    """As `_interleave`, of what nodes store over time; nothing at fixed nodes."""
+    """Interleave the oil that nodes store over time; nothing at fixed nodes."""
     for j in range(start, stop, 2):
         lane = (j - start) // 2
         for i in range(1, H.shape[1] - 1):

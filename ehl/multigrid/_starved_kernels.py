@@ -1,5 +1,5 @@
 """Compiled flow of a contact whose inlets carry a layer of oil: what each node passes on, in one
-pass downstream; see `starved` for the equations and `_kernels` for the layout of arrays.
+pass downstream; see `starved` for the equations and `_reynolds_kernels` for the layout of arrays.
 
 A node's faces are the ones its oil leaves by: along the line, at i + 1/2, and across the lines, at
 j + 1/2 or j - 1/2 by the sign of the velocity there.
@@ -110,9 +110,9 @@ def _full_faces(j, i, up, flow_x, flow_y, H):
 def march_columns(
     P, H, eps, flow_x, flow_y, f, layer, hx, hy, along, across, share, residual, empty
 ):
-    """As `march_lines`, with oil flowing across the lines, too: column after column, and down each
-    of them with its flow. share: of the oil leaving each node that leaves along the line; zero at
-    full nodes.
+    """March as `march_lines`, with oil flowing across the lines, too: column after column, and
+    down each of them with its flow. share: of the oil leaving each node that leaves along the
+    line; zero at full nodes.
     """
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
     ny, nx = P.shape

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..grid import Grid, full_weighting, inject, interpolate_cubic, interpolate_linear
-from ..oil import _kernels as properties
+from ..oil import _kernels as oil_kernels
 from ..oil.lubricant import log_viscosity_ratio, oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import deflect
@@ -166,7 +166,7 @@ def _oil(state: Multigrid, level: Level) -> None:
         law = partial(_reynolds_kernels.flow_properties, level.P, level.H, *viscosity, *density)
     else:
         numbers = oil_numbers(c.oil)
-        law = partial(properties.flow_properties, level.P, level.H, c.hertz_pressure, numbers)
+        law = partial(oil_kernels.flow_properties, level.P, level.H, c.hertz_pressure, numbers)
     lines = partial(law, *level.factors.follows, c.speed, level.eps, level.flow_x, level.slope_x)
     state.threads.run(lines, range(level.grid.ny), level.P.size)
 
@@ -190,7 +190,7 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
     if c.oil is not None:
         return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
     ratio = c.viscosity_pressure * np.maximum(P, 0.0)
-    return c.viscosity_slope * (properties.roelands_rise(ratio, c.viscosity_exponent) - 1.0)
+    return c.viscosity_slope * (oil_kernels.roelands_rise(ratio, c.viscosity_exponent) - 1.0)
 
 
 def relax(state: Multigrid, index: int) -> None:

@@ -1,7 +1,5 @@
-"""Film values of a solve with their error bars, and its status: converged, resolved, and the
-message that explains why not.
-
-Grid-converged films with error bars from the levels of one contact.
+"""Film values of a solve, extrapolated from its levels, with their error bars, and its status:
+converged, resolved, and the message that explains why not.
 """
 
 from collections.abc import Sequence
@@ -31,9 +29,16 @@ UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
 LARGEST_FALL = 0.25  # over the film, beyond which none is extrapolated: the finest value stands
 # relative error by cycles and equations above which a level below says nothing: a third of it
-# alone passes the bar of a resolved film (`verdict.LARGEST_BAR`)
+# alone passes the bar of a resolved film (`LARGEST_BAR`)
 UNKNOWN_ORDER_FRACTION = 0.45
 SINGLE_LEVEL_ERROR = 4.0  # over Hmin/(S hx^2): relative bar of a level alone
+
+LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
+CALIBRATED_LUBRICANT = 30.0  # L of the contacts that the error bars were chosen on, at most
+# factor on the bars beyond: of 17 films at L 30 to 60 four were off by 1 to 2.1 bars, of 18 others
+# two by 1.5 and 2.2
+BEYOND_CALIBRATION = 2.2
+LARGEST_DIP = 0.1  # by which the film may fall below its smallest node, over that minimum [-]
 
 
 def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = False) -> FilmValue:
@@ -164,14 +169,6 @@ def second_order(films: Sequence[float], noise: float) -> FilmValue:
     step = (finest - films[-2]) / ORDER_STEP
     bar = ORDER_STEP * abs(step) + noise * abs(finest)
     return FilmValue(value=finest + step, uncertainty=bar, finest=finest)
-
-
-LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
-CALIBRATED_LUBRICANT = 30.0  # L of the contacts that the error bars were chosen on, at most
-# factor on the bars beyond: of 17 films at L 30 to 60 four were off by 1 to 2.1 bars, of 18 others
-# two by 1.5 and 2.2
-BEYOND_CALIBRATION = 2.2
-LARGEST_DIP = 0.1  # by which the film may fall below its smallest node, over that minimum [-]
 
 
 def film_value(result: AttemptResult, kind: int) -> FilmValue:

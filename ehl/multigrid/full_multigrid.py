@@ -1,17 +1,11 @@
-"""Full multigrid of one contact, Venner and Lubrecht (2000): levels for a box, and a list of
-attempts with other settings where one fails.
+"""Full multigrid of one contact, Venner and Lubrecht (2000): the open box of its film and load,
+the levels, and a list of attempts with other settings where one fails.
 
-Nonlinear Krylov acceleration of the multigrid cycle, for cycles that converge slowly or
-oscillate.
-
-The cycle is a fixed-point map x -> g(x) of x = (P, H0). Anderson (1965) takes the combination of
-the last cycles whose residual g(x) - x would be the smallest if the map were linear (Walker and
-Ni, 2011): GMRES on the linearised equations with the cycle as preconditioner, without derivatives.
-
-Cycles on one level until its film is at rest, each undone and repeated with more damping where
-it diverges.
-
-The open box of a contact: from its film by formula, and wide enough for its load.
+On a level cycles run until the film is at rest; a cycle that diverges is undone and repeated with
+more damping. Cycles that converge slowly or oscillate are accelerated: the cycle is a fixed-point
+map x -> g(x) of x = (P, H0). Anderson (1965) takes the combination of the last cycles whose
+residual g(x) - x would be the smallest if the map were linear (Walker and Ni, 2011): GMRES on the
+linearised equations with the cycle as preconditioner, without derivatives.
 """
 
 from collections.abc import Iterator
@@ -43,6 +37,66 @@ from .threads import Threads
 
 DEPTH = 6  # cycles in the combination
 CONDITION = 1e-8  # relative singular value below which a direction is dropped
+
+MORE_CYCLES = 3  # times those allowed, on a finest level that is nearing its solution then
+LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
+# pressure P above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
+PRESSURE_LIMIT = 40.0
+# growth of the residual in one cycle above which it has, too, if the equations no longer hold
+GROWTH_LIMIT = 10.0
+# on a level, before the cycles are accelerated; those that swing are from the second on
+PLAIN_CYCLES = 5
+DIVERGED = (inf, inf)  # in place of residual and mass imbalance after a cycle
+# between two evaluations of a flow model, which costs several: 12 contacts with heat took 18 s of
+# processor with one, 14 with two. The continuation has one: with two an Eyring film of 17 m/s on
+# 257 points, which rolls, stayed at a residual of 5e-4
+FLOW_CYCLES = 2
+HALVINGS = 3  # of the damping on one level before it counts as diverged
+
+Snapshot = tuple[Array, float, float, float]
+
+# along x on the coarsest grid, which may be far too coarse for the film: it only balances the load
+COARSEST_CELLS = 16
+# full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
+STARTING_MESH = (0.2, 0.55)
+COARSE_LEVEL_CYCLES = 12  # most cycles on the other levels below the finest
+# Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
+MIN_FINENESS = 1.0
+FLOW_STRICTNESS = 2.5  # on what cycles leave with a flow model on levels below the finest
+# load reached in steps: cycles under each lighter load, on the first level with Hc/(S hx^2) above
+# the last; 15 to 36 there and in the six hardest of 1000 random contacts
+STEP_CYCLES = 5
+STEP_FINENESS = 15.0
+ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
+# deflections after which no further attempt is made, of the finest mesh or of the second, which
+# takes a minute for them, if that is finer; and those that an attempt is counted for in advance
+MAX_WORK = 300
+WORK_MESH = 1025**2  # [nodes]
+ATTEMPT_WORK = 60
+# the origin is a node of the level with this many cells along x, and of all finer ones
+ORIGIN_CELLS = 32
+
+TOO_MUCH_WORK = "not tried, too much work"
+CAUTIOUS = replace(Damping().halved(), switch=1.5)
+
+Box = tuple[float, float, float]
+
+# Open box in Hertz half-extents: root of the sum of a square and a factor on film/curvature, the
+# square of a length of the gap; `python benchmarks/open_box.py` halves and doubles each
+INLET = (2.5, 169.0)
+OUTLET = (1.35, 2.0)
+SIDE = (1.6, 40.0, 120.0)  # the last times v^2, as an oblique side is an inlet, too
+EXTERIOR_FRACTION = 0.1  # of the load; a box is widened until less than this lies outside
+LARGEST_WIDENING = 4.0
+# interval of the widening around 1, in which a box changes from one of its film to one of its load
+# without a bend, which splines over the load of tables would not follow
+TRANSITION = 0.15
+# over the share of the load outside, by boxes of twice the size around 90 random contacts:
+# relative error of the films, that of H0 over 1 + Hc, and what the square of the rotation's speed
+# over u_m at b (1 + 2 Hc/(T b^2)) adds to both, T the gap's curvature across; a film without end
+# that is turned has no limit
+BOX_ERROR = 0.02
+BOX_ERROR_ROTATION = 5.0
 
 
 @dataclass(slots=True, kw_only=True)
@@ -88,22 +142,6 @@ class Acceleration:
 
 def _vector(state: tuple[Array, float], weight: float) -> Array:
     return np.append(state[0].ravel(), weight * state[1])
-
-
-MORE_CYCLES = 3  # times those allowed, on a finest level that is nearing its solution then
-LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
-# pressure P above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
-PRESSURE_LIMIT = 40.0
-# growth of the residual in one cycle above which it has, too, if the equations no longer hold
-GROWTH_LIMIT = 10.0
-# on a level, before the cycles are accelerated; those that swing are from the second on
-PLAIN_CYCLES = 5
-DIVERGED = (inf, inf)  # in place of residual and mass imbalance after a cycle
-# between two evaluations of a flow model, which costs several: 12 contacts with heat took 18 s of
-# processor with one, 14 with two. The continuation has one: with two an Eyring film of 17 m/s on
-# 257 points, which rolls, stayed at a residual of 5e-4
-FLOW_CYCLES = 2
-HALVINGS = 3  # of the damping on one level before it counts as diverged
 
 
 @dataclass(slots=True, kw_only=True)
@@ -223,9 +261,6 @@ def guarded_cycles(
         yield equations
 
 
-Snapshot = tuple[Array, float, float, float]
-
-
 def snapshot(state: Multigrid, index: int) -> Snapshot:
     """Copy the fields of a level that a cycle changes, for `restore`.
 
@@ -295,28 +330,6 @@ def guarded_cycle(
     return equations
 
 
-# along x on the coarsest grid, which may be far too coarse for the film: it only balances the load
-COARSEST_CELLS = 16
-# full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
-STARTING_MESH = (0.2, 0.55)
-COARSE_LEVEL_CYCLES = 12  # most cycles on the other levels below the finest
-# Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
-MIN_FINENESS = 1.0
-FLOW_STRICTNESS = 2.5  # on what cycles leave with a flow model on levels below the finest
-# load reached in steps: cycles under each lighter load, on the first level with Hc/(S hx^2) above
-# the last; 15 to 36 there and in the six hardest of 1000 random contacts
-STEP_CYCLES = 5
-STEP_FINENESS = 15.0
-ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
-# deflections after which no further attempt is made, of the finest mesh or of the second, which
-# takes a minute for them, if that is finer; and those that an attempt is counted for in advance
-MAX_WORK = 300
-WORK_MESH = 1025**2  # [nodes]
-ATTEMPT_WORK = 60
-# the origin is a node of the level with this many cells along x, and of all finer ones
-ORIGIN_CELLS = 32
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Attempt:
     """Settings of one attempt to solve a contact."""
@@ -384,8 +397,6 @@ class AttemptResult:
         return not self.converged, self.error
 
 
-TOO_MUCH_WORK = "not tried, too much work"
-CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
     Attempt(name="plain", damping=Damping()),
     Attempt(
@@ -772,26 +783,6 @@ def _heavier(before: Multigrid, index: int, contact: ScaledContact) -> Multigrid
     state.approach = fraction * before.approach - (1.0 - fraction) * float(level.H.min())
     start_level(state, index, fraction * lighter + (1.0 - fraction) * dry)
     return state
-
-
-Box = tuple[float, float, float]
-
-# Open box in Hertz half-extents: root of the sum of a square and a factor on film/curvature, the
-# square of a length of the gap; `python benchmarks/open_box.py` halves and doubles each
-INLET = (2.5, 169.0)
-OUTLET = (1.35, 2.0)
-SIDE = (1.6, 40.0, 120.0)  # the last times v^2, as an oblique side is an inlet, too
-EXTERIOR_FRACTION = 0.1  # of the load; a box is widened until less than this lies outside
-LARGEST_WIDENING = 4.0
-# interval of the widening around 1, in which a box changes from one of its film to one of its load
-# without a bend, which splines over the load of tables would not follow
-TRANSITION = 0.15
-# over the share of the load outside, by boxes of twice the size around 90 random contacts:
-# relative error of the films, that of H0 over 1 + Hc, and what the square of the rotation's speed
-# over u_m at b (1 + 2 Hc/(T b^2)) adds to both, T the gap's curvature across; a film without end
-# that is turned has no limit
-BOX_ERROR = 0.02
-BOX_ERROR_ROTATION = 5.0
 
 
 def choose_domain(contact: ScaledContact) -> Box:

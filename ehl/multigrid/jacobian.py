@@ -39,6 +39,8 @@ FILM_STEP = 1e-5
 # weights of the near field by the distance in nodes across and along the lines
 TAPER = (1.0, 0.5)
 
+Entry = tuple[Integers | int, Integers | int, Array]  # steps across and along, value at each node
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Linearisation:
@@ -347,9 +349,6 @@ def near_field(lin: Linearisation) -> sparse.csr_matrix:
     by_film = by_eps @ sparse.diags(lin.eps_by_film.ravel())
     by_film = by_film - wedge - sparse.diags(lin.edge_by_film.ravel())
     return (by_pressure + by_film @ _near_kernel(lin)).tocsr()
-
-
-Entry = tuple[Integers | int, Integers | int, Array]  # steps across and along, value at each node
 
 
 @dataclass(frozen=True, slots=True)

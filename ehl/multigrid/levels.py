@@ -1,10 +1,8 @@
-"""Levels of one contact: their grids, fields and workspace, and what they share.
+"""Levels of one contact: their grids, fields and workspace, and the flow model that they share.
 
-Flow of an oil as factors on the terms of Reynolds' equation for a Newtonian oil of uniform
-temperature.
-
-With the factors f on the Poiseuille term and the velocities (u, v) of the Couette terms the
-solver's equation is
+The flow of any oil is that of a Newtonian oil of uniform temperature with factors on the terms of
+Reynolds' equation. With the factors f on the Poiseuille term and the velocities (u, v) of the
+Couette terms the solver's equation is
 
     d_X(f eps d_X P) + d_Y(f eps d_Y P) - d_X(rho u H) - d_Y(rho v H) = 0,
 

@@ -4,14 +4,13 @@ resort where cycles fail.
 Unknowns are the pressure at all nodes and H0; the discrete equations are those of the cycles, with
 upstream wedge, pressure on an open edge and exterior load. Cavitation is the semi-smooth equation
 min(P, -L/d) = 0, d > 0 the diagonal: a step sets P = 0 where P + L/d <= 0 and L = 0 at the other
-nodes (Hintermueller, Ito and Kunisch, 2002). Its linear system is solved by GMRES, the deflection
-by FFT, with sparse factors of the near field as preconditioner, which are kept while they serve.
+nodes (Hintermueller, Ito and Kunisch, 2002).
 
-Bordered linear systems [A b; w^T c] [p; h] = [f; g]: a pressure p and the approach h.
-
-A holds the deflection of all nodes by all others and is known by its action only. GMRES (Saad and
+In the bordered linear systems [A b; w^T c] [p; h] = [f; g] of a pressure p and the approach h, A
+holds the deflection of all nodes by all others and is known by its action only. GMRES (Saad and
 Schultz, 1986) solves the system; the preconditioner is the same system with A replaced by its near
-field, a sparse matrix, factored directly (SuperLU) and bordered by block elimination.
+field, a sparse matrix, factored directly (SuperLU), kept while it serves, and bordered by block
+elimination.
 """
 
 from collections.abc import Callable
@@ -36,6 +35,28 @@ RESTART = 80
 RESTARTS = 3
 PIVOT = 0.01  # of an ordering that is given: smallest diagonal taken as a pivot, over its column
 LEAF = 60  # nodes that are not dissected further
+
+# Beside each number what it changes, in sums over six contacts at 129 and 257 points, one of them
+# from a Hertz pressure, the others after one to four cycles: deflections, then factorisations.
+# of the residual, of the load and of the edge pressure [-]; round-off leaves 1e-13 to 1e-11
+TOLERANCE = 1e-8
+MAX_NODES = 300_000  # factors of more take gigabytes: 513 points with both halves have fewer
+STEPS = 30  # 26 were needed at most by contacts that came to the tolerance
+LINEAR_TOLERANCE = 1e-2  # of each step: a third 2 % less, 5 % more; three times 1 % less, 5 % less
+PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]: half 4 % more, double no change
+LARGEST_FILM_LOSS = 0.7  # of the film in a step: half 1 % less, 0.9 no change
+# the factors serve again if no pressure changed by more [-]: 0.02 7 % less, 25 % more; 0.1 1 %
+# more, 6 % less
+REUSE_STEP = 0.05
+# and if GMRES took no more products: half 3 % less, 55 % more; double 21 % more, 10 % less
+REUSE_PRODUCTS = 15
+
+# residual at which a contact that is to be differentiated counts as solved [-]: at the solver's
+# own stop stiffness and damping are 0.02 and 0.2 % off, at 1e-6 by less than 1e-5
+POLISHED = 1e-6
+POLISHING_STEPS = 4  # 2 were needed at most by solved contacts
+
+Films = tuple[float, float]  # central and minimum film [-]
 
 
 class LinearSolverError(Exception):
@@ -235,30 +256,6 @@ def _dissect(
     for half in (nodes[:first], nodes[stop:]):
         _dissect(np.moveaxis(half, 0, axis), separator, parts)
     parts.append(nodes[first:stop].ravel())
-
-
-# Beside each number what it changes, in sums over six contacts at 129 and 257 points, one of them
-# from a Hertz pressure, the others after one to four cycles: deflections, then factorisations.
-# of the residual, of the load and of the edge pressure [-]; round-off leaves 1e-13 to 1e-11
-TOLERANCE = 1e-8
-MAX_NODES = 300_000  # factors of more take gigabytes: 513 points with both halves have fewer
-STEPS = 30  # 26 were needed at most by contacts that came to the tolerance
-LINEAR_TOLERANCE = 1e-2  # of each step: a third 2 % less, 5 % more; three times 1 % less, 5 % less
-PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]: half 4 % more, double no change
-LARGEST_FILM_LOSS = 0.7  # of the film in a step: half 1 % less, 0.9 no change
-# the factors serve again if no pressure changed by more [-]: 0.02 7 % less, 25 % more; 0.1 1 %
-# more, 6 % less
-REUSE_STEP = 0.05
-# and if GMRES took no more products: half 3 % less, 55 % more; double 21 % more, 10 % less
-REUSE_PRODUCTS = 15
-
-
-# residual at which a contact that is to be differentiated counts as solved [-]: at the solver's
-# own stop stiffness and damping are 0.02 and 0.2 % off, at 1e-6 by less than 1e-5
-POLISHED = 1e-6
-POLISHING_STEPS = 4  # 2 were needed at most by solved contacts
-
-Films = tuple[float, float]  # central and minimum film [-]
 
 
 @dataclass(slots=True)

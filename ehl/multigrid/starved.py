@@ -1,4 +1,5 @@
-"""Conservation of mass where the oil does not fill the gap.
+"""Conservation of mass where the oil does not fill the gap, its derivative, and the lines of a
+grid: threads that share them, transfers between a grid and the one of doubled mesh size.
 
 With q = rho u H, the flow of the full gap, every node passes on F through its outgoing face, at
 i + 1/2 for u > 0:
@@ -10,16 +11,14 @@ i + 1/2 for u > 0:
 
 P >= 0, F <= G, P (G - F) = 0: the complementarity of Jakobsson, Floberg and Olsson with Elrod's
 (1981) filled share theta = F/G, which belongs to the face and is never stored. Where the gap is
-full F_i - F_{i-1} is the difference (3, -4, 1)/2 of `_kernels`; where a node fills or ruptures
-both branches have the same F, so that the flux is a continuous function of the pressure. Along a
-line all F follow from P, H and f in one pass downstream. With flow across the lines a node that is
-not full has two outgoing faces: its oil leaves in the ratio of the velocities, that of a nearly
-full one in the ratio of the full gaps.
+full F_i - F_{i-1} is the difference (3, -4, 1)/2 of `_reynolds_kernels`; where a node fills or
+ruptures both branches have the same F, so that the flux is a continuous function of the pressure.
+Along a line all F follow from P, H and f in one pass downstream. With flow across the lines a node
+that is not full has two outgoing faces: its oil leaves in the ratio of the velocities, that of a
+nearly full one in the ratio of the full gaps.
 
-Derivative of the flux behind a layer of oil, at a solution with its empty nodes.
-
-The march of `starved` along the lines, differentiated, with C' the change of the oil that a node
-holds in a movement as exp(i omega T), and f' a source:
+The march along the lines, differentiated at a solution with its empty nodes, with C' the change of
+the oil that a node holds in a movement as exp(i omega T), and f' a source:
 
     full        F_i' = (3 q_i' - q_{i-1}')/2,       q' = u C',  C' = (rho H)'
     not full    F_i' = F_{i-1}' + h_x (Pois_i' - f_i' - i omega C_i'),   P_i' = 0,  C_i' = F_i'/u,
@@ -46,6 +45,8 @@ from ..grid import Grid, inject
 from ..oil.lubricant import InletLayer
 from . import _starved_kernels
 from .threads import Threads
+
+Numbers = NDArray[Any]  # real or complex
 
 
 @dataclass(slots=True, kw_only=True)
@@ -286,9 +287,6 @@ def oil_imbalance(film_content: FilmContent, residual: Array, grid: Grid) -> flo
     entering = inlet_flow(film_content, grid)
     lost = grid.integral(residual)
     return lost / entering if entering > 0.0 else np.inf
-
-
-Numbers = NDArray[Any]  # real or complex
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -24,6 +24,37 @@ WHOLE_BITS = (BIAS + DIGITS) << DIGITS
 OFFSET = 2048
 ROOT_HALF_BITS = 0x3FE6A09E667F3BCD  # of sqrt(1/2)
 
+# codes of the laws
+ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI, MODULUS, SCALED = range(7)
+INCOMPRESSIBLE, DOWSON_HIGGINSON, TAIT = range(3)
+CONSTANT_HEAT, FITTED_HEAT, VOLUME_HEAT = range(3)
+# columns of the array of an oil: codes of its laws, values at ambient pressure and the temperature
+# of operation; then where the constants of each law begin
+VISCOSITY_LAW, DENSITY_LAW, VISCOSITY, DENSITY, OPERATION, BETA, EXPANSION = range(7)
+V = 7  # of the viscosity law
+T = 16  # of Tait's equation of state
+H = 21  # of the heat under pressure: code of its law, constants
+D = 33  # of Dowson and Higginson's density
+SIZE = 35
+EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
+SMALLEST_WARMTH = 1e-3  # of (T - T_v)/(T_0 - T_v), iterates may fall below the end of a law [-]
+SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
+
+law = register_jitable(error_model="numpy")
+
+# codes of the base laws
+NEWTONIAN = 0
+REE_EYRING = 1
+CARREAU_YASUDA = 2
+# largest argument of exponentials: keeps the rate finite at stresses that only occur while
+# iterating
+LARGEST_ARGUMENT = 300.0
+LIMIT_POWER = 32  # m of the limiting stress on other laws than Newton's [-]
+LIMIT_ROOTS = 5  # square roots in a row that are the m-th root [-]
+SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
+FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
+NEWTON_STEPS = 30
+
 
 @compiled
 def copy(source, target):
@@ -104,25 +135,6 @@ def logarithm(x):
     """`logarithm_of` in place of numbers x (n,)."""
     for i in range(x.size):
         x[i] = logarithm_of(x[i])
-
-
-# codes of the laws
-ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI, MODULUS, SCALED = range(7)
-INCOMPRESSIBLE, DOWSON_HIGGINSON, TAIT = range(3)
-CONSTANT_HEAT, FITTED_HEAT, VOLUME_HEAT = range(3)
-# columns of the array of an oil: codes of its laws, values at ambient pressure and the temperature
-# of operation; then where the constants of each law begin
-VISCOSITY_LAW, DENSITY_LAW, VISCOSITY, DENSITY, OPERATION, BETA, EXPANSION = range(7)
-V = 7  # of the viscosity law
-T = 16  # of Tait's equation of state
-H = 21  # of the heat under pressure: code of its law, constants
-D = 33  # of Dowson and Higginson's density
-SIZE = 35
-EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
-SMALLEST_WARMTH = 1e-3  # of (T - T_v)/(T_0 - T_v), iterates may fall below the end of a law [-]
-SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
-
-law = register_jitable(error_model="numpy")
 
 
 @law
@@ -477,19 +489,6 @@ def flow_properties(
             eps[j, i] = density * h * h * h / speed * np.exp(thinner)
 
 
-# codes of the base laws
-NEWTONIAN = 0
-REE_EYRING = 1
-CARREAU_YASUDA = 2
-# of exponentials: keeps the rate finite at stresses that only occur while iterating
-LARGEST_ARGUMENT = 300.0
-LIMIT_POWER = 32  # m of the limiting stress on other laws than Newton's [-]
-LIMIT_ROOTS = 5  # square roots in a row that are the m-th root [-]
-SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
-FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
-NEWTON_STEPS = 30
-
-
 @law
 def limiting_stress(
     pressure, temperature, limit_coefficient, limit_stress, limit_slope, limit_temperature,
@@ -583,7 +582,7 @@ def limited_stresses(tau, limit, law, out):
 
 @compiled
 def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
-    """As `shear_stress`, with its derivative by the rate [Pa s]."""
+    """Stress as `shear_stress`, with its derivative by the rate [Pa s]."""
     if law == REE_EYRING:
         return eyring_stress_slope(rate, viscosity, limit, stress)
     tau = viscosity * rate
@@ -600,7 +599,7 @@ def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
 
 @compiled
 def eyring_stress_slope(rate, viscosity, limit, stress):
-    """As `shear_stress_slope` of Ree and Eyring's law."""
+    """Stress and slope as `shear_stress_slope` of Ree and Eyring's law."""
     tau, slope = eyring_slope(rate, viscosity, stress)
     return limited_slope(tau, slope, limit)
 

@@ -1,12 +1,9 @@
-"""Lubricant: density and viscosity over pressure, and over temperature with thermal data.
+"""A lubricant: density, viscosity, conductivity and heat capacity over pressure and, with thermal
+data, over temperature, and the layer of it that both surfaces carry into a contact.
 
-Layer of oil that both surfaces together carry into a contact.
-
-Conductivity and heat capacity of an oil under pressure and temperature, over those at ambient
-pressure and the temperature of operation.
-
-Viscosity under pressure by a modulus that grows with it, and by thermodynamic scaling. The
-constants belong to one oil and come with a source: none has a default.
+Conductivity and heat capacity count over those at ambient pressure and the temperature of
+operation. The constants of the laws by a modulus that grows with pressure, and by thermodynamic
+scaling, belong to one oil and come with a source: none has a default.
 """
 
 from dataclasses import astuple, dataclass
@@ -29,6 +26,32 @@ from .free_volume import (
     relative_volume,
     yasutomi_constants,
 )
+
+CAPACITY_POWER = -4.0  # of the volume in rho c, Habchi and Bair [-]
+
+ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
+# Layer at flooded inlets [m], assumed: the order of what a ball of a 6208 carries along against
+# the centrifugal acceleration, (eta u/(rho g))^(1/2) with u^2/r for g (after Derjaguin, 1943).
+# Half and double of it change the rolling torque of 6208_full_ceramic by -8 and +7 %.
+FLOODED_LAYER = 1e-4
+# ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
+ROELANDS_LOG_OFFSET = 9.67
+ROELANDS_TEMPERATURE = 138.0  # [K], -135 degrees Celsius, Roelands (1966)
+# least excess of the temperature of operation over Roelands' lowest in the array of an oil [K];
+# colder oils are refused as soon as their temperature is to vary
+SMALLEST_ROOM = 1e-3
+UNNAMED_TEMPERATURE = 298.15  # of an oil without one, with which nothing varies then [K]
+DOWSON_HIGGINSON_NUMERATOR = 0.6e-9  # [1/Pa], Dowson and Higginson (1966)
+DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9  # [1/Pa], Dowson and Higginson (1966)
+# fraction by which a prescribed coefficient may differ from that of the law's constants
+PRESSURE_VISCOSITY_TOLERANCE = 0.01
+
+# laws whose ln(eta) counts from another viscosity: column of its value at ambient pressure
+AMBIENT_COLUMNS = {
+    _kernels.TAIT_DOOLITTLE: _kernels.V + 4,
+    _kernels.YASUTOMI: _kernels.V + 8,
+    _kernels.SCALED: _kernels.V + 3,
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -105,9 +128,9 @@ class InletLayer:
 class FittedHeat:
     """Constants of conductivity and heat capacity after Larsson and Andersson (2000).
 
-    k = k_0 [1 + c_1 p/(1 + c_2 p)], rho c = (rho
-    c)_0 [1 + a_1 p/(1 + a_2 p)] [1 + b (T - T_R)], b = b_0 (1 + b_1 p + b_2 p^2). Beyond the
-    largest pressure and temperature of their data the values stay.
+    k = k_0 [1 + c_1 p/(1 + c_2 p)], rho c = (rho c)_0 [1 + a_1 p/(1 + a_2 p)] [1 + b (T - T_R)], b
+    = b_0 (1 + b_1 p + b_2 p^2). Beyond the largest pressure and temperature of their data the
+    values stay.
     """
 
     conductivity_1: float  # c_1 [1/Pa]
@@ -131,8 +154,8 @@ class FittedHeat:
 class VolumeHeat:
     """Constants of conductivity and heat capacity after Habchi and Bair.
 
-    k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], and
-    rho c = C_0 + m (T/T_R) (V/V_R)^-4, with the volume of the oil's Tait law.
+    k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], and rho c = C_0 + m (T/T_R) (V/V_R)^-4,
+    with the volume of the oil's Tait law.
     """
 
     conductivity_base: float  # B [W/(m K)]
@@ -145,9 +168,6 @@ class VolumeHeat:
 
     def __post_init__(self) -> None:
         require_positive(self, "conductivity_base", "conductivity_scale", "capacity_base")
-
-
-CAPACITY_POWER = -4.0  # of the volume in rho c, Habchi and Bair [-]
 
 
 def volume_heat(
@@ -294,24 +314,6 @@ def pressure_viscosity_scaled(tait: TaitVolume, law: ScaledVolume, temperature: 
     return law.factor * law.limit * law.exponent * phi / ((phi - law.limit) ** 2 * modulus)
 
 
-ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
-# Layer at flooded inlets [m], assumed: the order of what a ball of a 6208 carries along against
-# the centrifugal acceleration, (eta u/(rho g))^(1/2) with u^2/r for g (after Derjaguin, 1943).
-# Half and double of it change the rolling torque of 6208_full_ceramic by -8 and +7 %.
-FLOODED_LAYER = 1e-4
-# ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
-ROELANDS_LOG_OFFSET = 9.67
-ROELANDS_TEMPERATURE = 138.0  # [K], -135 degrees Celsius, Roelands (1966)
-# of the temperature of operation over Roelands' lowest in the array of an oil [K]; colder oils are
-# refused as soon as their temperature is to vary
-SMALLEST_ROOM = 1e-3
-UNNAMED_TEMPERATURE = 298.15  # of an oil without one, with which nothing varies then [K]
-DOWSON_HIGGINSON_NUMERATOR = 0.6e-9  # [1/Pa], Dowson and Higginson (1966)
-DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9  # [1/Pa], Dowson and Higginson (1966)
-# fraction by which a prescribed coefficient may differ from that of the law's constants
-PRESSURE_VISCOSITY_TOLERANCE = 0.01
-
-
 class ViscosityLaw(Enum):
     """Pressure dependence of the viscosity."""
 
@@ -342,7 +344,7 @@ class ThermalProperties:
     # laws that depend on temperature themselves
     viscosity_temperature: float
     expansion: float = 0.0  # -d(ln rho)/dT [1/K]
-    # of both under pressure and over temperature; None: k and c constant
+    # change of both under pressure and over temperature; None: k and c constant
     under_pressure: FittedHeat | VolumeHeat | None = None
 
     def __post_init__(self) -> None:
@@ -370,7 +372,8 @@ class Lubricant:
     roelands_z: float | None = None  # exponent z [-]; None: from Roelands' identity
     roelands_pressure: float = ROELANDS_PRESSURE  # p_r [Pa]
     name: str = ""
-    # of operation, at which the values hold [K]; needed by laws that depend on it and with heat
+    # temperature of operation, at which the values hold [K]; needed by laws that depend on it and
+    # with heat
     temperature: float | None = None
     tait: TaitVolume | None = None  # of the density law and of Doolittle's viscosity law
     doolittle: DoolittleFreeVolume | None = None  # of the viscosity law tait-doolittle
@@ -421,12 +424,6 @@ DENSITY_CODES = {
     DensityLaw.INCOMPRESSIBLE: _kernels.INCOMPRESSIBLE,
     DensityLaw.DOWSON_HIGGINSON: _kernels.DOWSON_HIGGINSON,
     DensityLaw.TAIT: _kernels.TAIT,
-}
-# of the laws whose ln(eta) counts from another viscosity: column of its value at ambient pressure
-AMBIENT_COLUMNS = {
-    _kernels.TAIT_DOOLITTLE: _kernels.V + 4,
-    _kernels.YASUTOMI: _kernels.V + 8,
-    _kernels.SCALED: _kernels.V + 3,
 }
 NEEDED_BY_LAW = {  # fields in addition to viscosity and coefficient
     ViscosityLaw.TAIT_DOOLITTLE: ("tait", "doolittle", "temperature"),

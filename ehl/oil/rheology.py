@@ -17,9 +17,8 @@ a tenth. m is a choice of ours, not of an oil.
 
 Eyring's stress is a constant, or tau_0 = 2 Lambda_0/alpha(p, T) at the mean pressure of a contact
 and the temperature of its oil, alpha = ln(eta/eta_0)/p, as Arana et al. (2019) have it after Bair
-and Winer; `contact_rheology` puts its number in.
-
-Temperature and fluidity of a film that was solved with shear or heat.
+and Winer; `contact_rheology` puts its number in. `FilmState` holds temperature and fluidity of a
+film that was solved with shear or heat.
 """
 
 from dataclasses import dataclass, replace

@@ -54,7 +54,22 @@ def patch_corner(u: Array, v: Array) -> Array:
 def deflection_kernel(
     grid: Grid, deformation: float, coating: ScaledCoating | None = None
 ) -> DeflectionKernel:
-    """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
+    """Kernel of the deflection and its spectrum for one grid.
+
+    Parameters
+    ----------
+    grid : Grid
+        the grid
+    deformation : float
+        c_def [-]
+    coating : ScaledCoating | None, optional
+        of one body; None: uncoated
+
+    Returns
+    -------
+    DeflectionKernel
+        kernel for `deflect`
+    """
     quarter = deformation * unit_deflections(grid, coating)
     # even in x and y: cosine transforms of the quarter are the real spectrum
     along = fft.dct(quarter, type=1, axis=1)
@@ -127,6 +142,20 @@ def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Arra
 
     Columns of a symmetric grid are even about their first line: a cosine series of type 3 there,
     type 2 back (Makhoul, 1980), half as long as the padded columns of other grids.
+
+    Parameters
+    ----------
+    kernel : DeflectionKernel
+        of the grid
+    pressure : Array
+        P, shape (ny, nx) [-]
+    threads : int, default 1
+        number of threads
+
+    Returns
+    -------
+    Array
+        deflection, shape (ny, nx) [-]
     """
     rows = fft.rfft(pressure, n=kernel.length_x, axis=1, workers=threads)
     if not kernel.symmetric:

@@ -1,4 +1,5 @@
-r"""Bodies as half-spaces that move past the heat they take up.
+r"""Bodies as half-spaces: their temperature as they move past the heat that they take up, and the
+heat that a rolling contact conducts from one to the other.
 
 A body that moves at u past a heat flux q(x) into its surface takes, where u is fast against its
 diffusivity over the contact's length, the temperature (Carslaw and Jaeger, 1959)
@@ -10,11 +11,10 @@ that holds: the formula has u + (4/pi) 2 kappa/a for u, which gives the largest 
 of a uniformly heated circle of radius a at rest, q a/k, as well as at speed (as Tian and Kennedy,
 1994, interpolate). Heat that spreads at right angles to the motion is neglected otherwise.
 
-Heat that a rolling lubricated contact conducts from one body to the other.
-
-Each strip of the surfaces meets the other body for the time t = w(y)/u, w its length along rolling
-and u the rolling speed, through a film of the conductance H = k_f/h per area. Two half-spaces of
-effusivities e_1, e_2 that are brought together at t = 0 through H exchange, per area and kelvin,
+Between the bodies each strip of the surfaces meets the other body for the time t = w(y)/u, w its
+length along rolling and u the rolling speed, through a film of the conductance H = k_f/h per area.
+Two half-spaces of effusivities e_1, e_2 that are brought together at t = 0 through H exchange, per
+area and kelvin,
 
 .. math:: E(t) = \frac{H}{\beta^2} \left[ e^{\beta^2 t} \mathrm{erfc}(\beta \sqrt t) - 1
           + 2 \beta \sqrt{t/\pi} \right], \qquad \beta = H (1/e_1 + 1/e_2)
@@ -44,6 +44,11 @@ from numpy.typing import ArrayLike
 from ..arrays import Array
 from ..options import require_positive
 from ._kernels import marched_sums
+
+SERIES_BELOW = 1.0e-2  # of beta sqrt(t), where the closed form cancels [-]
+LINES = 32  # of Gauss and Legendre across the ellipse [-]; 64 change G by 1e-9
+# B(1/2, 5/4), from the integral of sqrt(w) across an ellipse [-]
+BETA = gamma(0.5) * gamma(1.25) / gamma(1.75)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,12 +119,6 @@ def history_weights(count: int, mesh: float) -> Array:
     weights = (d + 1.0) ** 1.5 - 2.0 * d**1.5 + np.abs(d - 1.0) ** 1.5
     weights[0] = 1.0
     return 4.0 / 3.0 * np.sqrt(mesh) * weights
-
-
-SERIES_BELOW = 1.0e-2  # of beta sqrt(t), where the closed form cancels [-]
-LINES = 32  # of Gauss and Legendre across the ellipse [-]; 64 change G by 1e-9
-# B(1/2, 5/4), from the integral of sqrt(w) across an ellipse [-]
-BETA = gamma(0.5) * gamma(1.25) / gamma(1.75)
 
 
 def exchanged_heat(time: ArrayLike, film: float, first: float, second: float) -> Array:

@@ -1,8 +1,5 @@
-r"""Compliance of a coated contact: 1/r, and a smooth correction from finite elements.
-
-A coated body: its compliance is that of a half space of the coating and a smooth correction.
-
-Surface compliance of a coated half space by axisymmetric finite elements.
+r"""Compliance of a contact one body of which is coated: that of a half space of the coating, 1/r,
+and a smooth correction from axisymmetric finite elements.
 
 The displacement under a point load is that of a half space of the coating, Boussinesq's (1885)
 u_B, and a smooth rest w
@@ -38,6 +35,15 @@ from skfem.helpers import ddot, grad, sym_grad
 
 from ..arrays import Array
 from ..options import require_positive
+
+REACH = 150.0  # outer edge in thicknesses
+FINEST = 0.08  # cell at the load in thicknesses
+GROWTH = 1.14  # and the growth of cells away from it
+LAYER_CELLS = 10  # across the coating
+
+# cells around the load in which the correction of a thin coating is averaged over the cell
+NEIGHBOURS = 6
+MAX_POINTS = 12  # of such a cell in each direction
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,12 +106,6 @@ def scaled_coating(coating: Coating, reduced_modulus: float, semi_axis: float) -
         ratio=coating.substrate_youngs_modulus / coating.youngs_modulus,
         poisson=(coating.poisson_ratio, coating.substrate_poisson_ratio),
     )
-
-
-REACH = 150.0  # outer edge in thicknesses
-FINEST = 0.08  # cell at the load in thicknesses
-GROWTH = 1.14  # and the growth of cells away from it
-LAYER_CELLS = 10  # across the coating
 
 
 def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array]:
@@ -202,11 +202,6 @@ def _boussinesq(basis: Basis, young: float, nu: float) -> Array:
     axial = scale * (z**2 / distance**3 + 2.0 * (1.0 - nu) / distance)
     is_axial = np.isin(np.arange(basis.N), basis.get_dofs(elements=True).all("u^2"))
     return np.where(is_axial, axial, radial)
-
-
-# cells around the load in which the correction of a thin coating is averaged over the cell
-NEIGHBOURS = 6
-MAX_POINTS = 12  # of such a cell in each direction
 
 
 def point_compliance(coating: ScaledCoating, r: Array) -> Array:

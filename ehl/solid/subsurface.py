@@ -1,5 +1,5 @@
-"""Stress in a half-space below a pressure: superposition of uniformly loaded rectangles by
-FFT.
+"""Stress in a half-space below a pressure, and in its surface under pressure and shear:
+superposition of uniformly loaded rectangles by FFT.
 
 Boussinesq's potentials of a unit pressure on a rectangle (Love, 1929), psi = int 1/r and chi = int
 ln(r + z), have second derivatives that are sums over its corners. With u, v from the field point
@@ -14,14 +14,9 @@ and the stresses are (Johnson, Contact Mechanics, 1985, section 3.2)::
     2 pi sigma_x = 2 nu psi_z - z psi_xx - (1 - 2 nu) chi_xx,   2 pi sigma_z = psi_z - z psi_zz
     2 pi tau_xy  = -z psi_xy - (1 - 2 nu) chi_xy,               2 pi tau_xz  = -z psi_xz
 
-No friction. The pressure is constant on every cell: second order in the mesh size.
-
-Stress in the surface of a half-space under pressure and shear, by superposition of uniformly
-loaded rectangles by FFT.
-
-With x and y from a point force to the field point and r^2 = x^2 + y^2, a shear force Q along x on
-the body that fills z > 0 makes in its surface (Cerruti; Johnson, Contact Mechanics, 1985, section
-3.6, at z = 0)
+The pressure is constant on every cell: second order in the mesh size. In the surface, with x and y
+from a point force to the field point and r^2 = x^2 + y^2, a shear force Q along x on the body that
+fills z > 0 makes in its surface (Cerruti; Johnson, Contact Mechanics, 1985, section 3.6, at z = 0)
 
     2 pi sigma_x/Q = -6 nu x^3/r^5 - 2 (1 - 2 nu) x/r^3
     2 pi sigma_y/Q = -6 nu x y^2/r^5
@@ -32,7 +27,7 @@ whose integrals over a rectangle are sums over its corners (u, v) of
     pi sigma_x = ln(v + r) + nu v/r,  pi sigma_y = nu [ln(v + r) - v/r]
     2 pi tau_xy = ln(u + r) - 2 nu u/r
 
-and a shear along y the same with x and y exchanged. The pressure contributes as in `subsurface`
+and a shear along y the same with x and y exchanged. The pressure contributes as above
 at depth zero. Tension is positive. Second order in the mesh size where the loads are smooth.
 """
 
@@ -45,6 +40,8 @@ from scipy.fft import irfft2, next_fast_len, rfft2
 from ..arrays import Array
 
 EVEN_TOLERANCE = 1e-9  # relative difference of mesh sizes of an even grid [-]
+
+Kernels = tuple[Array, Array, Array]  # of sigma_x, sigma_y, tau_xy
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -188,9 +185,6 @@ def _even_step(axis: Array, name: str) -> float:
     return float((axis[-1] - axis[0]) / (axis.size - 1))
 
 
-Kernels = tuple[Array, Array, Array]  # of sigma_x, sigma_y, tau_xy
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SurfaceStress:
     """Stress in a surface, tension positive, shape (nx, ny) each."""
@@ -256,7 +250,7 @@ def surface_stresses(
         stress of each surface, tension positive
     """
     nx, ny = points = pressure.shape
-    # what comes round from the other end of the kernel falls outside of the cells
+    # stress that comes round from the other end of the kernel falls outside of the cells
     shape = [next_fast_len(2 * n - 1, real=True) for n in points]
     dry = rectangle_stress(points, steps, 0.0, poisson_ratio)
     along = shear_kernels(points, steps, poisson_ratio)

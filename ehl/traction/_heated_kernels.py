@@ -1,4 +1,5 @@
-r"""Heat of sliding in a film that is sheared: its equations, and compiled sums over the film.
+r"""Heat of sliding in a film that is sheared: its equations, the table of self-heated Couette
+flow, and compiled sums over the film.
 
 The film that rolls without sliding is solved with its heat; its temperature T_0 across the film is
 known. Sliding at s under the stress :math:`\tau` adds :math:`q = \tau s` to each column. Along
@@ -22,18 +23,16 @@ Gruntfest, 1963) with the flux that leaves the film: the mean fluidity grows by 
     \qquad \theta_{mid} - \theta_w = \frac{2}{b} \ln \cosh m .
 
 As the softening falls with temperature, :math:`\ln\eta = \ln\eta_0 - \beta\theta/(1 + c\theta)`,
-which is exact for oils after Vogel, b is the secant between wall and middle,
-:math:`b = \beta/[(1 + c\theta_w)(1 + c\theta_{mid})]`. The base laws have rates
-f(stress)/viscosity, so that one mean fluidity determines the stress,
-:math:`\tau = f^{-1}(s/(h\,\overline{1/\eta}))`. Left out: that sliding changes pressure and film,
-and that the two walls may differ in temperature where g is evaluated.
+which is exact for oils after Vogel, b is the secant between wall and middle, :math:`b = \beta/[(1
++ c\theta_w)(1 + c\theta_{mid})]`. The base laws have rates f(stress)/viscosity, so that one mean
+fluidity determines the stress, :math:`\tau = f^{-1}(s/(h\,\overline{1/\eta}))`. Left out: that
+sliding changes pressure and film, and that the two walls may differ in temperature where g is
+evaluated.
 
 As heat acts along a line alone, the friction of a line with it over that without is a smooth
 function of two numbers, the line's sliding speed and the slide-roll ratio, which sets how fast
 both bodies move under the heat: it is marched at some of each, and multiplied onto sums without
 heat of sliding.
-
-Couette flow heated by itself (Nahme, 1940; Gruntfest, 1963), and its table for the kernels.
 """
 
 import numpy as np
@@ -47,6 +46,15 @@ from ._kernels import BLOCK, F_X, F_Y, M_N, M_Y, ROOM, SQUARES, TINY, block_sums
 NEWTON_STEPS = 5  # from m = sqrt(X^2 + X) to round-off
 LARGEST_ROOT = 8.0  # of X in the table: ln(g) reaches 120 there
 ROOTS = 2048  # linear between them, ln(g) is off by 1.1e-5 at most
+
+# columns of a node
+X, Y, AREA, FILM, VISCOSITY, PRESSURE = range(6)
+TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY, CONDUCTIVITY = range(6, 13)
+STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
+HEAT_STEPS = 20  # of Newton's method for the heat of a node at most
+NO_HEAT = 1e-4  # of the friction of a line, from which on it falls with the square of the speed
+SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
+NEAREST = 4  # neighbouring slide-roll ratios whose factors count at a motion
 
 
 def nahme(loading: Array) -> tuple[Array, Array]:
@@ -76,16 +84,6 @@ def nahme(loading: Array) -> tuple[Array, Array]:
 
 # ln g and 2 ln(cosh m), shape (ROOTS, 2), at sqrt(X) evenly from 0 to LARGEST_ROOT
 PROFILE = np.ascontiguousarray(np.stack(nahme(np.linspace(0.0, LARGEST_ROOT, ROOTS) ** 2), axis=1))
-
-
-# columns of a node
-X, Y, AREA, FILM, VISCOSITY, PRESSURE = range(6)
-TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY, CONDUCTIVITY = range(6, 13)
-STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
-HEAT_STEPS = 20  # of Newton's method for the heat of a node at most
-NO_HEAT = 1e-4  # of the friction of a line, from which on it falls with the square of the speed
-SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
-NEAREST = 4  # neighbouring slide-roll ratios whose factors count at a motion
 
 
 @compiled

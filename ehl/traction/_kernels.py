@@ -1,5 +1,5 @@
-"""Compiled kernels of traction: sums over the nodes of a film, and lookups that dynamics calls at
-every step.
+"""Compiled kernels of traction: sums over the nodes of a film, lookups that dynamics calls at
+every step, and Kapitza's moment.
 
 Everything is arrays and floats in SI. The NumPy twins stand in `tests/reference/ehl`.
 """
@@ -17,21 +17,21 @@ from ..oil._kernels import (
     inverse_sine,
     shear_stress,
 )
-from ._spline_kernels import inner_weights, row_sums, spline_sum, spline_weights
-from .coefficients import coefficient as coefficient_formula
+from ._spline_kernels import inner_weights, spline_sum, spline_weights
+from .coefficients import coefficient as coefficient_law
 
 # rows of the nodes of a film; spread: a twelfth of the squared size
 X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)
-# of a table's films, logarithms: scales of the motions, central film, hydrodynamic moment,
+# columns of a table's films, logarithms: scales of the motions, central film, hydrodynamic moment,
 # response, largest force and moments of sliding
 SCALE_X, SCALE_Y, SCALE_SPIN, CENTRAL_FILM, HYDRODYNAMIC = range(5)
 STIFFNESS, DAMPING, LARGEST_FORCE, LARGEST_SPIN, LARGEST_ROLLING = range(5, 10)
-# of a table's constants: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R), unit
-# of its whole numbers, semi-axis along the rolling direction at 1 N, `TractionTable.spacing`,
+# constants of a table: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R), unit of
+# its whole numbers, semi-axis along the rolling direction at 1 N, `TractionTable.spacing`,
 # entrainment that sliding is taken over at least
 RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE, VALUE_UNIT = range(8)
 UNIT_AXIS_X, SPACING_LIMIT, SPACING_SPIN, SPACING_REST, LEAST_SPEED = range(8, 13)
-# of the shape of an ellipse: semi-axes at 1 N, R_x, 1/(2R), curvature difference of the bodies
+# shape of an ellipse: semi-axes at 1 N, R_x, 1/(2R), curvature difference of the bodies
 SHAPE_AXIS_X, SHAPE_AXIS_Y, SHAPE_RADIUS_X, SHAPE_CURVATURE, SHAPE_DIFFERENCE = range(5)
 LOAD_POWER = -0.2  # of the load in its coordinate
 # chosen by trial on tables with heat of both races of a 6208 [-]: the sliding by spin at the end
@@ -49,7 +49,29 @@ TINY = np.finfo(np.float64).tiny
 BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED = (1 << bit for bit in range(4))
 BEYOND_SLIDE_X, BEYOND_SLIDE_Y, BEYOND_SPIN = (1 << bit for bit in range(4, 7))
 
-coefficient = compiled(coefficient_formula)
+coefficient = compiled(coefficient_law)
+
+BLOCK = 32  # motions of a block; 16 and 64 take as long
+# rows of a block's room: motions, sliding at a node and its pull (area stress/sliding), sums
+SLIDE_X, SLIDE_Y, SPIN, ROLLING, AT_X, AT_Y, SLIDE, PULL = (BLOCK * row for row in range(8))
+F_X, F_Y, M_N, M_Y, SQUARES = (BLOCK * row for row in range(8, 13))
+ROOM = 13 * BLOCK
+HALF_ROOT = 0x3FE6A09E667F3BCD  # bits of the root of 1/2
+FRACTION_BITS = 52  # of a number's binary form
+ROUNDED = 0x4338000000000000  # bits of ROUND_NUMBER
+ROUND_NUMBER = 6755399441055744.0  # 1.5 2^52: whole numbers added to its bits add to its value
+LOG_2 = float(np.log(2.0))
+
+NEWTON_STEPS = 60  # most of them for the meniscus: 5 to 9 are taken
+LAST_STEP = 1e-6  # of the square of its distance, after which a step of second order is exact
+NEAREST = 0.03  # of the distance at which the gap is twice the film: what is within is left out
+# gap beyond the film of elastic bodies from which on pressure counts, in a^2/Rx: 0.015 to 0.1
+# serve alike
+INLET_GAP = 0.04
+SECANTS = 60  # most of them for a gap: 5 to 8 are taken, more where the gap of circles jumps
+LAST_SECANT = 1e-9  # of the gap, or of the square of its distance, at which they end [-]
+PARABOLA_SHARE = 0.2  # as `rolling_moment.PARABOLA_SHARE`
+CIRCLE_END = 1.0 - 1e-9  # as `rolling_moment.CIRCLE_END`
 
 
 @compiled
@@ -78,7 +100,7 @@ def vertex_slide(spin, b_axis, radius_x, curvature):
 @compiled
 def _scaled(motion, scale, limit, axis, part, weight):
     """Place of a motion on its axis, at most the end, and whether it lies beyond it; part: the
-    further one by its weight, see `table.coordinates`.
+    further one by its weight, see `traction_table/table.py`.
     """
     share = inverse_sine(abs(motion) / scale) / inverse_sine(limit / scale)
     share = (1.0 - weight) * share + weight * part
@@ -88,7 +110,7 @@ def _scaled(motion, scale, limit, axis, part, weight):
 
 @compiled
 def _motion_scale(scale, turn, b_axis, constants):
-    """Scale of slide_x at a spin, see `table.spinning_scale`."""
+    """Scale of slide_x at a spin, see `traction_table.table.spinning_scales`."""
     far = 0.5 * turn
     slope = constants[CURVATURE] * b_axis
     steep = far * far * far * far
@@ -100,8 +122,8 @@ def _motion_scale(scale, turn, b_axis, constants):
 
 @compiled
 def _film_values(scalars, load, speed, film):
-    """What splines over load and speed have logarithms of, all columns at once, into film; load,
-    speed: first coefficient and weights.
+    """Values whose logarithms are splines over load and speed, all columns at once, into film;
+    load, speed: first coefficient and weights.
     """
     i0, w0 = load
     i1, w1 = speed
@@ -118,13 +140,13 @@ def _film_values(scalars, load, speed, film):
 
 @compiled
 def _standing_part(size, rest):
-    """See `table.coordinates.standing_part`."""
+    """Further part of a slide's coordinate; see `traction_table.table.standstill_term`."""
     return np.sqrt(1.0 + rest) - np.sqrt(1.0 + rest - min(size / STANDING, 1.0))
 
 
 @compiled
 def _fading_shift(shift, slide, limit):
-    """What `table.coordinates.at_vertex` adds to a slide."""
+    """Shift that `traction_table.table.at_vertex` adds to a slide."""
     reach = min(limit, STANDING)
     share = min(abs(slide) / reach, 1.0)
     over = (SHIFT_MARGIN * shift / reach) ** 2
@@ -177,7 +199,7 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     flag = BELOW_LOAD if side < 0 else (ABOVE_LOAD if side > 0 else 0)
     u, side = _clamped(np.log(max(speed, 1e-300)), axes[1])
     flag += BELOW_SPEED if side < 0 else (ABOVE_SPEED if side > 0 else 0)
-    film = row_sums()
+    film = np.empty(scalars.shape[2])
     _film_values(scalars, spline_weights(q, axes[0]), spline_weights(u, axes[1]), film)
     i0, w0 = inner_weights(q, axes[0])
     i1, w1 = inner_weights(u, axes[1])
@@ -296,18 +318,6 @@ def straight_friction(nodes, law, constants, load, speed, slide_x, out):
     out[0] = -load * pull
     out[3] = load * moment
     out[4] = -(out[0] * slide_x + out[3] * rolling)
-
-
-BLOCK = 32  # motions of a block; 16 and 64 take as long
-# rows of a block's room: motions, sliding at a node and its pull (area stress/sliding), sums
-SLIDE_X, SLIDE_Y, SPIN, ROLLING, AT_X, AT_Y, SLIDE, PULL = (BLOCK * row for row in range(8))
-F_X, F_Y, M_N, M_Y, SQUARES = (BLOCK * row for row in range(8, 13))
-ROOM = 13 * BLOCK
-HALF_ROOT = 0x3FE6A09E667F3BCD  # bits of the root of 1/2
-FRACTION_BITS = 52  # of a number's binary form
-ROUNDED = 0x4338000000000000  # bits of ROUND_NUMBER
-ROUND_NUMBER = 6755399441055744.0  # 1.5 2^52: whole numbers added to its bits add to its value
-LOG_2 = float(np.log(2.0))
 
 
 @intrinsic
@@ -514,21 +524,9 @@ def sliding_sums_many(nodes, law, motions, surface, out):
         _add_block(room, first, count, out)
 
 
-NEWTON_STEPS = 60  # most of them for the meniscus: 5 to 9 are taken
-LAST_STEP = 1e-6  # of the square of its distance, after which a step of second order is exact
-NEAREST = 0.03  # of the distance at which the gap is twice the film: what is within is left out
-# gap beyond the film of elastic bodies from which on pressure counts, in a^2/Rx: 0.015 to 0.1
-# serve alike
-INLET_GAP = 0.04
-SECANTS = 60  # most of them for a gap: 5 to 8 are taken, more where the gap of circles jumps
-LAST_SECANT = 1e-9  # of the gap, or of the square of its distance, at which they end [-]
-PARABOLA_SHARE = 0.2  # as `oil_extent.PARABOLA_SHARE`
-CIRCLE_END = 1.0 - 1e-9  # as `oil_extent.CIRCLE_END`
-
-
 @compiled
 def height(curvature, square):
-    """Of a circle at the square of a distance, signed as its curvature [m]."""
+    """Height of a circle at the square of a distance, signed as its curvature [m]."""
     return curvature * square / (1.0 + np.sqrt(1.0 - min(curvature * curvature * square, 1.0)))
 
 
@@ -597,7 +595,7 @@ def kapitza_integral(film, layer, radii, ball_curvature, circles, rays, steps):
 @compiled
 def excess(ball, race, square):
     """Gap of two circles less that of their parabolas at the square of a distance [m]; none near
-    by, as in `oil_extent`.
+    by, as in `rolling_moment`.
     """
     if max(ball * ball, race * race) * square <= PARABOLA_SHARE**2:
         return 0.0
@@ -667,7 +665,7 @@ def distance_of(gap, low, high, ray, ball, reciprocal, axes, circles):
 
 @compiled
 def circles_loss(film, layer, reciprocal, ball_curvature, axes, rays, steps):
-    """What the integral of cos^2 r^3/h^2 over a quarter loses by circles in place of paraboloids,
+    """Loss of the integral of cos^2 r^3/h^2 over a quarter by circles in place of paraboloids,
     elastic bodies [m^2].
 
     reciprocal: 1/Rx and 1/Ry [1/m]; axes: semi-axes of Hertz' ellipse [m]; others as in

@@ -1,17 +1,14 @@
 """Compiled sums of B-splines over the five axes of a traction table, as lookups take them."""
 
 import numpy as np
-from numba import types
-from numba.core import cgutils
-from numba.extending import intrinsic, overload
-from numba.np.arrayobj import populate_array
 
 from ..compiled import compiled, inlined
 
-# of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
+# values of a table: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
 COLUMNS = 4
+ROW_SUMS = 16 * COLUMNS  # numbers at 4 loads times 4 speeds
 CACHE_LINE = 32  # whole numbers of a table
-# what no sum of some of a table's whole numbers is
+# no sum of some of a table's whole numbers
 IMPOSSIBLE = np.iinfo(np.int64).min
 
 
@@ -29,7 +26,7 @@ def spline_weights(place, axis):
 
 @compiled
 def inner_weights(place, axis):
-    """As `spline_weights`, of the coefficients of the nodes alone, counted from the first of them:
+    """Weights as `spline_weights`, of the coefficients of the nodes alone, counted from the first:
     those beyond follow, c_0 = 4 c_1 - 6 c_2 + 4 c_3 - c_4, by the splines' end conditions.
     """
     i, (w_0, w_1, w_2, w_3) = spline_weights(place, axis)
@@ -39,43 +36,6 @@ def inner_weights(place, axis):
     if i > last + 1:
         return last, (-w_3, w_0 + 4.0 * w_3, w_1 - 6.0 * w_3, w_2 + 4.0 * w_3)
     return i - 1, (w_0, w_1, w_2, w_3)
-
-
-def row_sums():
-    """Room for 4 loads times 4 speeds times COLUMNS numbers."""
-    return np.empty(16 * COLUMNS)
-
-
-@intrinsic
-def _room(typing):
-    """As much on the stack: nothing to free, and known to overlap nothing."""
-    del typing
-    kind = types.Array(types.float64, 1, "C")
-
-    def build(context, builder, signature, arguments):
-        del signature, arguments
-        number = context.get_value_type(types.float64)
-        item = context.get_constant(types.intp, context.get_abi_sizeof(number))
-        array = context.make_array(kind)(context, builder)
-        populate_array(
-            array,
-            data=cgutils.alloca_once(builder, number, size=16 * COLUMNS),
-            shape=(context.get_constant(types.intp, 16 * COLUMNS),),
-            strides=(item,),
-            itemsize=item,
-            meminfo=None,
-        )
-        return array._getvalue()
-
-    return kind(), build
-
-
-@overload(row_sums, inline="always", jit_options={"_nrt": True})
-def _compiled_row_sums():
-    """`row_sums` where it is compiled. (Only who counts arrays may return one; it is part of its
-    caller.)
-    """
-    return lambda: _room()
 
 
 @compiled
@@ -108,8 +68,8 @@ def spline_sum(values, first, w0, w1, w2, w3, w4):
     i0, i1, i2, i3, i4 = first
     _, n3, n4, n0, n1, _ = values.shape
     flat = values.reshape(-1)
-    sums = row_sums()
-    for k in range(16 * COLUMNS):
+    sums = np.empty(ROW_SUMS)
+    for k in range(ROW_SUMS):
         sums[k] = 0.0
     row = n1 * COLUMNS
     place = n0 * row  # numbers of one motion
@@ -123,7 +83,7 @@ def spline_sum(values, first, w0, w1, w2, w3, w4):
             v = (weight * w4[0], weight * w4[1], weight * w4[2], weight * w4[3])
             here = start + (c * n3 + d) * n4 * place
             if n1 == 4:
-                for k in range(16 * COLUMNS):
+                for k in range(ROW_SUMS):
                     m = np.uint64(here + k)
                     part = v[0] * flat[m] + v[1] * flat[m + np.uint64(place)]
                     part += v[2] * flat[m + np.uint64(2 * place)]

@@ -2,7 +2,7 @@
 
 To add one: its formula, a branch in `coefficient` under the next kind, and its class, listed in
 `COEFFICIENTS` where cases name it. Its constants become keys of [friction]; torque, traction
-equilibrium and simulation take it over the Hertz ellipse (`laws.EllipseLaw`). Case files are
+equilibrium and simulation take it over the Hertz ellipse (`shear.EllipseLaw`). Case files are
 checked by the constants, so nothing is compiled here.
 """
 

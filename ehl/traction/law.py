@@ -1,9 +1,9 @@
 """The law of traction: forces and moments of a contact as a function of its load and motion.
 
-One protocol for all of them. Coefficients over the Hertz ellipse (`laws.EllipseLaw`) and tables of
-solved films (`table.table.TractionTable`) satisfy it, and so does any object with the method
-`forces`. A coefficient by the local sliding is added in `coefficient_kernels`, for the equations
-of motion too.
+One protocol for all of them. Coefficients over the Hertz ellipse (`shear.EllipseLaw`) and tables
+of solved films (`traction_table.TractionTable`) satisfy it, and so does any object with the method
+`forces`. A coefficient by the local sliding is added in `coefficients`, for the equations of
+motion too.
 """
 
 from typing import NamedTuple, Protocol

@@ -1,6 +1,5 @@
-r"""Stiffness and damping of a lubricated contact along its normal, with error bars.
-
-Response of a solved contact to a small movement of its bodies: derivative of its equations.
+r"""Stiffness and damping of a lubricated contact along its normal, with error bars, from the
+derivative of its equations.
 
 With the solution's pressure P and approach constant H0, an oscillation of the load with the
 amplitude one moves H0 by h and P by p. Where the oil carries pressure, on the edge of an open box,
@@ -14,7 +13,7 @@ and for the load,
 
 L' as in `multigrid/jacobian.py`, the squeeze beyond the edge that of a paraboloid, -kappa dH0/dT
 /H^2. The nodes without pressure stay so: their movement is of second order. Behind a layer of oil
-the first equation is that of `multigrid/starved_jacobian.py`, which carries the oil of a gap that
+the first equation is that of `multigrid/starved.py`, which carries the oil of a gap that
 is not full, too. Stiffness and damping are k + i omega c = -1/h; the limit of slow movement is the
 derivative at omega = 0. All quantities [-], the time in a/u_m.
 """
@@ -52,6 +51,21 @@ from ..solver import solve_attempts, solve_nested, solve_with_inlet_film
 Numbers = NDArray[Any]  # real or complex
 
 TOLERANCE = 1e-5  # of the linear systems: 0.03 % of the damping at most, 4 contacts at 257 points
+
+POINTS = (257, 513)  # the first that resolves the film, and half of them
+COARSEST = 65
+# error of the extrapolated value over the step between the meshes; a third is what order 2 adds
+MESH_FRACTION = 0.5
+# error of a stiffness k over (1 - k/k_H) k/points, k_H of the dry contact: the edge of the cavity
+# stands by a node, and what the film gives in changes with its place from mesh to mesh
+EDGE_ERROR = 2.6
+INLET_FILM_FRACTION = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
+# angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
+# there, and is too small a part of the reaction to be told from it
+SLOWEST = 0.02
+FASTEST = 10.0  # likewise; beyond it a mesh no longer carries the film's wave
+
+Solved = tuple[ContactSolution, Multigrid]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -288,20 +302,6 @@ def _by_parts(action: Any, *fields: Numbers) -> Numbers:
     return np.asarray(real + 1j * imaginary)
 
 
-POINTS = (257, 513)  # the first that resolves the film, and half of them
-COARSEST = 65
-# error of the extrapolated value over the step between the meshes; a third is what order 2 adds
-MESH_FRACTION = 0.5
-# error of a stiffness k over (1 - k/k_H) k/points, k_H of the dry contact: the edge of the cavity
-# stands by a node, and what the film gives in changes with its place from mesh to mesh
-EDGE_ERROR = 2.6
-INLET_FILM_FRACTION = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
-# angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
-# there, and is too small a part of the reaction to be told from it
-SLOWEST = 0.02
-FASTEST = 10.0  # likewise; beyond it a mesh no longer carries the film's wave
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ResponseValue:
     """A stiffness [N/m] or damping [N s/m], and its error bar in the same unit."""
@@ -476,9 +476,6 @@ class _Mesh:
     points: int  # along x
     resolved: bool
     over_frequency: tuple[tuple[float, float], ...]  # stiffness and damping
-
-
-Solved = tuple[ContactSolution, Multigrid]
 
 
 def _solved(conditions: ContactConditions, meshes: Sequence[SolverOptions]) -> Iterator[Solved]:

@@ -2,7 +2,7 @@ r"""Hydrodynamic rolling moment of the oil that a contact has, up to its meniscu
 
 Far from a flooded contact the pressure is :math:`s(\theta) r/H^2`, near Kapitza's (1955)
 :math:`-k_x x/H^2` ahead of the contact and zero where oil breaks behind it
-(`ehl.multigrid.far_field`), so that the moment :math:`-\iint x p` of the oil between two distances
+(`multigrid/far_field.py`), so that the moment :math:`-\iint x p` of the oil between two distances
 from the centre of a paraboloid gap is, by Kapitza's,
 
 .. math:: \frac{24 \pi\,\eta_0 u R_x^2}{(3 + 2 R_x/R_y)\sqrt{R_x/R_y}}\,\ln\frac{r_2}{r_1},
@@ -16,25 +16,19 @@ which the solver has set on that edge (1.4 % more than Kapitza's moment for a sp
 into heat as the flow does (`pressure_moment`). The lever of the pressure alone stays above it on
 every mesh on which the pressure behind the spike falls within two cells, by 5.1 % on 257 points
 and 2.7 % on 1025 (M 300, L 15, :math:`R_x/R_y = 2`); films solved with shear or heat have that
-one. Farther out than 0.2 of the smaller radius of a ray's section the gap is that of two circles
-(`oil_extent`); the pressure goes with its square there.
+one. Farther out than 0.2 of the smaller radius of a ray's section the gap is that of two circles;
+the pressure goes with its square there.
 
-What that leaves out. The film is solved without a meniscus: at one, where the pressure vanishes,
+Left out: the film is solved without a meniscus: at one, where the pressure vanishes,
 mass conservation asks for a layer of 0.3675 of the gap under a sphere, and the moment is that of
 Kapitza's pressure up to a gap of 1.446 layers: 0.18 of the moment above per unit of logarithm more
 (`tests/ehl/traction/test_meniscus.py`), more yet in wide ellipses. And the pressure over the
 square of the gap of circles is, up to 0.3 of the radius, 1.2 % above that of Reynolds' equation.
 
-How far the oil of a flooded contact reaches: the gap of two circles, and the meniscus in it.
-
-The oil stands between the bodies up to where their gap is as wide as the layer that they carry
-in. Near the contact that gap is a paraboloid with its deflection; farther out it is that of two
+Near the contact the gap is a paraboloid with its deflection; farther out it is that of two
 circles: in the plane of the normal and a ray body 1, a ball, is cut in a circle, and body 2 is
 taken as the circle of its curvature there (Euler), which is exact in both principal planes.
-
-The oil around a solved contact: its gap beyond the box, along rays up to the meniscus.
-
-Moment of Kapitza's (1955) pressure ahead of two bodies, up to the meniscus of the oil.
+`kapitza_moment` is the moment of Kapitza's pressure, for contacts that are not solved.
 """
 
 from collections.abc import Callable
@@ -60,6 +54,37 @@ PARABOLA_SHARE = 0.2
 # infinite
 CIRCLE_END = 1.0 - 1e-9
 HALVINGS = 40  # of the interval in which the meniscus of a ray lies: to 1e-12 of it
+
+DIRECTIONS = 720  # rays from the centre
+RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distance
+SMALLEST_DISTANCE = 1e-12  # from the centre over a [-]: a direction at the centre itself
+
+SAME_ANGLE = 1e-9  # [rad]
+# Error by the mesh over the sum of what the balance of power changes and the share of the step of
+# the central film from the finest grid to its limit [-]: 95 % of 71 random contacts are within
+# 0.16, 0.24, 0.32, 0.39 of it on 65, 129, 257, 513 points (`benchmarks/rolling_moment.py`)
+MESH_ERROR = 0.4
+# films solved with shear or heat, whose balance has more terms: error of the lever arm of the load
+# over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the sixteen
+# contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
+LEVER_ERROR = 0.4
+# Relative error of the moment over the residual [-]: below 1 in most, some 10 at most in 30
+# contacts on 129 points and six on 257 and 513, cycled on until the residual had vanished
+RESIDUAL_ERROR = 10.0
+# Relative error of the moment beyond the box [-]: solved in a box five times as long it changes by
+# at most 0.19 of it (five contacts, boxes from 3 semi-axes on)
+FAR_FIELD_ERROR = 0.2
+# Hamrock and Dowson (1977, part IV): distance of the meniscus over the half length, below which
+# the film starves, 1 + 3.06 [(R/b)^2 h/R]^0.58
+FLOODED_DISTANCE = (3.06, 0.58)
+
+RAYS = 48  # of a quarter, by Gauss and Legendre [-]
+NODES = 48  # of each, in the logarithm of the distance [-]
+# rays and nodes of what circles lose; 48 and 96 change it by up to 8 %, of the moment by 0.5 %
+LOSS_NODES = 24
+# solved over this loss: fitted to 24 contacts, `python tools/atlas/circles.py 20261126 24`, as the
+# gap along a ray is not that of a circular contact [-]
+LOSS = 1.1
 
 
 class Sections(NamedTuple):
@@ -170,11 +195,6 @@ def ray_curvature(contact: ScaledContact | FarField, x: Array, y: Array) -> Arra
     """
     along = contact.curvature_x * x**2 + contact.curvature_y * y**2
     return np.asarray(along + 2.0 * contact.curvature_xy * x * y)
-
-
-DIRECTIONS = 720  # rays from the centre
-RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distance
-SMALLEST_DISTANCE = 1e-12  # from the centre over a [-]: a direction at the centre itself
 
 
 class MeniscusRegion:
@@ -372,26 +392,6 @@ def _edge_film(solution: ContactSolution, x: Array, y: Array) -> Array:
     off_row = np.minimum(np.abs(x - X[0]), np.abs(x - X[-1]))
     on_row = off_row < np.minimum(np.abs(y - Y[0]), np.abs(y - Y[-1]))
     return np.asarray(np.where(on_row, rows, columns))
-
-
-SAME_ANGLE = 1e-9  # [rad]
-# Error by the mesh over the sum of what the balance of power changes and the share of the step of
-# the central film from the finest grid to its limit [-]: 95 % of 71 random contacts are within
-# 0.16, 0.24, 0.32, 0.39 of it on 65, 129, 257, 513 points (`benchmarks/rolling_moment.py`)
-MESH_ERROR = 0.4
-# films solved with shear or heat, whose balance has more terms: error of the lever arm of the load
-# over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the sixteen
-# contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
-LEVER_ERROR = 0.4
-# Relative error of the moment over the residual [-]: below 1 in most, some 10 at most in 30
-# contacts on 129 points and six on 257 and 513, cycled on until the residual had vanished
-RESIDUAL_ERROR = 10.0
-# Relative error of the moment beyond the box [-]: solved in a box five times as long it changes by
-# at most 0.19 of it (five contacts, boxes from 3 semi-axes on)
-FAR_FIELD_ERROR = 0.2
-# Hamrock and Dowson (1977, part IV): distance of the meniscus over the half length, below which
-# the film starves, 1 + 3.06 [(R/b)^2 h/R]^0.58
-FLOODED_DISTANCE = (3.06, 0.58)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -627,15 +627,6 @@ def _starved_note(solution: ContactSolution, contact: ScaledContact, extent: flo
         f"the layer ends {extent / half_length:.1f} half lengths of the contact ahead of its "
         f"centre, and its film is flooded from {needed:.1f} on (Hamrock and Dowson, 1977)"
     )
-
-
-RAYS = 48  # of a quarter, by Gauss and Legendre [-]
-NODES = 48  # of each, in the logarithm of the distance [-]
-# rays and nodes of what circles lose; 48 and 96 change it by up to 8 %, of the moment by 0.5 %
-LOSS_NODES = 24
-# solved over this loss: fitted to 24 contacts, `python tools/atlas/circles.py 20261126 24`, as the
-# gap along a ray is not that of a circular contact [-]
-LOSS = 1.1
 
 
 def kapitza_moment(

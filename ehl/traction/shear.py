@@ -1,4 +1,5 @@
-r"""Shear stress on both surfaces of a solved contact, and its integrals: forces, moments, heat.
+r"""Shear stress on both surfaces of a contact, and its integrals: forces, moments, heat; of a
+solved film, or by a coefficient of friction over the Hertz ellipse.
 
 Across the film the stress is linear, :math:`\tau(z) = -\tau_c + (z - h/2)\,\nabla p` with z from
 body 1 to body 2, so that the oil pulls
@@ -21,17 +22,16 @@ identities close the balances:
 
 The pressure of a flooded inlet falls so slowly that the rolling moment of a point contact grows
 with the logarithm of the box where it lies beyond the ellipse's width: the moment is that of the
-solved box where the caller does not give that of the oil up to its meniscus (`rolling_moment.py`).
+solved box where the caller does not give that of the oil up to its meniscus (`rolling_moment`).
 
 For the rolling part: Biboulet and Houpert (2010), hydrodynamic force and moment in pure rolling
 lubricated contacts.
 
-Quadratures over an ellipse with Hertz' pressure: places x/a, y/b and shares of the load.
-
-Three rules are in use, each by what it serves. Errors, root of the mean square and largest: of
-the force along the rolling direction over mu Q on an ellipse of 1 to 11, at 150 random motions
-with slides and spin up to the curvature slip (tests/ehl/traction/test_quadrature.py), and of the
-friction power of balls in balance under Coulomb's law in 25 random bearings:
+Over an ellipse with Hertz' pressure three quadratures are in use, each by what it serves. Errors,
+root of the mean square and largest: of the force along the rolling direction over mu Q on an
+ellipse of 1 to 11, at 150 random motions with slides and spin up to the curvature slip
+(tests/ehl/traction/test_quadrature.py), and of the friction power of balls in balance under
+Coulomb's law in 25 random bearings:
 
 ============== ===== =============== ================ ================
 rule           nodes Coulomb         four constants   power in balance
@@ -46,11 +46,6 @@ Forces at one motion take the rings. The balance of balls, some fifty evaluation
 takes the lines, in four fifths of the time: a line meets the step where the sliding along it
 changes sign as a whole. A simulation evaluates all contacts at every step and takes the rings of
 a tenth of the nodes and of the time; lines of as many are three times worse.
-
-Laws of traction by a coefficient of friction over the Hertz ellipse.
-
-`kernel_arguments` are the arrays with which kernels evaluate the same law
-(`_kernels.hertz_friction`).
 """
 
 from dataclasses import dataclass, replace
@@ -73,6 +68,9 @@ from .law import TractionForces
 LARGEST_VISCOSITY = 1e30
 OUTLET_NODES = 24  # lines downstream of the box
 OUTLET_GROWTH = 1.25  # of their distance, to 1.25^24 = 200 times the first
+
+# on either side of a line of pure rolling, where balls do not spin (`straight_friction`)
+STRAIGHT_NODES = 6
 
 
 class Cavitation(Enum):
@@ -593,10 +591,6 @@ def dimensional_conditions(solution: ContactSolution) -> ContactConditions:
     if not isinstance(solution.conditions, ContactConditions):
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
     return solution.conditions
-
-
-# on either side of a line of pure rolling, where balls do not spin (`straight_friction`)
-STRAIGHT_NODES = 6
 
 
 class EllipseRule(Enum):

@@ -9,7 +9,7 @@ have neither jumps nor calls, and but one row of the room that they write to.
 
 What is summed are rows of nodes: the few patches of a group of strips where all motions of a block
 slide much more than their sliding changes over it, else the strips one by one, in patches along x
-or with all their nodes (`patches`).
+or with all their nodes (`vectorised_traction`).
 """
 
 import numpy as np
@@ -83,7 +83,7 @@ def refined_pulls(coarse, weights, out):
 
 @inlined
 def _slide_block(room, node, surface, ends):
-    """Sliding of a block's motions at a node, as `_block_kernels` has it, and the square of its
+    """Sliding of a block's motions at a node, as `sliding_sums_many` has it, and the square of its
     mean between ends; area times that square added up. node: x, y, area, a twelfth of its squared
     size along x and a quarter of that along y.
     """
@@ -163,7 +163,7 @@ def _add_row(room, film, row, surface, ends, first):
 
 @compiled
 def _far(room, box, least, surface):
-    """Whether all motions of a block slide, in the middle of a box, by more than what their
+    """True where all motions of a block slide, in the middle of a box, by more than what their
     sliding changes over half of it, squared and times `least`.
     """
     x, half_x, y, half_y = box

@@ -3,14 +3,10 @@ check is passed.
 
 The check solves films at loads and speeds between the nodes, random ones and those where the
 splines are most in doubt, and evaluates the shear at random motions there: its error counts
-everything that the table does. Where it is too large, the axis
-whose nodes are worst predicted by their neighbours gets more of them. Films are kept when the
-nodes along load or speed are doubled.
-
-Check of a table by films at loads and speeds between its nodes. Random ones and those where its
-splines bend most are sheared at random motions; some have stiffness and damping.
-
-Films of a traction table by the film atlas, without a solve.
+everything that the table does. At some of them stiffness and damping are checked, too. Where the
+error is too large, the axis whose nodes are worst predicted by their neighbours gets more of them.
+Films are kept when the nodes along load or speed are doubled. `atlas_sampler` takes films of the
+film atlas in place of solved ones.
 """
 
 from collections.abc import Callable, Sequence
@@ -57,6 +53,24 @@ SMALLEST_SPIN = 1e-5
 # `standstill_motions`: slow body's speed over half the entrainment, across the slide over it
 SLOW = (1e-3, 0.25)
 SMALLEST_ACROSS = 1e-4
+
+# nodes of load, speed, slide_x, slide_y (its half above zero) and spin, of films without and with
+# heat, whose tractions bend more over the load and near a slide-roll ratio of 2
+START = (12, 4, 55, 15, 35)
+HEATED_START = (19, 4, 59, 17, 37)
+SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
+# degrees of the units of forces and moments: their largest bend where the motion that has it
+# changes
+UNIT_DEGREES = (5, 2)
+GROWTH = 1.4  # of the nodes of a motion
+NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
+NARROW_STEP = 0.2  # ln(load) between them
+Progress = Callable[[int, int, str], None]  # done, in all, what
+# film of a contact at a place (ln load, ln speed) of a range, of so many points along x, with
+# stiffness and damping or without
+FilmSampler = Callable[[TableContact, TableRange, Place, int, bool], FilmSample]
+
+LAYER = "flooded_layer_um: the atlas has rolling moments of thicker layers"
 
 
 def check_points(
@@ -323,23 +337,6 @@ def response_message(checks: Sequence[FilmSample], error: TableError) -> str:
     return f"{off} (error bars of those solved there: up to {bars[0]:.1%} and {bars[1]:.1%})"
 
 
-# nodes of load, speed, slide_x, slide_y (its half above zero) and spin, of films without and with
-# heat, whose tractions bend more over the load and near a slide-roll ratio of 2
-START = (12, 4, 55, 15, 35)
-HEATED_START = (19, 4, 59, 17, 37)
-SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
-# degrees of the units of forces and moments: their largest bend where the motion that has it
-# changes
-UNIT_DEGREES = (5, 2)
-GROWTH = 1.4  # of the nodes of a motion
-NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
-NARROW_STEP = 0.2  # ln(load) between them
-Progress = Callable[[int, int, str], None]  # done, in all, what
-# film of a contact at a place (ln load, ln speed) of a range, of so many points along x, with
-# stiffness and damping or without
-FilmSampler = Callable[[TableContact, TableRange, Place, int, bool], FilmSample]
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableOptions:
     """How a table is sampled."""
@@ -375,7 +372,7 @@ class _Study:
     doubtful: list[FilmSample] = field(default_factory=list)  # of the last table
 
 
-def build_table(
+def build_traction_table(
     contact: TableContact,
     limits: TableRange,
     options: TableOptions | None = None,
@@ -437,7 +434,7 @@ def build_table(
     ...     check_motions=10,
     ...     check_responses=1,
     ... )
-    >>> table = build_table(contact, limits, options)
+    >>> table = build_traction_table(contact, limits, options)
     >>> f"{table.forces(60.0, 1.5, 0.05, 0.0, 0.0).force_x:.1f} N"
     '-0.9 N'
     """
@@ -690,9 +687,6 @@ def _scalars(films: list[list[FilmSample]]) -> Array:
         place = f"{first.load:.4g} N and {first.speed:.4g} m/s"
         raise ValueError(f"no rolling moment in some film from {place} on: take another range")
     return np.log(known)
-
-
-LAYER = "flooded_layer_um: the atlas has rolling moments of thicker layers"
 
 
 def atlas_sampler(solve: FilmSampler) -> FilmSampler:

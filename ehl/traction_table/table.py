@@ -2,19 +2,16 @@
 
 The approximation: the film is that of the Newtonian oil without sliding, solved at each load and
 speed, isothermal or, with the thermal properties of both bodies, with its heat; the shear of the
-rheology is evaluated in it at each motion, then with the heat of sliding (`ehl.traction.heated`).
+rheology is evaluated in it at each motion, then with the heat of sliding (`traction.heated_film`).
 Coordinates keep the nodes few: minus load^(-1/5), as light contacts change more with the load,
-ln(speed), and those of the motion (`coordinates`), with scales of the film's own, which are
-splines over load and speed, too. Values are the forces and
-moments of sliding over units whose logarithms are splines: the largest of their film, kappa_max Q
-for the forces, smoothed over load and speed, as they bend where another motion has the largest.
-The mirror image in y halves the table: with slide_y and spin reversed F_y and M_n are. All are
-cubic B-splines.
+ln(speed), and those of the motion, with scales of the film's own, which are splines over load and
+speed, too. Values are the forces and moments of sliding over units whose logarithms are splines:
+the largest of their film, kappa_max Q for the forces, smoothed over load and speed, as they bend
+where another motion has the largest. The mirror image in y halves the table: with slide_y and spin
+reversed F_y and M_n are. All are cubic B-splines.
 
-Coordinates of a motion on the axes of a traction table, in [-1, 1].
-
-For a slide S over the speed u, a scale s of the film's own (a share of where the traction has
-risen by half) and the largest slide L
+The coordinates of a motion lie in [-1, 1]. For a slide S over the speed u, a scale s of the film's
+own (a share of where the traction has risen by half) and the largest slide L
 
     X = (1 - w) asinh(S/(u s))/asinh(L/s) + w e(S/u)/e(L),
 
@@ -55,6 +52,10 @@ from .splines import spline_weights
 
 # bits of the kernel
 FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "slide_y", "spin")
+
+FurtherTerm = Callable[[Array | float], Array]
+STEPS = 60  # of an inversion at most; some ten are needed
+INVERTED = 1e-14  # of a place that is inverted, or of the last step to it
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -202,6 +203,15 @@ class TractionTable:
     [-], the central film [m], the hydrodynamic moment [N m], stiffness [N/m], damping [N s/m], and
     the units of force [N] and moments about n and y [N m] of sliding; `values` those of the
     sliding forces and moments over these units [-].
+
+    Examples
+    --------
+    Tables of a bearing are kept as a file by `oilfilm table`, and read again:
+
+    >>> from oilfilm.bearing.friction.tables import load_tables
+    >>> tables = load_tables("6208_table.zip")  # doctest: +SKIP
+    >>> inner, outer = tables.values()  # doctest: +SKIP
+    >>> inner.forces(300.0, 8.0, 0.05, 0.0, 0.0).force_x  # doctest: +SKIP
     """
 
     contact: TableContact  # bodies, oil and temperature
@@ -330,11 +340,6 @@ def load_coordinate(load: float) -> float:
         coordinate [N^(-1/5)]
     """
     return float(-(load**LOAD_POWER))
-
-
-FurtherTerm = Callable[[Array | float], Array]
-STEPS = 60  # of an inversion at most; some ten are needed
-INVERTED = 1e-14  # of a place that is inverted, or of the last step to it
 
 
 def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:

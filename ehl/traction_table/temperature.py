@@ -4,9 +4,8 @@ and between them.
 Scales, films and forces between the temperatures are those of a polynomial through the nearest
 tables, up to four, in the logarithm of the oil's viscosity at the mean pressure of the largest
 load: traction follows that, and goes smoothly where the data of an oil have a bend over T. All
-tables have the same nodes, so that one at any temperature between
-is the weighted sum of their coefficients, computed once: a lookup in it costs what one in a
-table of a single temperature does.
+tables have the same nodes, so that one at any temperature between is the weighted sum of their
+coefficients, computed once: a lookup in it costs what one in a table of a single temperature does.
 """
 
 from collections.abc import Callable, Sequence
@@ -19,7 +18,7 @@ import numpy as np
 from ..arrays import Array, lagrange_weights
 from ..closed_form.hertz import hertz_contact
 from ..oil.lubricant import Lubricant, log_viscosity_ratio
-from .build import Progress, TableOptions, build_table, check_table
+from .build import Progress, TableOptions, build_traction_table, check_table
 from .table import TableContact, TableError, TableRange, TractionTable
 
 NEAREST = 4  # tables whose polynomial gives those between
@@ -152,7 +151,7 @@ def build_temperature_table(
     options : TableOptions | None, optional
         nodes, tolerance and rounds; None: the defaults
     progress : Progress | None, optional
-        as in `build_table`
+        as in `build_traction_table`
 
     Returns
     -------
@@ -165,14 +164,16 @@ def build_temperature_table(
         if a film cannot be used
     """
     options = options or TableOptions()
-    tables = [build_table(contact_at(one), limits, options, progress) for one in temperatures]
+    tables = [
+        build_traction_table(contact_at(one), limits, options, progress) for one in temperatures
+    ]
     most = np.max([table.axes[:, 2] for table in tables], axis=0)
     load, speed, slide_x, slide_y, spin = (int(count) for count in most)
     same = replace(options, nodes=(load, speed, slide_x, slide_y, spin), rounds=1)
     tables = [
         table
         if np.array_equal(table.axes[:, 2], most)
-        else build_table(table.contact, limits, same, progress)
+        else build_traction_table(table.contact, limits, same, progress)
         for table in tables
     ]
     built = TemperatureTable(tables=tuple(tables))

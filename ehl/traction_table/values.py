@@ -33,6 +33,8 @@ MOTIONS = (2, 3, 4)  # axes of values over load, speed, slide_x, slide_y, spin
 NEAREST = 4  # full rows that a row between is interpolated from
 Float32Array = NDArray[np.float32]
 
+_NONE = np.empty((0, 0, 0, 0, 0, 4), np.float32)
+
 
 def grid_values(
     contact: TableContact,
@@ -107,9 +109,6 @@ def _full_rows(log_loads: list[float]) -> list[int]:
 def _rows(blocks: list[Float32Array], speeds: int) -> Float32Array:
     """Blocks of films, one for each load and speed, as one array."""
     return np.array(blocks, np.float32).reshape(-1, speeds, *blocks[0].shape) if blocks else _NONE
-
-
-_NONE = np.empty((0, 0, 0, 0, 0, 4), np.float32)
 
 
 def _row_weights(full: list[int], between: list[int]) -> Array:

@@ -1,4 +1,5 @@
-"""Patches of a film, whose sliding is taken at few places, for sums at thousands of motions.
+"""Sliding forces of a film, without heat or with it, at thousands of motions, by patches of its
+nodes whose sliding is taken at few places.
 
 Where a motion slides much more than its sliding s(x, y) changes over a group of nodes, s is a
 smooth function there, and so is the traction tau_n(|s|) s/|s| of each node n: interpolated between
@@ -12,10 +13,8 @@ little beside that change, at the pole of spin or where curvature slip turns, al
 places are Gauss' along the strips and across groups of them.
 
 Nodes of low pressure shear an oil that is nearly Newtonian, whose traction is a polynomial of the
-place wherever it slides: they have patches on either side of the ellipse and beside it.
-
-Sliding forces of a film, without heat or with it, at thousands of motions, by patches of its
-nodes and their pulls as tables.
+place wherever it slides: they have patches on either side of the ellipse and beside it. Pulls of
+all nodes are tables.
 """
 
 from collections.abc import Sequence
@@ -52,6 +51,10 @@ MIN_SLIDING_RATIO = (5.0, 1.0)
 NEARLY_NEWTONIAN = 0.8
 LOW_ALONG = 4  # places along x of patches of low pressure, which reach far behind the contact
 LOW_ACROSS = (3, 5, 3)  # across, of those beyond the ellipse on one side, beside it, on the other
+
+# smallest over largest sliding in the table of pulls, below which the drag goes with the sliding
+SMALLEST = 1e-9
+Slide = tuple[Array, Array, Array]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -266,11 +269,6 @@ def _add_low(
     rows.add(_columns(nodes[:, None, alone]), shear_per_sliding[None, alone])
 
 
-# smallest over largest sliding in the table of pulls, below which the drag goes with the sliding
-SMALLEST = 1e-9
-Slide = tuple[Array, Array, Array]
-
-
 def vectorised_sliding_forces(
     film: FilmQuadrature, slide: Slide, rolling: Array, curvature: float
 ) -> Array:
@@ -300,7 +298,7 @@ def vectorised_sliding_forces(
 def vectorised_heated_forces(
     film: HeatedFilm, slide: Slide, rolling: Array, curvature: float
 ) -> Array:
-    """Sum `heated.film.heated_forces` by node clusters, faster for thousands of motions.
+    """Sum `heated_film.heated_forces` by node clusters, faster for thousands of motions.
 
     Within 0.06 % of the largest force.
 

@@ -1,14 +1,12 @@
-r"""Inputs that change over time, and the options of a run.
-
-Features of the surfaces: waviness, dents, ridges, measured profiles.
+r"""Inputs of a run: conditions over time, features of the surfaces (waviness, dents, ridges,
+measured profiles), its options, and the equation of the oil that its nodes hold.
 
 A feature is a height z of its surface over the undeformed body, positive into the gap, over
 places x from a point that moves with the body, and y; x runs along the entrainment. The film is
 thinner by z.
 
-Oil that the nodes hold, m = rho theta H, carried with the entrainment from step to step.
-
-Along the characteristic, moved back by d nodes a step, Reynolds' equation of step k is
+Nodes hold the oil m = rho theta H, carried with the entrainment from step to step. Along the
+characteristic, moved back by d nodes a step, Reynolds' equation of step k is
 
 .. math::
     Pois(P^k) - \frac{1}{\Delta T} \left[ c_0 m^k_i - c_1 m^{k-1}_{i-d} + c_2 m^{k-2}_{i-d'}
@@ -337,7 +335,7 @@ class Course:
     def __post_init__(self) -> None:
         for name in ("times", "values"):
             if not np.isfinite(getattr(self, name)).all():
-                raise ValueError(f"{name} of a course must be finite")
+                raise ValueError(f"all {name} of a course must be finite")
         if len(self.times) != len(self.values) or not self.times:
             raise ValueError("a course needs as many values as times, and one at least")
         if any(b <= a for a, b in zip(self.times, self.times[1:], strict=False)):

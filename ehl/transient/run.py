@@ -1,8 +1,7 @@
-"""A run: start, steps, what is recorded, and the state to go on from.
+"""A run: times of its steps, the steady film that it starts from, the steps, their records, and
+the state to go on from.
 
-Times of the steps: the film moves from node to node in each, where it moves fast enough.
-
-Steady film that a run starts from.
+The film moves from node to node in each step, where it moves fast enough.
 """
 
 from collections.abc import Iterator
@@ -40,6 +39,25 @@ LONGEST_STEP = 4.0  # steps as long as this many of those at the speed of the sc
 MAX_STEPS = 1_000_000
 IMPACT_STEPS = 300.0  # of the time that dry elastic bodies touch each other
 FULL_NODE = 1.0 - 1e-9  # of a node, that counts as one
+
+# share of K_00/hx below which nodes are relaxed distributively: with the 0.3 of steady contacts
+# the storage, which is of the pressure itself and not of its slope, lets single nodes grow 3 to 5
+# times a cycle at (M, L) = (100, 2.5), see docs/theory/transient.md
+SWITCH = 1.0
+POLISHED = 1e-7  # residual of the steady film
+MAX_CYCLES = 40
+
+DIVERGED = "step {step} of {planned}, t = {time:.4g} s, did not converge with any damping"
+# error of single steps over the tolerance, and share of all steps that may be above it: what they
+# leave is handed on to the next step and no more there
+MAX_EXCESS = 10.0
+MAX_MISSED_FRACTION = 0.02
+FILM_NOT_POSITIVE = (
+    "not converged: the film is not positive on this mesh at t = {time:.4g} s; try more points"
+)
+RESIDUAL_MESSAGE = "the cycles left {share:.1e} of the film or the feature, above {tolerance:g}"
+
+__all__ = ["StartError", "TransientRun", "transient_run"]
 
 
 def step_times(conditions: TransientConditions, mesh: float, largest: float | None) -> Array:
@@ -142,14 +160,6 @@ def impact_time(conditions: TransientConditions, impact: Impact) -> float:
     energy = 15.0 * impact.mass * impact.approach_speed**2
     deepest = (energy / (16.0 * radius**0.5 * 0.5 * c.reduced_modulus)) ** 0.4
     return 2.94 * deepest / abs(impact.approach_speed)
-
-
-# share of K_00/hx below which nodes are relaxed distributively: with the 0.3 of steady contacts
-# the storage, which is of the pressure itself and not of its slope, lets single nodes grow 3 to 5
-# times a cycle at (M, L) = (100, 2.5), see docs/theory/transient.md
-SWITCH = 1.0
-POLISHED = 1e-7  # residual of the steady film
-MAX_CYCLES = 40
 
 
 class StartError(Exception):
@@ -372,17 +382,6 @@ def _content(state: Multigrid, conditions: TransientConditions) -> Array:
         full[:, turned], gained[:, turned] / fraction, empty[:, turned], level.grid.hx
     )
     return content[:, turned]
-
-
-DIVERGED = "step {step} of {planned}, t = {time:.4g} s, did not converge with any damping"
-# error of single steps over the tolerance, and share of all steps that may be above it: what they
-# leave is handed on to the next step and no more there
-MAX_EXCESS = 10.0
-MAX_MISSED_FRACTION = 0.02
-FILM_NOT_POSITIVE = (
-    "not converged: the film is not positive on this mesh at t = {time:.4g} s; try more points"
-)
-RESIDUAL_MESSAGE = "the cycles left {share:.1e} of the film or the feature, above {tolerance:g}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -835,6 +834,3 @@ def _start(feature: Feature, conditions: TransientConditions, inlet: float) -> f
     if moving < 0.0:
         raise ValueError("start: needed for a feature of a body that moves backwards at t = 0")
     return inlet - feature.reach
-
-
-__all__ = ["StartError", "TransientRun", "transient_run"]

@@ -79,33 +79,9 @@ def content_digest(
     bytes
         16 bytes.
     """
-    return whole_digest(texts, layout, numbers, b"%d %d" % (len(summary), zlib.crc32(summary)))
-
-
-def whole_digest(
-    texts: tuple[str, str, str, str, str], layout: str, numbers: bytes, summary: bytes
-) -> bytes:
-    """Hash of every byte, as of whole records before 2026-11-25.
-
-    Parameters
-    ----------
-    texts : tuple[str, str, str, str, str]
-        Key, status, message, values, files.
-    layout : str
-        Names of the numbers, JSON.
-    numbers : bytes
-        Kinds and values.
-    summary : bytes
-        Compressed JSON, or its length and checksum.
-
-    Returns
-    -------
-    bytes
-        16 bytes.
-    """
     digest = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(layout))
     digest.update(numbers)
-    digest.update(summary)
+    digest.update(b"%d %d" % (len(summary), zlib.crc32(summary)))
     return digest.digest()
 
 
@@ -442,7 +418,7 @@ def _is_whole(row: tuple[Any, ...]) -> bool:
     _, digest, layout, key, status, message, values, numbers, summary, files = row
     try:
         content = ((key, status, message, values, files), layout or "[]", numbers, summary)
-        return content_digest(*content) == digest or whole_digest(*content) == digest
+        return content_digest(*content) == digest
     except (TypeError, ValueError):
         return False
 
@@ -585,11 +561,9 @@ def read_batch(directory: str | Path) -> BatchResults:
             "results.nc or points.sqlite"
         )
     stored = StoredPoints(store_files(folder))
-    keys = [entry.get("key") or Path(entry["file"]).stem for entry in document["points"]]
+    keys = [entry["key"] for entry in document["points"]]
     records = stored.records(keys)
-    points = [
-        _point(folder, *both) for both in zip(document["points"], keys, records, strict=True)
-    ]
+    points = [_point(*both) for both in zip(document["points"], records, strict=True)]
     names = ("title", "case", "sweep")
     return BatchResults(
         version=document["oilfilm"],
@@ -619,27 +593,16 @@ def stored_summaries(directory: str | Path) -> Iterator[tuple[str, dict[str, Any
                 yield record.key, summary
 
 
-def _point(folder: Path, entry: dict[str, Any], key: str, record: Record | None) -> BatchPoint:
-    """A point from its entry in the summary of the batch, and its record; batches of version 0.1
-    before the records have a file for each point.
-    """
-    own = None if record is None else summary_of(record)
+def _point(entry: dict[str, Any], record: Record | None) -> BatchPoint:
+    """A point from its entry in the summary of the batch, and its record."""
     return BatchPoint(
         number=entry["point"],
         block=entry["block"],
         values=entry["keys"],
         case={},
-        key=key,
+        key=entry["key"],
         resumed=entry["resumed"],
         status=entry["status"],
         message=entry["message"] or "",
-        summary=_own_summary(folder / entry["file"]) if own is None and entry["file"] else own,
+        summary=None if record is None else summary_of(record),
     )
-
-
-def _own_summary(file: Path) -> dict[str, Any] | None:
-    try:
-        record = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
-        return None
-    return record.get("summary") if isinstance(record, dict) else None

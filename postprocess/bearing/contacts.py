@@ -198,7 +198,7 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities("contact.", "", "note", words=True),
 )
 CONTACT_QUANTITY = by_key(CONTACT_QUANTITIES)
-# of the summary; those of the film are among both
+# the summary has all of them; quantities of the film are among both
 ALL_QUANTITIES = tuple(by_key((*CONTACT_QUANTITIES, *ALL_FILM_QUANTITIES)).values())
 TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of their uncertainty
     "load_N": ".1f",

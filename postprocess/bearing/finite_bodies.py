@@ -171,6 +171,6 @@ def _what_is_left(cut: Truncation, hertz_pressure: float) -> str:
         return "The middle of the ellipse lies beyond the edge: there the equilibrium fails"
     largest, edge = (p / hertz_pressure for p in (cut.cut_pressure, cut.cut_edge_pressure))
     return (
-        f"What is left carries the load at about {largest:.3g} of Hertz' pressure, {edge:.3g} at "
+        f"The rest carries the load at about {largest:.3g} of Hertz' pressure, {edge:.3g} at "
         "the edge (by slices), and more where the edge is sharp: its blend decides"
     )

@@ -16,9 +16,8 @@ from oilfilm.bearing.fits.clearance import ClearanceBudget
 from oilfilm.bearing.fits.ring_strength import Strength
 from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
-from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.quasistatic.solution import Frequencies, QuasistaticSolution
 from oilfilm.bearing.rating.duty_cycle import DutyCycle
-from oilfilm.bearing.rating.frequencies import Frequencies
 from oilfilm.bearing.rating.life import LifeRating
 from oilfilm.bearing.supply.supply import GrooveOil
 from oilfilm.bearing.torque.breakdown import TorqueBreakdown
@@ -43,7 +42,7 @@ class BearingResults(Results):
     contacts: tuple[BearingContact, ...]  # ball by ball, inner race then outer
     solutions: tuple[ContactSolution | None, ...]  # of the contacts; equal ones share an object
     frequencies: Frequencies
-    # of the film atlas or of formulas, at contacts that are not solved; empty is None for all
+    # films by the atlas or formulas, at contacts that are not solved; empty is None for all
     formula_films: tuple[ContactFilm | None, ...] = ()
     interrupted: bool = False  # before all films were computed
     torque: TorqueBreakdown | None = None  # None without an equilibrium

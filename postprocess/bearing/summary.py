@@ -26,9 +26,12 @@ from oilfilm.bearing.fits.ring_strength import LARGE_SHARE, RingStrength, Streng
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.library.bearings import named_designation
 from oilfilm.bearing.quasistatic.ring import ball_forces, seat_reactions
-from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.quasistatic.solution import (
+    QuasistaticSolution,
+    bearing_frequencies,
+    kinematic_frequencies,
+)
 from oilfilm.bearing.rating.film_life import ContactKappa, FilmLife, film_life
-from oilfilm.bearing.rating.frequencies import bearing_frequencies, kinematic_frequencies
 from oilfilm.bearing.rating.life import (
     LARGEST_A_ISO,
     LARGEST_KAPPA,

@@ -321,7 +321,7 @@ def draw_passes(figure: Figure, results: ContactResults) -> None:
     left, right = figure.subplots(1, 2)
     films = [one for one in results.passes if one.solution.converged]
     style: Any = {"color": FILM_COLOUR, "marker": "o", "markersize": 3, "linewidth": 1.0}
-    left.plot(range(1, len(films) + 1), [one.share for one in films], **style)
+    left.plot(range(1, len(films) + 1), [one.film_fraction for one in films], **style)
     left.set_ylim(0.0, 1.05)
     left.set_xlabel("pass [-]")
     left.set_ylabel("central film over the flooded one [-]")

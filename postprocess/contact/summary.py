@@ -157,7 +157,9 @@ def pass_group(results: ContactResults) -> DataGroup | None:
         return np.array(rows) * (scale or 1.0)
 
     plane = ("pass", "y")
-    shares = np.array([p.share if p.solution.converged else np.nan for p in results.passes])
+    shares = np.array(
+        [p.film_fraction if p.solution.converged else np.nan for p in results.passes]
+    )
     variables: Variables = {
         "y": (("y",), first.Y * (length or 1.0), {"units": unit}),
         "inlet_layer": (plane, over("inlet"), {"units": layer_unit}),

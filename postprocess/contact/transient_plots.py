@@ -220,7 +220,7 @@ def write_transient(
         Results of the contact.
     directory : Path
         Folder to write into.
-    hurried : Callable[[], bool], default lambda: False
+    is_interrupted : Callable[[], bool], default lambda: False
         Once it is true no picture is drawn.
 
     Returns

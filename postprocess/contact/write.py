@@ -139,7 +139,7 @@ def contact_table(results: ContactResults) -> Group:
     if response := response_row(results.response):
         rows["stiffness, damping"] = response
     if results.passes:
-        films = ", ".join(f"{p.share:.3g}" for p in results.passes if p.solution.converged)
+        films = ", ".join(f"{p.film_fraction:.3g}" for p in results.passes if p.solution.converged)
         rows["film by pass"] = f"{films} of the flooded one"
     if not solution.converged:
         rows["NOT CONVERGED"] = solution.message

@@ -22,7 +22,7 @@ from oilfilm.bearing.dynamics.statistics import (
     angle_by_load,
     spin_speeds,
 )
-from oilfilm.bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
+from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
 from oilfilm.ehl.units import to_si
 
 from ..plot_style import (
@@ -203,7 +203,7 @@ def write_dynamics_plots(
         Folder of the history.
     document : dict[str, Any]
         Summary of the results in named units.
-    hurried : Callable[[], bool], default lambda: False
+    is_interrupted : Callable[[], bool], default lambda: False
         Asked before each picture; once it is true no further one is drawn.
 
     Returns

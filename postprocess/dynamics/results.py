@@ -28,7 +28,7 @@ from oilfilm.bearing.dynamics.statistics import (
     simulation_statistics,
     states,
 )
-from oilfilm.bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
+from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
 from oilfilm.ehl.units import from_si
 
 from ..files import plain

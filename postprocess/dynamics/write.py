@@ -28,7 +28,7 @@ def write_dynamics(
         Results of the simulation.
     directory : Path
         Folder to write into.
-    hurried : Callable[[], bool], default lambda: False
+    is_interrupted : Callable[[], bool], default lambda: False
         Asked before each picture; once it is true no further one is drawn.
 
     Returns

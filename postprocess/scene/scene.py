@@ -176,7 +176,7 @@ def animate(directory: StrPath, file: StrPath, options: AnimationOptions | None 
     return draw("animation_frames", directory, path, request, 4.0 * PATIENCE)
 
 
-def show(directory: StrPath, options: SceneOptions | None = None) -> None:
+def view(directory: StrPath, options: SceneOptions | None = None) -> None:
     """Open a window with the scene of a result directory, to be turned with the mouse.
 
     Parameters
@@ -188,8 +188,15 @@ def show(directory: StrPath, options: SceneOptions | None = None) -> None:
 
     Raises
     ------
+    ValueError
+        Without readable results.
     RenderingError
         Without a display.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> oilfilm.view("6208_full_ceramic_results")  # doctest: +SKIP
     """
     require_display()
     check_scene(directory, options)

@@ -63,7 +63,7 @@ def write_transient_series(
         Contact over time.
     directory : Path
         Folder to write into.
-    hurried : Callable[[], bool], default _never
+    is_interrupted : Callable[[], bool], default _never
         Asked before each frame; once it is true no further one is written.
 
     Returns
@@ -123,7 +123,7 @@ def write_movie(
         GIF file.
     title : str
         Title of the case.
-    hurried : Callable[[], bool], default _never
+    is_interrupted : Callable[[], bool], default _never
         Asked before each frame; once it is true nothing is written.
     """
     pictures = []

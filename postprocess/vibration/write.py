@@ -120,7 +120,7 @@ def write_vibration_plots(
         Summary of the results in named units.
     directory : Path
         Folder to write into.
-    hurried : Callable[[], bool]
+    is_interrupted : Callable[[], bool]
         Asked before each picture; once it is true no further one is drawn.
 
     Returns
@@ -379,7 +379,7 @@ def write_vibration(
         Vibration of the case.
     directory : Path
         Folder to write into.
-    hurried : Callable[[], bool], default lambda: False
+    is_interrupted : Callable[[], bool], default lambda: False
         Once it is true no picture is drawn.
 
     Returns

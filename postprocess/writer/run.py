@@ -84,6 +84,14 @@ def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
     dict
         Plain JSON types; lengths [um] or [mm], pressures [GPa], angles [deg] as the keys say. What
         does not apply is None with the reason under "messages"; no value is NaN or infinite.
+
+    Examples
+    --------
+    >>> import oilfilm
+    >>> results = oilfilm.run_contact(oilfilm.load_case("moes_20_10"))
+    >>> document = oilfilm.summary(results)
+    >>> document["converged"], round(document["moes_M"], 1)
+    (True, 20.0)
     """
     if isinstance(results, ContactResults):
         return contact_summary(results)
@@ -149,6 +157,17 @@ def write_results(
     ------
     OSError
         If the numbers cannot be written: disk full, no permission.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> import oilfilm
+    >>> results = oilfilm.run_contact(oilfilm.load_case("moes_20_10"))
+    >>> with TemporaryDirectory() as folder:
+    ...     messages = oilfilm.write_results(results, folder)
+    ...     print((Path(folder) / "summary.json").is_file())
+    True
     """
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)

@@ -19,7 +19,7 @@ ANGLES = 64
 
 
 def coulomb_dissipation_twin(motion: Array, ellipses: Ellipses) -> Dissipation:
-    """As `coulomb_dissipation`, in NumPy; motion in [m/s], [rad/s]."""
+    """`ellipse_sums` in NumPy; motion in [m/s], [rad/s]."""
     a, b = ellipses.semi_axis_y[:, None], ellipses.semi_axis_x[:, None]
     places_x, places_y, weight = ellipse_nodes(EllipseRule.BALANCE)
     x, y = b * places_x, a * places_y

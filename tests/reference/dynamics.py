@@ -190,7 +190,7 @@ def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table:
     y = np.cross(n, x)
     slide = ball - ring
     turn = balls.turn - body.turn
-    memory = problem.memory[race * c.balls : (race + 1) * c.balls, None]
+    memory = problem.impact_speeds[race * c.balls : (race + 1) * c.balls, None]
     law = problem.normal[race]
     data = problem.friction_inner if race == 0 else problem.friction_outer
     if problem.friction_kind == FILM:
@@ -272,7 +272,7 @@ def pocket_pairs(problem: EquationData, body: Body, rotation: float, balls: Ball
     approach = size - problem.pocket_play[:, None]
     slide = slide - rate * n
     speed = np.linalg.norm(slide, axis=1, keepdims=True)
-    memory = problem.memory[2 * c.balls : 3 * c.balls, None]
+    memory = problem.impact_speeds[2 * c.balls : 3 * c.balls, None]
     push = normal_force(problem.normal[POCKET], approach, rate, memory)
     force = -push * c.pocket_friction * np.minimum(speed / c.friction_ramp, 1.0) / speed * slide
     contact = Pair(force - push * n, 0.0 * n, np.cross(arm, force), balls.position + arm)
@@ -333,7 +333,7 @@ def land_loads(problem: EquationData, side: int, ring: Body, cage: Body) -> tupl
     size = float(np.hypot(*e))
     u = e / size if size > 0.0 else np.array([1.0, 0.0])
     across = np.array([-u[1], u[0]])
-    memory = problem.memory[3 * c.balls + side]
+    memory = problem.impact_speeds[3 * c.balls + side]
     push = float(normal_force(problem.normal[LAND], np.array(size - c.land_clearance), np.dot(v, u), memory))
     side_sign = -1.0 if inside else 1.0
     slide = side_sign * c.land_radius * apart + float(np.dot(v, across))

@@ -22,7 +22,7 @@ from math import asinh, log, pi
 import numpy as np
 import pytest
 
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl import ContactConditions, SolverOptions, solve_contact
 from oilfilm.ehl.closed_form.hertz import hertz_contact
 from oilfilm.ehl.conditions import contact_kinematics
@@ -62,7 +62,7 @@ def formula(oil, coefficient, mean_pressure, slide, film):
 
 @pytest.mark.parametrize("name", OILS)
 def test_traction_of_the_film_is_that_of_the_formula(name):
-    oil = library_lubricant(name, TEMPERATURE)
+    oil = load_lubricant(name, TEMPERATURE)
     coefficient = OILS[name]
     rheology = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=coefficient, limiting_coefficient=coefficient)
     compared = 0
@@ -85,7 +85,7 @@ def test_traction_of_the_film_is_that_of_the_formula(name):
 
 @pytest.mark.parametrize("name", OILS)
 def test_traction_of_a_line_is_that_of_the_formula(name):
-    oil = library_lubricant(name, TEMPERATURE)
+    oil = load_lubricant(name, TEMPERATURE)
     coefficient = OILS[name]
     law = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=coefficient, limiting_coefficient=coefficient)
     for speed in TOLERANCE:

@@ -23,7 +23,7 @@ from oilfilm.ehl import SolverOptions, solve_contact
 from oilfilm.ehl.conditions import ContactKinematics
 from oilfilm.ehl.traction.rolling_moment import rolling_moment
 from oilfilm.ehl.traction.shear import integrate_traction
-from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 
 from ..reference.ehl.traction import largest_force
 
@@ -82,7 +82,7 @@ def table_of():
     state = solve_quasistatic(case.bearing, case.operation, case.model)
     contacts = table_contacts(state, case.lubricant, case.rheology)
     options = TableOptions(points=POINTS, workers=2)
-    return cache(lambda race: build_table(contacts[race], table_range(state, case.lubricant), options))
+    return cache(lambda race: build_traction_table(contacts[race], table_range(state, case.lubricant), options))
 
 
 @pytest.mark.slow

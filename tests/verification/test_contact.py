@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl import (
     ContactConditions,
     DensityLaw,
@@ -516,7 +516,7 @@ def test_every_attempt_is_on_record():
 def test_free_volume_laws_in_the_contact():
     """Squalane by Tait and Doolittle: the film of the Roelands oil of equal viscosity and slope, within a tenth."""
     laws = {"viscosity_law": ViscosityLaw.TAIT_DOOLITTLE, "density_law": DensityLaw.TAIT}
-    oils = library_lubricant("squalane", 298.15, **laws), library_lubricant("squalane", 298.15)
+    oils = load_lubricant("squalane", 298.15, **laws), load_lubricant("squalane", 298.15)
     films = []
     for oil in oils:
         contact = replace(

@@ -19,7 +19,7 @@ import numpy as np
 from fit import label, relative
 from solves import rounded, solved
 
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, ViscosityLaw
 from oilfilm.ehl.atlas.oils import density_correction, with_inlet_oil
 from oilfilm.ehl.atlas.table import BASE_ALPHA, BASE_Z, functions
@@ -75,8 +75,8 @@ def oil_of(kind, rng):
         )
         return replace(oil, **MADE[kind])
     if kind == "squalane":  # its constants hold at 25 C
-        return library_lubricant(kind, 298.15, viscosity_law=ViscosityLaw.TAIT_DOOLITTLE)
-    return library_lubricant(kind, TEMPERATURES[int(u[3] * len(TEMPERATURES))] + 273.15)
+        return load_lubricant(kind, 298.15, viscosity_law=ViscosityLaw.TAIT_DOOLITTLE)
+    return load_lubricant(kind, TEMPERATURES[int(u[3] * len(TEMPERATURES))] + 273.15)
 
 
 def places(seed, count):

@@ -50,8 +50,8 @@ class Run:
         grooves = ((c.inner_centre, c.inner_groove), (c.outer_centre, c.outer_groove))
         slides = []
         for time, state in zip(self.record.time, self.record.state, strict=True):
-            schedule_at(data.times, data.schedule, float(time), data.given)
-            rings = place_bodies(c.balls, state, data.given[INNER_SPEED], data.given[OUTER_SPEED])[:2]
+            schedule_at(data.times, data.schedule, float(time), data.prescribed)
+            rings = place_bodies(c.balls, state, data.prescribed[INNER_SPEED], data.prescribed[OUTER_SPEED])[:2]
             balls = [ball_motion(state, c.balls, j) for j in range(c.balls)]
             for ring, groove in zip(rings, grooves, strict=True):
                 motions = [race_motion(c, ring, *groove, *ball) for ball in balls]

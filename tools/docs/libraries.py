@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from oilfilm.bearing import (
-    library_lubricant,
     list_bearings,
     list_lubricants,
     list_materials,
     load_catalogue_entry,
+    load_lubricant,
     typical_geometry,
 )
 from oilfilm.bearing.library.bearings import published_bearings
@@ -171,14 +171,14 @@ def _dagger_of_oil(data: dict[str, Any]) -> str:
 def oils() -> Iterator[Sequence[str]]:
     """Every oil at 40 °C; a dagger where no source was read."""
     for name in list_lubricants():
-        data, oil = lubricant_data(name), library_lubricant(name, 313.15)
+        data, oil = lubricant_data(name), load_lubricant(name, 313.15)
         low, high = data["range_C"]
         marks = {field: _dagger_of_oil(data[field]) for field in PROPERTIES}
         heat = oil.thermal
         assert heat is not None
         hot = "–"
         if high >= 100.0:
-            at_100 = library_lubricant(name, 373.15)
+            at_100 = load_lubricant(name, 373.15)
             hot = f"{1e6 * at_100.viscosity / at_100.density:.3g}"
         yield (
             name,

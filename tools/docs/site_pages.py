@@ -22,9 +22,8 @@ def on_files(files: Any, config: Any) -> Any:
     """Add the pages that are no files of docs/."""
     from mkdocs.structure.files import File
 
-    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     files.append(File.generated(config, "gallery.md", content=gallery()))
-    files.append(File.generated(config, "reference/changelog.md", content=changelog))
+    files.append(File.generated(config, "reference/changelog.md", content=changelog()))
     return files
 
 
@@ -40,6 +39,12 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         return f"[{title}]({link[2]}{link[3] or ''})"
 
     return re.sub(r"\[([\w/]+\.md)\]\(([\w./]+\.md)(#[\w-]+)?\)", named, markdown)
+
+
+def changelog() -> str:
+    """The change log, its links from the folder of its page."""
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    return text.replace("](docs/reference/", "](").replace("](docs/", "](../")
 
 
 def gallery() -> str:

@@ -13,7 +13,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from oilfilm.bearing import library_lubricant
+from oilfilm.bearing import load_lubricant
 from oilfilm.cases import load_case
 from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from oilfilm.ehl.conditions import ContactKinematics
@@ -42,7 +42,7 @@ LAWS = {"viscosity_law": ViscosityLaw.TAIT_DOOLITTLE, "density_law": DensityLaw.
 
 def read_oil() -> Lubricant:
     """Squalane at 25 °C by the constants read: heat softens it as at ambient pressure."""
-    return library_lubricant("squalane", OPERATION, **LAWS)
+    return load_lubricant("squalane", OPERATION, **LAWS)
 
 
 def remembered_oil() -> Lubricant:

@@ -10,7 +10,7 @@ from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.geometry import Bearing
 from oilfilm.bearing.operation import Operation, QuasistaticModel
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
-from oilfilm.bearing.torque.breakdown import NAMES, torque_breakdown
+from oilfilm.bearing.torque.breakdown import NAMES, friction_torque
 from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.oil.lubricant import Lubricant
@@ -98,7 +98,7 @@ def torque_sweep(
             continue
         oil = study.oil(temperature)
         friction = replace(study.friction, all_models=True)
-        breakdown = torque_breakdown(solution, contact_conditions(solution, oil), oil, friction)
+        breakdown = friction_torque(solution, contact_conditions(solution, oil), oil, friction)
         for name, model in breakdown.models.items():
             if model.total is not None:
                 totals.setdefault(name, np.full(shape, np.nan))[place] = model.total

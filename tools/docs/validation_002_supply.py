@@ -33,7 +33,7 @@ from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.operating import OilAtInlets, supplied_films
 from oilfilm.bearing.supply.supply import (
     AMPLE,
-    InletFilm,
+    PrescribedInlet,
     Supply,
     cavity_volume,
     groove_area,
@@ -112,7 +112,7 @@ def by_balance(speed: float, load: float) -> float | None:
 
     def torque(flow: float) -> SupplyPoint:
         oil = oil_fraction(replace(SUPPLY, flow=flow * ML_MIN), cavity)
-        layer = InletFilm(layer=retained(speed) * flow * ML_MIN / area)
+        layer = PrescribedInlet(layer=retained(speed) * flow * ML_MIN / area)
         return supplied(speed, load, layer, oil_fraction=oil)
 
     return least(torque)
@@ -234,7 +234,7 @@ def page() -> str:
     """The page, computed anew."""
     flooded = [supplied(SPEEDS[0], load, AMPLE) for load in LOADS]
     dry = [at_flow(SPEEDS[0], load, SCAN[0]) for load in LOADS]
-    layers = [supplied(SPEEDS[0], LOADS[-1], InletFilm(layer=layer * UM)) for layer in LAYERS]
+    layers = [supplied(SPEEDS[0], LOADS[-1], PrescribedInlet(layer=layer * UM)) for layer in LAYERS]
     low, high = SUPPLY.captured
     return TEMPLATE.read_text(encoding="utf-8").format(
         heads=" | ".join(f"{speed:.0f} r/min, {load:.0f} N" for speed, load in GRID),

@@ -21,8 +21,8 @@ from oilfilm.bearing.films.formula import formula_films
 from oilfilm.bearing.films.operating import OilAtInlets, least_lambda, mean_fraction, of_driven_balls, supplied_films
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.bearing.supply.supply import InletFilm, Supply
-from oilfilm.bearing.torque.breakdown import torque_breakdown
+from oilfilm.bearing.supply.supply import PrescribedInlet, Supply
+from oilfilm.bearing.torque.breakdown import friction_torque
 from oilfilm.bearing.torque.integrated import bearing_films, solved_shear
 from oilfilm.cases import load_case
 from oilfilm.cases.batch.sweep import read_sweep
@@ -56,7 +56,7 @@ def solved(speed: float, load: float, **materials: str):
 
 def terms(speed: float, load: float) -> dict[str, float]:
     """The five terms [N mm]."""
-    yao = torque_breakdown(*solved(speed, load), CASE.lubricant, CASE.friction).models["yao"]
+    yao = friction_torque(*solved(speed, load), CASE.lubricant, CASE.friction).models["yao"]
     return {name: 1e3 * value for name, value in yao.components.items()}
 
 
@@ -80,7 +80,7 @@ def supplied_case(speed: float, load: float) -> tuple[Case, QuasistaticSolution,
     return case, state, contacts, formula_films(contacts)
 
 
-def supplied(speed: float, load: float, supply: Supply | InletFilm, **changes: object) -> SupplyPoint:
+def supplied(speed: float, load: float, supply: Supply | PrescribedInlet, **changes: object) -> SupplyPoint:
     """The recommended torque at a supply, with changes of the case's friction."""
     case, state, contacts, films = supplied_case(speed, load)
     friction = replace(case.friction, supply=supply, **changes)
@@ -138,7 +138,7 @@ def material_rows() -> str:
         state, contacts = solved(
             10000.0, 3000.0, inner_ring_material=ring, outer_ring_material=ring, ball_material=ball
         )
-        models = torque_breakdown(state, contacts, CASE.lubricant, CASE.friction).models
+        models = friction_torque(state, contacts, CASE.lubricant, CASE.friction).models
         five = {name: 1e3 * value for name, value in models["yao"].components.items()}
         lines = 1e3 * (models["pure_rolling_lines"].total or 0.0)
         oil = 1e3 * models["houpert"].components["hydrodynamic"]

@@ -16,7 +16,7 @@ from oilfilm.bearing import BallKinematics, contact_conditions, solve_quasistati
 from oilfilm.bearing.friction.coulomb import balanced_friction
 from oilfilm.bearing.friction.law import BallTraction
 from oilfilm.bearing.friction.laws import CoulombTraction
-from oilfilm.bearing.torque.breakdown import torque_breakdown
+from oilfilm.bearing.torque.breakdown import friction_torque
 from oilfilm.bearing.torque.paper_models import sliding_contacts
 from oilfilm.cases import Case, load_case
 
@@ -49,7 +49,7 @@ def solved(case: Case, speed: float, loads: tuple[float, float], **changes: obje
     assert state.converged
     contacts = contact_conditions(state, case.lubricant)
     assert case.friction is not None  # of every bearing case
-    return torque_breakdown(state, contacts, case.lubricant, case.friction), state, contacts
+    return friction_torque(state, contacts, case.lubricant, case.friction), state, contacts
 
 
 def table(stem: str, column: str) -> list[float]:

@@ -2,6 +2,7 @@
 
     PYTHONPATH=. python tools/fuzz/mutants.py
     PYTHONPATH=. python tools/fuzz/mutants.py --only 12 --only 13
+    python tools/fuzz/mutants.py --check    whether each old text stands once in its file, in a second
 
 `mutants.toml` holds groups of mutants: the tests to run (arguments of pytest), and file, old text and new text of each
 mutant. Each is applied alone in a temporary copy of the tree. Right is a test that fails: "killed". Wrong is
@@ -30,7 +31,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 LIST = Path(__file__).with_suffix(".toml")
-COPIED = "bearing cases docs ehl postprocess tests tools pyproject.toml README.md CONTRIBUTING.md".split()
+COPIED = "bearing cases docs ehl oilfilm postprocess tests tools pyproject.toml README.md CONTRIBUTING.md".split()
 LEAST_SHARE = 0.95  # killed of all
 LONGEST = 300.0  # of one run of tests, unless these take more than a tenth of it without a mutant [s]
 LONGEST_UNCHANGED = 1800.0  # of one without a mutant [s]
@@ -109,6 +110,19 @@ def judge(tree: Path, mutant: Mutant, longest: float) -> str:
     return known.get(code, f"fault: pytest ends with {code}")
 
 
+def list_faults(mutants: list[Mutant]) -> list[str]:
+    """Mutants whose file, test or old text is not in the tree."""
+    faults = []
+    for mutant in mutants:
+        paths = [word.partition("::")[0] for word in shlex.split(mutant.tests) if word.startswith("tests/")]
+        faults += [f"{mutant.number}: no file {path}" for path in (mutant.file, *paths) if not (ROOT / path).exists()]
+        if (ROOT / mutant.file).exists():
+            count = (ROOT / mutant.file).read_text(encoding="utf-8").count(mutant.old)
+            if count != 1:
+                faults.append(f"{mutant.number}: {mutant.file} has {count} times: {mutant.old}")
+    return faults
+
+
 def judge_group(tree: Path, tests: str, mutants: list[Mutant]) -> list[str]:
     """A word for each of the mutants of the same tests, which have to pass without any of them."""
     start = time.monotonic()
@@ -127,7 +141,13 @@ def judge_group(tree: Path, tests: str, mutants: list[Mutant]) -> list[str]:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", type=int, action="append", metavar="N", help="number of a mutant")
-    wanted = parser.parse_args().only
+    parser.add_argument("--check", action="store_true", help="only compare the list with the tree")
+    arguments = parser.parse_args()
+    wanted = arguments.only
+    if arguments.check:
+        faults = list_faults(read_mutants())
+        print("\n".join([*faults, f"{len(read_mutants())} mutants, {len(faults)} faults of the list"]))
+        return 1 if faults else 0
     groups: dict[str, list[Mutant]] = {}
     for mutant in read_mutants():
         if not wanted or mutant.number in wanted:

@@ -21,19 +21,16 @@ and one at alpha, measured at both and at -alpha, yield it::
 Without the opening G_xx would have to hold it, and be wrong where it is small, such as in a loose
 outer ring, and G_rr could not tell one flank from the bottom.
 
-A flat block of a half-space under nodal forces: what a finite body is compared with.
+The flat block, a part of a half-space that a finite body is compared with, has the grid lines of
+the body around its load and the same nodal forces; its far faces move as those of a half-space, by
+the sum of Boussinesq's (1885) point loads. Body less block is then smooth, and the error of the
+mesh under the load cancels.
 
-The block has the grid lines of the body around its load and the same nodal forces; its far faces
-move as those of a half-space, by the sum of Boussinesq's (1885) point loads. Body less block is
-then smooth, and the error of the mesh under the load cancels.
-
-Response of a ring whose seat touches it at some azimuths only.
-
-A seat contact presses radially on the seat, evenly across the ring and as a parabola over the
-angle :math:`\pm w` around it, :math:`p \propto 1 - (\theta/w)^2`; it measures the radial
-displacement of the seat with the same weights, which make its resultant one. The rigid part of all
-displacements is that of a loose ring under a cosine pressure, which cancels where the seat
-contacts balance the balls.
+A seat may touch the ring at some azimuths only. A seat contact presses radially on the seat,
+evenly across the ring and as a parabola over the angle :math:`\pm w` around it, :math:`p \propto 1
+- (\theta/w)^2`; it measures the radial displacement of the seat with the same weights, which make
+its resultant one. The rigid part of all displacements is that of a loose ring under a cosine
+pressure, which cancels where the seat contacts balance the balls.
 """
 
 from collections.abc import Sequence
@@ -53,6 +50,17 @@ from .elasticity import (
 )
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import Elasticity, RingCells, RingProfile, Seat, track_angle
+
+GAUSS_POINTS = 32  # of the parabola
+
+# half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
+# change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, with Hertz'
+# approach 9.3 um at 1 kN [-]
+PATCH = 0.25
+# half length of the flat block in patches, in addition to half the wall [-]
+BLOCK_PATCHES = 2.0
+
+Patch = tuple[Array, Array, float]  # lines across the track [m], weights [-], angle [rad]
 
 
 def boussinesq(points: Array, young: float, poisson: float) -> Array:
@@ -172,9 +180,6 @@ def _line_nodes(block: HexMesh, across: Array) -> Array:
     return np.asarray(line[[int(np.abs(positions - position).argmin()) for position in across]])
 
 
-GAUSS_POINTS = 32  # of the parabola
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SeatResponse:
     """Radial displacement of the seat under unit forces at theta = 0, by its contacts' weights."""
@@ -292,16 +297,6 @@ def _across(mesh: RingMesh) -> Array:
     return np.where(mesh.seat, line_weights, 0.0)
 
 
-# half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
-# change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, with Hertz'
-# approach 9.3 um at 1 kN [-]
-PATCH = 0.25
-# half length of the flat block in patches, in addition to half the wall [-]
-BLOCK_PATCHES = 2.0
-
-Patch = tuple[Array, Array, float]  # lines across the track [m], weights [-], angle [rad]
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingResponse:
     """Displacement of a ring under unit forces at theta = 0."""
@@ -314,7 +309,8 @@ class RingResponse:
     # d(alpha, -alpha), shape (4, n) [m/N]
     displacement: Array
     half_space: Array  # displacement of a half-space at theta = 0, shape (4,) [m/N]
-    # of all nodes (x, y, z), shape (nodes, 3, 2); (nodes, 3, 3) with a seat contact [m/N]
+    # displacements of all nodes (x, y, z), shape (nodes, 3, 2); (nodes, 3, 3) with a seat contact
+    # [m/N]
     field: Array
     seat_contacts: SeatResponse | None  # of a ring whose seat touches at some azimuths only
     unknowns: int

@@ -1,4 +1,4 @@
-r"""Linear elasticity on meshes of quadratic hexahedra.
+r"""Linear elasticity on meshes of quadratic hexahedra, and its linear systems.
 
 .. math:: \int \lambda\, \mathrm{div} u\, \mathrm{div} v + 2 \mu\, \varepsilon(u) : \varepsilon(v)
 
@@ -6,15 +6,11 @@ is put together from the products of gradients of the scalar shape functions, S_
 phi_a d_j phi_b, cell by cell: K_{ai,bj} = lambda S_{ai,bj} + mu S_{aj,bi} + mu delta_ij S_{ak,bk}.
 Linear hexahedra lock in the bending of rings; quadratic ones do not.
 
-Meshes of quadratic hexahedra as images of boxes of parameters, and integrals of their shape
-functions.
-
-Linear systems of elasticity and conduction: conjugate gradients preconditioned by smoothed
-aggregation (Vanek, Mandel and Brezina, 1996), else a sparse factorisation.
-
-With rigid-body modes as near-null space and block Gauss-Seidel as smoother, quadratic elements
-take 22 to 60 iterations where no cell is long, slender rings up to 150. Small systems, and those
-that do not reach the tolerance, go to the factorisation.
+Meshes are images of boxes of parameters. The systems of elasticity and conduction are solved by
+conjugate gradients preconditioned by smoothed aggregation (Vanek, Mandel and Brezina, 1996), else
+by a sparse factorisation. With rigid-body modes as near-null space and block Gauss-Seidel as
+smoother, quadratic elements take 22 to 60 iterations where no cell is long, slender rings up to
+150. Small systems, and those that do not reach the tolerance, go to the factorisation.
 """
 
 import warnings
@@ -37,6 +33,18 @@ Nodes = NDArray[np.bool_]
 
 INTEGRATION_ORDER = 4  # three Gauss points a direction: exact for products of gradients in a box
 SAME = 1e-9  # parameters closer than this count as one, relative to their range [-]
+
+STRENGTH = 0.05  # of connection, symmetric; 0.25 multiplies the hierarchy by nine [-]
+MAX_COARSE = 300
+# a free ring of 1.25 mm under the groove takes 134, one on a rigid shaft 25
+MAX_ITERATIONS = 400
+# unknowns below which factors are cheaper: rings of 23 000 take 2.5 s by them, 4 to 13 s otherwise
+DIRECT_BELOW = 30_000
+# relative residual that counts as solved by factors, where the matrix is ill-conditioned [-]
+FACTOR_TOLERANCE = 1e-7
+FLOATING = 1e-9  # force of a rigid motion over the largest entry that is round-off [-]
+
+TOLERANCE = 1e-8  # relative residual of the displacements [-]
 
 
 @dataclass(frozen=True, slots=True)
@@ -282,16 +290,6 @@ try:
 except ImportError:  # no wheels for Linux on 64-bit ARM
     pyamg = None
 
-STRENGTH = 0.05  # of connection, symmetric; 0.25 multiplies the hierarchy by nine [-]
-MAX_COARSE = 300
-# a free ring of 1.25 mm under the groove takes 134, one on a rigid shaft 25
-MAX_ITERATIONS = 400
-# unknowns below which factors are cheaper: rings of 23 000 take 2.5 s by them, 4 to 13 s otherwise
-DIRECT_BELOW = 30_000
-# relative residual that counts as solved by factors, where the matrix is ill-conditioned [-]
-FACTOR_TOLERANCE = 1e-7
-FLOATING = 1e-9  # force of a rigid motion over the largest entry that is round-off [-]
-
 
 class LinearSolution(NamedTuple):
     """Solutions of a system, their residual and the method."""
@@ -414,9 +412,6 @@ def _pins(modes: Array) -> NDArray[np.int32]:
     """Rows that determine the floating modes: pivots of a QR factorisation of the modes."""
     _, _, order = qr(modes.T, mode="economic", pivoting=True)
     return np.asarray(order[: modes.shape[1]])
-
-
-TOLERANCE = 1e-8  # relative residual of the displacements [-]
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,20 +1,19 @@
-r"""Surface of a grooved ring under a contact, less that of a half-space: finite elements.
+r"""Surfaces of a grooved ring, by finite elements, and of a ball, in closed form, under a contact,
+less that of a half-space.
 
-The pressure of the ellipse acts on the nodes of the track, w_a at each along its own normal as
-w_a n_a/(n_a n_0), n_0 the normal in the middle of the contact; displacements are measured the same
-way, u_a n_a/(n_a n_0), so that a rigid motion is a constant and the operator symmetric. A flat
-block with the grid lines of the ring in arc lengths carries the w_a themselves, its far faces move
-as Boussinesq's half-space: the errors of the mesh under the load cancel in the difference, and the
-mesh need not resolve the pressure.
+On the ring the pressure of the ellipse acts on the nodes of the track, w_a at each along its own
+normal as w_a n_a/(n_a n_0), n_0 the normal in the middle of the contact; displacements are
+measured the same way, u_a n_a/(n_a n_0), so that a rigid motion is a constant and the operator
+symmetric. A flat block with the grid lines of the ring in arc lengths carries the w_a themselves,
+its far faces move as Boussinesq's half-space: the errors of the mesh under the load cancel in the
+difference, and the mesh need not resolve the pressure.
 
 The ring stands bonded on a rigid seat, a sector on either side of the load; or loose, the whole
 ring, the load spread over the seat with the cosine from its direction.
 
-An elastic ball under two opposite equal loads: its surface against that of a half-space.
-
-Normal pressures p_n P_n(cos gamma) on a sphere of radius R move it by w_n P_n along the radius,
-with the two regular solutions of degree n (Love, Mathematical Theory of Elasticity, 1927, article
-172; phi = r^n P_n)
+The ball carries two opposite equal loads. Normal pressures p_n P_n(cos gamma) on a sphere of
+radius R move it by w_n P_n along the radius, with the two regular solutions of degree n (Love,
+Mathematical Theory of Elasticity, 1927, article 172; phi = r^n P_n)
 
 .. math:: u = a \nabla\phi + b\,(r^2 \nabla\phi + \alpha_n x \phi), \qquad
           \alpha_n = -2\,\frac{n\lambda + (3n+1)\mu}{(n+3)\lambda + (n+5)\mu}
@@ -54,6 +53,9 @@ ACROSS = 0.5  # of b
 ALONG = 2.0  # of a
 MOST_ACROSS = 40  # cells between the edges of the groove: a short ellipse has coarser ones
 SECTOR = 3.0  # of wall and semi-axis b together, half a sector; 5 changes nothing in four digits
+
+DEGREES = 400  # of the rest; twice as many change the difference by less than 1e-5 of it
+SMALLEST = 1e-6  # half angle between two cells, where the smooth part is even [rad]
 
 
 def ring_difference(
@@ -228,10 +230,6 @@ def _flat(
     fixed[block.on(0, 0.0), 0] = True
     fixed[far] = True
     return block, solve_elasticity(elastic_body(block, *elastic), forces, fixed, prescribed)
-
-
-DEGREES = 400  # of the rest; twice as many change the difference by less than 1e-5 of it
-SMALLEST = 1e-6  # half angle between two cells, where the smooth part is even [rad]
 
 
 def ball_difference(

@@ -1,22 +1,22 @@
-r"""Stress in a grooved ring below a contact: that of a half-space and the difference of the ring.
+r"""Stress in a grooved ring below a contact, and displacement of the whole ring under all its
+balls.
 
-Hertz' pressure on a half-space has a closed superposition (`ehl.solid.subsurface`). The difference
-of the ring is smooth and comes from finite elements that need not see the contact: stress of the
-ring less stress of the flat block with the same lines and nodal forces, each in the directions
-along the track, across it and into the body,
+The stress is that of a half-space and the difference of the ring. Hertz' pressure on a half-space
+has a closed superposition (`subsurface`). The difference of the ring is smooth and comes from
+finite elements that need not see the contact: stress of the ring less stress of the flat block
+with the same lines and nodal forces, each in the directions along the track, across it and into
+the body,
 
 .. math:: \sigma = \sigma_\text{half-space}(x, y, z) + (\sigma_\text{ring} - \sigma_\text{block})
 
 at equal arc lengths x, y and depths z. Gradients of the displacements are differences over the
 lines of nodes, of second order; their errors under the load are equal in both bodies.
 
-Displacement of a whole ring under the loads of all its balls, by superposition.
-
-The field of one load at the bottom of the groove, that of one at the contact angle alpha, and the
-mirror image of this are turned to the azimuth of each ball and added: a ring is the same all
-around and on both sides, and its seat reacts to each load separately. Close to a load, within a
-cell or two, the displacement is that of the line of nodes which carries it, not Hertz'
-indentation.
+The displacement of a whole ring is a superposition: the field of one load at the bottom of the
+groove, that of one at the contact angle alpha, and the mirror image of this are turned to the
+azimuth of each ball and added: a ring is the same all around and on both sides, and its seat
+reacts to each load separately. Close to a load, within a cell or two, the displacement is that of
+the line of nodes which carries it, not Hertz' indentation.
 """
 
 from dataclasses import dataclass
@@ -32,6 +32,13 @@ from .elasticity import quadratic_line
 from .surface_difference import ContactPatch
 
 LARGEST_STEP = pi / 60.0  # between lines around the ring [rad]
+
+# box below the contact: points along, across and into the ring, its half sides in a and b, and its
+# depth in a; the largest shear of a line contact lies at 0.79 a
+POINTS = (49, 49, 31)
+HALF_SIDES = (1.5, 1.2)
+DEPTH = 3.0
+PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))  # xx, yy, zz, xy, yz, xz
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,14 +118,6 @@ def _lines(turns: Array) -> Array:
         for a, b in zip(loaded, following, strict=True)
     ]
     return np.concatenate(steps)
-
-
-# of the box below the contact: points along, across and into the ring, its half sides in a and b,
-# and its depth in a; the largest shear of a line contact lies at 0.79 a
-POINTS = (49, 49, 31)
-HALF_SIDES = (1.5, 1.2)
-DEPTH = 3.0
-PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))  # xx, yy, zz, xy, yz, xz
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,16 +6,16 @@ from math import log, pi, sqrt
 import numpy as np
 import pytest
 
-from oilfilm.bearing.contacts.contacts import hertz_contacts
+from oilfilm.bearing.contacts.contact import hertz_contacts
 from oilfilm.bearing.films.formula import flooded_moment, formula_central
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl import SolverOptions, ViscosityLaw, solve_contact
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.traction.rolling_moment import kapitza_moment, rolling_moment
 
 
 def contact(load, speed=3.0, ratio=0.06, layer=1e-4):
-    oil = replace(library_lubricant("iso vg 32", 313.15), flooded_layer=layer)
+    oil = replace(load_lubricant("iso vg 32", 313.15), flooded_layer=layer)
     return ContactConditions(
         load=load, radius_x=7e-3, radius_y=7e-3 / ratio, reduced_modulus=2.26e11, entrainment_speed=speed, lubricant=oil
     )

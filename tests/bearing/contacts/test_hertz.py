@@ -7,7 +7,7 @@ from dataclasses import astuple
 import numpy as np
 from numpy.testing import assert_allclose
 
-from oilfilm.bearing.contacts.contacts import ellipse_ratios, hertz_contacts
+from oilfilm.bearing.contacts.contact import ellipse_ratios, hertz_contacts
 from oilfilm.ehl.closed_form.hertz import ellipse_ratio, hertz_contact
 
 

@@ -70,7 +70,7 @@ def test_kernel_agrees_with_its_twin(setup, guidance, law):
     layout, dy = sim.layout, np.zeros(sim.layout.size)
     for _ in range(20):
         y = shaken(sim, random)
-        p.memory[:] = random.uniform(0.05, 0.5, p.memory.size)
+        p.impact_speeds[:] = random.uniform(0.05, 0.5, p.impact_speeds.size)
         derivative(0.0, y, p, dy)
         twin = accelerations(p, y, np.array([operation.inner_speed, -80.0, 100.0, 60.0, 0.0, 0.01, -0.02]))
         got = dy[layout.positions : layout.mechanical]

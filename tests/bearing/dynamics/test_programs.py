@@ -194,13 +194,15 @@ def test_tables_at_other_times_leave_the_path_of_the_ring(setup):
     data = simulation(bearing, operation, setup.model(bearing, schedule=schedule)).data
     step = 1e-7
     for t in np.random.default_rng(515).uniform(0.0, 0.012, 50):
-        _motion_kernels.schedule_at(data.times, data.schedule, t, data.given)
+        _motion_kernels.schedule_at(data.times, data.schedule, t, data.prescribed)
         assert_allclose(
-            data.given[PRESCRIBED_DISPLACEMENT:PRESCRIBED_RATE], wanted_places(times, places, min(t, 9e-3)), atol=1e-18
+            data.prescribed[PRESCRIBED_DISPLACEMENT:PRESCRIBED_RATE],
+            wanted_places(times, places, min(t, 9e-3)),
+            atol=1e-18,
         )
         before, after = (wanted_places(times, places, min(t + s, 9e-3)) for s in (-step, step))
         assert_allclose(
-            data.given[PRESCRIBED_RATE:OIL_VISCOSITY], (after - before) / (2.0 * step), rtol=1e-3, atol=1e-6
+            data.prescribed[PRESCRIBED_RATE:OIL_VISCOSITY], (after - before) / (2.0 * step), rtol=1e-3, atol=1e-6
         )
 
 

@@ -11,7 +11,7 @@ from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, FilmThickness, first_same
 from oilfilm.bearing.films.operating import OilAtInlets, film_heat, operating_films, solved_films, with_formulas
-from oilfilm.bearing.supply.supply import InletFilm, supplied_shares
+from oilfilm.bearing.supply.supply import PrescribedInlet, supplied_shares
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
@@ -51,7 +51,7 @@ def test_heat_thins_film_gap_and_error_bar(contacts, computed):
 
 
 def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
-    oil = OilAtInlets(oil=InletFilm(layer=0.3e-6), balls=9)
+    oil = OilAtInlets(oil=PrescribedInlet(layer=0.3e-6), balls=9)
     operating = operating_films(
         contacts, computed, supply=oil, asperities=ROUGH, rolling_factor=0.9, unheated_factor=0.5
     )
@@ -64,8 +64,8 @@ def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
         assert film.rolling_moment == pytest.approx(
             0.45 * shares.rolling_moment.value * before.flooded_moment, rel=1e-12
         )
-        assert film.asperity_load == ROUGH.share(contact, film.central.value)
-        assert film.flooded_asperity_load == ROUGH.share(contact, before.flooded_central) < film.asperity_load
+        assert film.asperity_load == ROUGH.load_fraction(contact, film.central.value)
+        assert film.flooded_asperity_load == ROUGH.load_fraction(contact, before.flooded_central) < film.asperity_load
         assert film.lambda_ratio == film.minimum.value / ROUGH.roughness(contact.race)
         flooded = film.flooded()
         assert (flooded.gap, flooded.rolling_moment) == (before.gap, before.flooded_moment)

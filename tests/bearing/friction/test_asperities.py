@@ -42,16 +42,16 @@ def test_greenwood_and_tripps_integral_is_exact(height, known):
 def test_shares_fall_from_one_to_none(contact):
     for law in LoadSharing:
         rough = Asperities(inner_roughness=1e-7, outer_roughness=1e-7, boundary=0.12, sharing=law)
-        shares = [rough.share(contact, film) for film in (0.0, 0.3e-7, 1e-7, 2e-7, 8e-7)]
+        shares = [rough.load_fraction(contact, film) for film in (0.0, 0.3e-7, 1e-7, 2e-7, 8e-7)]
         assert shares == sorted(shares, reverse=True)
         assert shares[-1] < 1e-4
         if law is not LoadSharing.GREENWOOD_TRIPP:  # whose planes never carry more than their pressure
             assert shares[0] == 1.0
     assert zhou_hoeprich_share(1.0) == pytest.approx(exp(-2.32))
     arana = replace(rough, sharing=LoadSharing.ARANA)
-    assert arana.share(contact, 1e-7) == pytest.approx(erfc(1.0))
+    assert arana.load_fraction(contact, 1e-7) == pytest.approx(erfc(1.0))
     smooth = replace(rough, inner_roughness=0.0)
-    assert smooth.share(contact, 0.0) == 0.0
+    assert smooth.load_fraction(contact, 0.0) == 0.0
 
 
 def test_greenwood_and_tripps_share_by_hand(contact):
@@ -61,7 +61,7 @@ def test_greenwood_and_tripps_share_by_hand(contact):
     h = contact.hertz
     pressure = 16.0 * sqrt(2.0) / 15.0 * pi * 0.04**2 * sqrt(1e-3) * 0.5 * h.reduced_modulus * 0.080562
     expected = pressure * pi * h.semi_axis_x * h.semi_axis_y / contact.load
-    assert rough.share(contact, 1e-7) == pytest.approx(expected, rel=1e-5)
+    assert rough.load_fraction(contact, 1e-7) == pytest.approx(expected, rel=1e-5)
 
 
 def test_the_film_flattens_long_waves(contact):
@@ -86,4 +86,4 @@ def test_the_film_flattens_long_waves(contact):
         assert found == pytest.approx(sqrt(left), rel=0.03)  # 64 waves, both ends count whole
     rough = Asperities(inner_roughness=2e-7, outer_roughness=2e-7, boundary=0.12)
     flattened = replace(rough, spectrum=Spectrum(shortest=1e-6, longest=2e-4))
-    assert flattened.share(contact, 2e-7) < rough.share(contact, 2e-7)
+    assert flattened.load_fraction(contact, 2e-7) < rough.load_fraction(contact, 2e-7)

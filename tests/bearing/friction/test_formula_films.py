@@ -8,9 +8,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from oilfilm.bearing.contacts.contacts import hertz_contacts
+from oilfilm.bearing.contacts.contact import hertz_contacts
 from oilfilm.bearing.films.formula import formula_values
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases import load_case, run_case
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.ehl import ViscosityLaw
@@ -19,7 +19,7 @@ from oilfilm.postprocess import summary
 
 
 def contact(load, speed=8.0, temperature=333.15):
-    oil = library_lubricant("iso vg 32", temperature)
+    oil = load_lubricant("iso vg 32", temperature)
     return ContactConditions(
         load=load, radius_x=4.8e-3, radius_y=0.16, reduced_modulus=2.26e11, entrainment_speed=speed, lubricant=oil
     )

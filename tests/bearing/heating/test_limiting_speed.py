@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from oilfilm.bearing import BallKinematics, Operation, QuasistaticModel, library_lubricant, load_material
+from oilfilm.bearing import BallKinematics, Operation, QuasistaticModel, load_lubricant, load_material
 from oilfilm.bearing.heating.friction_heat import heat_of_torque
 from oilfilm.bearing.heating.heat_state import SelfHeatingProblem, heat_state
 from oilfilm.bearing.heating.network import NODES, Conductance
@@ -54,7 +54,7 @@ def problem(bearing):
             bearing=bearing,
             operation=Operation(inner_speed=SPEED, force=(0.0, 1000.0, 0.0), temperature=AMBIENT),
             model=MODEL,
-            oil=lambda temperature: library_lubricant("iso vg 32", 313.15),
+            oil=lambda temperature: load_lubricant("iso vg 32", 313.15),
             friction=friction,
             around=around,
             reference=None,

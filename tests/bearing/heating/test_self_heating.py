@@ -12,7 +12,7 @@ from oilfilm.bearing import (
     Operation,
     QuasistaticModel,
     contact_conditions,
-    library_lubricant,
+    load_lubricant,
     load_material,
     solve_quasistatic,
 )
@@ -22,7 +22,7 @@ from oilfilm.bearing.heating.heat_state import SelfHeatingProblem, formula_condu
 from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.heating.paths import Surroundings
 from oilfilm.bearing.heating.self_heating import solve_self_heating
-from oilfilm.bearing.supply.supply import InletFilm, Supply
+from oilfilm.bearing.supply.supply import PrescribedInlet, Supply
 from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.bearing.torque.starved import starved_torque
 from oilfilm.ehl import ViscosityLaw
@@ -39,7 +39,7 @@ def bearing(bearings):
 
 
 def oil(temperature):
-    return library_lubricant("iso vg 32", temperature)
+    return load_lubricant("iso vg 32", temperature)
 
 
 def torque(solution, contacts, lubricant):
@@ -160,7 +160,9 @@ def test_torque_at_an_inlet_film(bearing):
     lubricant = oil(313.15)
     contacts = contact_conditions(solution, lubricant)
     friction = FrictionInput(coefficient=0.05, roughness=(0.2e-6, 0.2e-6), oil_fraction=0.02)
-    layers = [starved_torque(solution, contacts, lubricant, friction, InletFilm(layer=h)) for h in (1e-3, 0.4e-6, 0.0)]
+    layers = [
+        starved_torque(solution, contacts, lubricant, friction, PrescribedInlet(layer=h)) for h in (1e-3, 0.4e-6, 0.0)
+    ]
     ample, scarce, dry = layers
     assert ample.total == pytest.approx(ample.flooded, rel=1e-12)
     assert ample.rolling == pytest.approx(sum(map(contact_rolling_power, contacts)) / 500.0, rel=1e-12)
@@ -170,8 +172,10 @@ def test_torque_at_an_inlet_film(bearing):
     assert ample.rolling > scarce.rolling > dry.rolling == 0.0
     assert ample.asperity < scarce.asperity < dry.asperity
     assert ample.lambda_least > scarce.lambda_least > dry.lambda_least == 0.0
-    none = starved_torque(solution, contacts, lubricant, replace(friction, oil_fraction=None), InletFilm(layer=1e-3))
+    none = starved_torque(
+        solution, contacts, lubricant, replace(friction, oil_fraction=None), PrescribedInlet(layer=1e-3)
+    )
     assert none.drag == 0.0
     isoviscous = contact_conditions(solution, replace(lubricant, viscosity_law=ViscosityLaw.ISOVISCOUS))
     with pytest.raises(ValueError, match="no formula"):
-        starved_torque(solution, isoviscous, lubricant, friction, InletFilm(layer=1e-6))
+        starved_torque(solution, isoviscous, lubricant, friction, PrescribedInlet(layer=1e-6))

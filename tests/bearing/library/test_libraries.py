@@ -9,11 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from oilfilm.bearing import (
-    library_lubricant,
     list_bearings,
     list_lubricants,
     list_materials,
     load_catalogue_entry,
+    load_lubricant,
     load_material,
     reduced_modulus,
 )
@@ -42,7 +42,7 @@ def test_unknown_names_list_the_known():
     with pytest.raises(ValueError, match="silicon nitride"):
         load_material("cheese")
     with pytest.raises(ValueError, match="mil-l-23699"):
-        library_lubricant("butter", 313.15)
+        load_lubricant("butter", 313.15)
     with pytest.raises(ValueError, match="6208"):
         load_catalogue_entry("1")
 
@@ -51,7 +51,7 @@ def test_viscosity_falls_with_temperature():
     offenders = []
     for name in list_lubricants():
         low, high = lubricant_data(name)["range_C"]
-        oils = [library_lubricant(name, 273.15 + low + share * (high - low)) for share in (0.0, 0.3, 0.7, 1.0)]
+        oils = [load_lubricant(name, 273.15 + low + share * (high - low)) for share in (0.0, 0.3, 0.7, 1.0)]
         for cold, hot in pairwise(oils):
             if cold.viscosity <= hot.viscosity or cold.pressure_viscosity < hot.pressure_viscosity:
                 offenders.append((name, cold, hot))
@@ -60,7 +60,7 @@ def test_viscosity_falls_with_temperature():
 
 def test_a_law_of_density_can_be_chosen_for_every_oil():
     chosen = DensityLaw.INCOMPRESSIBLE
-    oils = [library_lubricant(name, 313.15, density_law=chosen) for name in list_lubricants()]
+    oils = [load_lubricant(name, 313.15, density_law=chosen) for name in list_lubricants()]
     assert [oil for oil in oils if oil.density_law is not chosen] == []
 
 
@@ -74,7 +74,7 @@ def test_a_law_of_density_can_be_chosen_for_every_oil():
 )
 def test_kinematic_viscosities_quoted_with_the_fits(name, at_40, at_100, alpha):
     """Three quoted figures, in mm^2/s and 1/GPa."""
-    cold, hot = library_lubricant(name, 313.15), library_lubricant(name, 373.15)
+    cold, hot = load_lubricant(name, 313.15), load_lubricant(name, 373.15)
     assert_allclose([1e6 * oil.viscosity / oil.density for oil in (cold, hot)], [at_40, at_100], rtol=5e-3)
     if alpha:
         assert_allclose([1e9 * oil.pressure_viscosity for oil in (cold, hot)], alpha, rtol=5e-3)
@@ -82,7 +82,7 @@ def test_kinematic_viscosities_quoted_with_the_fits(name, at_40, at_100, alpha):
 
 def test_viscosity_grades():
     """ISO 3448: within 10 % of the grade at 40 C."""
-    oils = {name: library_lubricant(name, 313.15) for name in list_lubricants() if name.startswith("iso vg")}
+    oils = {name: load_lubricant(name, 313.15) for name in list_lubricants() if name.startswith("iso vg")}
     relative = {name: 1e6 * oil.viscosity / oil.density / float(name.split()[-1]) for name, oil in oils.items()}
     assert relative
     assert {name: ratio for name, ratio in relative.items() if abs(ratio - 1.0) > 0.1} == {}
@@ -90,7 +90,7 @@ def test_viscosity_grades():
 
 def test_outside_its_range_a_lubricant_warns():
     with pytest.warns(UserWarning, match="outside"):
-        library_lubricant("iso vg 32", 253.15)
+        load_lubricant("iso vg 32", 253.15)
 
 
 DIMENSIONS = {"ball_diameter_mm", "pitch_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm"}

@@ -9,7 +9,7 @@ import pytest
 from numba import njit
 from numpy.testing import assert_allclose
 
-from oilfilm.bearing import library_lubricant, list_lubricants
+from oilfilm.bearing import list_lubricants, load_lubricant
 from oilfilm.bearing.library.lubricants import LAWS, PROPERTIES, lubricant_data
 from oilfilm.ehl import DensityLaw, ViscosityLaw
 from oilfilm.ehl.oil import _kernels
@@ -30,7 +30,7 @@ GRADES = (10, 15, 22, 32, 46, 68, 100, 150, 220)
 
 def kinematic(name, celsius):
     """[mm^2/s]"""
-    oil = library_lubricant(name, celsius + 273.15)
+    oil = load_lubricant(name, celsius + 273.15)
     return 1e6 * oil.viscosity / oil.density
 
 
@@ -81,7 +81,7 @@ def test_grades_that_continue_the_series(grade):
 )
 def test_pressure_viscosity_of_the_mineral_oils(grade, celsius, alpha):
     """Stachowiak and Batchelor, Table 2.3, at its own temperatures."""
-    oil = library_lubricant(f"iso vg {grade}", celsius + 273.15)
+    oil = load_lubricant(f"iso vg {grade}", celsius + 273.15)
     assert 1e9 * oil.pressure_viscosity == pytest.approx(alpha, rel=1e-12)
 
 
@@ -89,7 +89,7 @@ def test_pressure_viscosity_of_the_mineral_oils(grade, celsius, alpha):
 def test_polyalphaolefins_as_printed(grade):
     """At 40 C the printed set (five figures of nu), at 100 C the grade."""
     viscosity_mPa_s, alpha, rho, conductivity = POLYALPHAOLEFINS[grade]
-    oil = library_lubricant(f"pao {grade}", 313.15)
+    oil = load_lubricant(f"pao {grade}", 313.15)
     assert 1e3 * oil.viscosity == pytest.approx(viscosity_mPa_s, rel=5e-5)
     assert 1e9 * oil.pressure_viscosity == pytest.approx(alpha, rel=1e-12)
     assert oil.density == rho
@@ -112,30 +112,30 @@ def test_astm_d341_is_a_straight_line():
 
 
 def test_roelands_exponent_of_a_polyalphaolefin_is_the_same_at_every_temperature():
-    z = [library_lubricant("pao 40", t).exponent for t in (290.0, 313.15, 370.0)]
+    z = [load_lubricant("pao 40", t).exponent for t in (290.0, 313.15, 370.0)]
     assert_allclose(z, z[0], rtol=1e-12)
 
 
 def test_mil_l_23699_and_7808_as_printed():
     """Density and conductivity of the printed points."""
     for celsius, expected in ((-40.0, 3.27619), (100.0, 5.00578e-3)):  # the fit's three constants by hand
-        found = library_lubricant("mil-l-23699", celsius + 273.15).viscosity
+        found = load_lubricant("mil-l-23699", celsius + 273.15).viscosity
         assert found == pytest.approx(expected, rel=1e-4)
-    assert library_lubricant("mil-l-23699", 367.0).density == 922.0
-    assert library_lubricant("mil-l-23699", 366.67).thermal.conductivity == pytest.approx(0.14868, rel=1e-12)
-    hot = library_lubricant("mil-l-7808", 373.15)
+    assert load_lubricant("mil-l-23699", 367.0).density == 922.0
+    assert load_lubricant("mil-l-23699", 366.67).thermal.conductivity == pytest.approx(0.14868, rel=1e-12)
+    hot = load_lubricant("mil-l-7808", 373.15)
     assert hot.pressure_viscosity == pytest.approx(7.5808e-10 + 1.0742e-6 / (373.15 - 215.56), rel=1e-12)
 
 
 def test_squalane_at_pressure():
     """Values computed for the constants of Liu et al. (2023): at 0.1, 0.3, 0.5, 0.8 and 1 GPa and 25 C."""
     laws = {"viscosity_law": ViscosityLaw.TAIT_DOOLITTLE, "density_law": DensityLaw.TAIT}
-    oil = library_lubricant("squalane", 298.15, **laws)
+    oil = load_lubricant("squalane", 298.15, **laws)
     p = np.array([0.1, 0.3, 0.5, 0.8, 1.0]) * 1e9
     volume = [0.94674, 0.89291, 0.86128, 0.82958, 0.81388]
     assert_allclose(864.0 / density(p, oil), volume, rtol=1e-5)
     assert_allclose(viscosity(p, oil), [0.1933, 3.460, 39.18, 1126.0, 10033.0], rtol=5e-4)
-    default = library_lubricant("squalane", 298.15)
+    default = load_lubricant("squalane", 298.15)
     assert default.viscosity_law is ViscosityLaw.ROELANDS
     assert default.pressure_viscosity == pytest.approx(oil.pressure_viscosity, rel=1e-3)
 
@@ -144,7 +144,7 @@ def thermal_faults(name):
     """Properties of an oil that contradict its laws or are no oil's."""
     low, high = (t + 273.15 for t in lubricant_data(name)["range_C"])
     middle = 0.5 * (low + high)
-    oil, cold, hot = (library_lubricant(name, t) for t in (middle, middle - 1.0, middle + 1.0))
+    oil, cold, hot = (load_lubricant(name, t) for t in (middle, middle - 1.0, middle + 1.0))
     thermal = oil.thermal
     viscosity_slope = 0.5 * log(cold.viscosity / hot.viscosity)
     density_slope = 0.5 * log(cold.density / hot.density)
@@ -169,12 +169,12 @@ def test_temperature_coefficients_are_the_slopes_of_the_laws():
 @pytest.mark.parametrize(("name", "celsius"), [("pao 4", 130.0), ("squalane", 100.0), ("iso vg 220", 0.0)])
 def test_outside_its_range_an_oil_warns(name, celsius):
     with pytest.warns(UserWarning, match="outside"):
-        library_lubricant(name, celsius + 273.15)
+        load_lubricant(name, celsius + 273.15)
 
 
 @pytest.mark.parametrize("name", ["ISO-VG 150", "isovg150", "MIL-L-23699", "PAO-40", "Squalane"])
 def test_names_match_without_case_spaces_and_hyphens(name):
-    assert library_lubricant(name, 313.15).name in list_lubricants()
+    assert load_lubricant(name, 313.15).name in list_lubricants()
 
 
 def test_the_higher_the_grade_the_thicker():
@@ -192,7 +192,7 @@ def asymptotic_coefficient(oil):
 
 def test_fva_3_as_its_constants_give():
     """Wingertszahn (2023): 84.54 mPa s, 96.9 mm^2/s and a coefficient of 22.36 /GPa at 40 C; the law at 0.8 GPa."""
-    oil = library_lubricant("fva 3", 313.15)
+    oil = load_lubricant("fva 3", 313.15)
     assert 1e3 * oil.viscosity == pytest.approx(84.54, abs=5e-3)
     assert kinematic("fva 3", 40.0) == pytest.approx(96.9, abs=0.05)
     assert 1e9 * oil.pressure_viscosity == pytest.approx(22.36, abs=5e-3)
@@ -209,17 +209,17 @@ def test_fva_3_as_its_constants_give():
 def test_oils_of_the_twin_discs(name, cold, hot, viscosity_mPa_s):
     """Coefficients of the printed constants at 40 and 100 C, and the ambient viscosity from nu and rho."""
     for celsius, alpha in ((40.0, cold), (100.0, hot)):
-        oil = library_lubricant(name, celsius + 273.15)
+        oil = load_lubricant(name, celsius + 273.15)
         assert 1e9 * oil.pressure_viscosity == pytest.approx(alpha, abs=0.06)
-    assert 1e3 * library_lubricant(name, 313.15).viscosity == pytest.approx(viscosity_mPa_s, rel=0.02)
+    assert 1e3 * load_lubricant(name, 313.15).viscosity == pytest.approx(viscosity_mPa_s, rel=0.02)
 
 
 def test_shell_t9_as_known():
     """8.97 mPa s at 40 C, coefficient 19.0 /GPa; k 0.111 W/mK, rho c 1.56e6 at 298 K, 2.2 and 1.34 times at 1 GPa."""
-    oil = library_lubricant("shell t9", 313.15)
+    oil = load_lubricant("shell t9", 313.15)
     assert 1e3 * oil.viscosity == pytest.approx(8.97, rel=0.01)
     assert asymptotic_coefficient(oil) == pytest.approx(19.0, rel=0.02)
-    ambient = library_lubricant("shell t9", 298.0)
+    ambient = load_lubricant("shell t9", 298.0)
     assert ambient.density == pytest.approx(872.0, rel=1e-9)
     k, capacity = heat_properties(0.0, ambient, 298.0)
     assert k == pytest.approx(0.111, abs=5e-4)
@@ -229,7 +229,7 @@ def test_shell_t9_as_known():
 
 
 def test_mineral_23d_at_its_reference():
-    oil = library_lubricant("mineral 23d", 273.15)
+    oil = load_lubricant("mineral 23d", 273.15)
     assert 1e3 * oil.viscosity == pytest.approx(84.7, rel=1e-9)
     assert oil.density == pytest.approx(829.0, rel=1e-9)
     assert oil.exponent == pytest.approx(0.79, abs=2e-3)
@@ -241,7 +241,7 @@ def test_heat_of_mineral_oil_and_pao_under_pressure():
         ("iso vg 46", 1.0 + 1.72 / 1.54, 1.0 + 0.47 / 1.81),
         ("pao 40", 1.0 + 1.40 / 1.34, 1.0 + 0.41 / 2.05),
     ):
-        oil = library_lubricant(name, 295.15)
+        oil = load_lubricant(name, 295.15)
         k, capacity = heat_properties(1e9, oil, 295.15)
         assert k / oil.thermal.conductivity == pytest.approx(k_factor, rel=1e-12)
         assert capacity / (oil.density * oil.thermal.specific_heat) == pytest.approx(capacity_factor, rel=1e-12)
@@ -252,7 +252,7 @@ def test_heat_of_mineral_oil_and_pao_under_pressure():
 @pytest.mark.filterwarnings("ignore:lubricant")
 def test_kernels_have_the_same_oil(name):
     """Viscosity and heat of every oil, over pressure and temperature, as the compiled laws have them."""
-    oil = library_lubricant(name, 333.15)
+    oil = load_lubricant(name, 333.15)
     numbers = oil_numbers(oil)
     p, t = (a.ravel() for a in np.meshgrid([0.0, 3e8, 1.3e9], [310.0, 333.15, 400.0]))
     wanted = reference.log_viscosity_ratio(p, oil, t)

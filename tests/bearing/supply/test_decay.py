@@ -14,8 +14,8 @@ from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.operating import OilAtInlets, supplied_films
 from oilfilm.bearing.supply.supply import (
     AMPLE,
-    InletFilm,
     OilBalance,
+    PrescribedInlet,
     Supply,
     groove_area,
     retained_time,
@@ -51,7 +51,7 @@ def test_thin_films_decay_as_van_zoelen_whatever_the_speed(bearings):
     rates = []
     for speed in (2500.0, 5000.0):
         state, contacts, films = loaded(bearings, (900.0, 0.0, 0.0), speed)
-        decay = film_decay(state, contacts, films, 10.0 * HOURS, InletFilm(layer=0.05e-6))
+        decay = film_decay(state, contacts, films, 10.0 * HOURS, PrescribedInlet(layer=0.05e-6))
         length = pi * (2.0 * 60e-3 + 9 * 12e-3)
         rate = sum(
             2.0 / length * h.pressure * h.semi_axis_x * side_flow_integral(h.pressure, OIL)
@@ -70,11 +70,11 @@ def test_film_falls_and_the_joined_forms_agree(axial):
     state, contacts, films = axial
     decay = film_decay(state, contacts, films, 10.0 * HOURS)
     assert np.all(np.diff(decay.film) < 0.0)
-    assert decay.share[0] == pytest.approx(1.0, abs=1e-2)
+    assert decay.film_fraction[0] == pytest.approx(1.0, abs=1e-2)
     assert decay.film == pytest.approx(decay.joined, rel=0.08)
     assert decay.half_time < decay.contact_time or decay.film[0] < 0.4e-6
     assert decay.film[np.searchsorted(decay.time, decay.half_time)] < 0.5 * decay.film[0]
-    assert decay.final_share == decay.share[-1] < 0.02
+    assert decay.final_share == decay.film_fraction[-1] < 0.02
 
 
 def test_loss_between_balls_empties_the_tracks(axial):
@@ -93,7 +93,10 @@ def test_loss_between_balls_empties_the_tracks(axial):
 def test_start_is_what_the_supply_gives(axial):
     """The decay of a flow begins at its steady film, that of an inlet film at its own."""
     state, contacts, films = axial
-    for supply in (Supply(flow=0.6 * ML_MIN, track_share=0.5, residence_time=20.0, loss=0.05), InletFilm(layer=0.1e-6)):
+    for supply in (
+        Supply(flow=0.6 * ML_MIN, track_share=0.5, residence_time=20.0, loss=0.05),
+        PrescribedInlet(layer=0.1e-6),
+    ):
         decay = film_decay(state, contacts, films, 1.0, supply)
         steady = starved_films(contacts, supply)
         own = next(film for film, c in zip(steady, contacts, strict=True) if c is decay.contact)

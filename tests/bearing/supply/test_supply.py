@@ -21,7 +21,14 @@ from oilfilm.bearing.films.operating import (
     supplied_films,
 )
 from oilfilm.bearing.heating.heat_state import HIGHEST_TEMPERATURE
-from oilfilm.bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
+from oilfilm.bearing.supply.supply import (
+    PrescribedInlet,
+    Supply,
+    cavity_volume,
+    compression,
+    oil_fraction,
+    supplied_shares,
+)
 from oilfilm.bearing.supply.track import Track, steady_share
 from oilfilm.ehl import Lubricant, ViscosityLaw
 from oilfilm.ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_factors, starved_film_factor
@@ -34,7 +41,7 @@ ML_MIN = 1e-6 / 60.0  # [m^3/s]
 
 
 def law_of(exponent):
-    return dict.fromkeys(("share", "passing"), partial(starved_film_factor, exponent=exponent))
+    return dict.fromkeys(("film_fraction", "passing"), partial(starved_film_factor, exponent=exponent))
 
 
 def test_starved_film():
@@ -101,8 +108,8 @@ def radial(bearings):
 def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
     """The law of starvation at each contact's r; a thin layer is the film, compressed, whatever the flooded one was."""
     _, contacts = radial
-    films = starved_films(contacts, InletFilm(layer=0.3e-6), 9, (0.2e-6, 0.1e-6))
-    thin = starved_films(contacts, InletFilm(layer=1e-9), 9)
+    films = starved_films(contacts, PrescribedInlet(layer=0.3e-6), 9, (0.2e-6, 0.1e-6))
+    thin = starved_films(contacts, PrescribedInlet(layer=1e-9), 9)
     lubricated = [i for i, c in enumerate(contacts) if c.conditions is not None]
     assert [film is not None for film in films] == [i in lubricated for i in range(len(contacts))]
     assert len({round(films[i].supply.central, 6) for i in lubricated}) > 1
@@ -128,11 +135,11 @@ def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
 
 def test_ample_oil_leaves_the_flooded_films_to_the_last_digit(radial):
     state, contacts = radial
-    films = [film for film in starved_films(contacts, InletFilm(layer=1e-3), 9) if film is not None]
+    films = [film for film in starved_films(contacts, PrescribedInlet(layer=1e-3), 9) if film is not None]
     assert all(
         film.supply.central == 1.0 and film.central.value == film.heat.value * film.flooded_central for film in films
     )
-    scarce = starved_films(contacts, InletFilm(layer=0.2e-6), 9, (0.2e-6, 0.2e-6))
+    scarce = starved_films(contacts, PrescribedInlet(layer=0.2e-6), 9, (0.2e-6, 0.2e-6))
     driven = of_driven_balls(state, contacts, scarce)
     loaded = int((state.inner_load > 0.0).sum())
     assert len(driven) == 2 * loaded < len([film for film in scarce if film is not None])
@@ -143,13 +150,13 @@ def test_ample_oil_leaves_the_flooded_films_to_the_last_digit(radial):
 
 def test_an_oil_without_pressure_viscosity_has_no_formula(radial):
     contacts = contact_conditions(radial[0], replace(OIL, viscosity_law=ViscosityLaw.ISOVISCOUS))
-    assert set(starved_films(contacts, InletFilm(layer=1e-6), 9)) == {None}
+    assert set(starved_films(contacts, PrescribedInlet(layer=1e-6), 9)) == {None}
 
 
 @pytest.mark.parametrize("layer", [-1e-9, np.nan, np.inf])
 def test_a_layer_is_a_length(layer):
     with pytest.raises(ValueError, match="layer"):
-        InletFilm(layer=layer)
+        PrescribedInlet(layer=layer)
 
 
 def test_cavity_and_oil_in_it(bearings):

@@ -31,7 +31,7 @@ EXPONENTS = (3.0, 5.0, 15.0)
 
 def law(exponent: float):
     """Of film and layer."""
-    return dict.fromkeys(("share", "passing"), partial(starved_film_factor, exponent=exponent))
+    return dict.fromkeys(("film_fraction", "passing"), partial(starved_film_factor, exponent=exponent))
 
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
@@ -85,7 +85,7 @@ def test_steady_layer_balances_what_is_added_and_lost(loss, side):
         layer = steady_layer(track, added)
         kept = (1.0 - loss) * track.left(layer)
         assert layer - kept == pytest.approx(added, rel=1e-9 * max(1.0, layer / added))
-        assert steady_share(track, added) == pytest.approx(track.share(layer), rel=1e-12)
+        assert steady_share(track, added) == pytest.approx(track.film_fraction(layer), rel=1e-12)
     shares = [steady_share(track, added) for added in np.geomspace(1e-9, 1e3, 25)]
     assert np.all(np.diff(shares) >= 0.0)
 
@@ -161,10 +161,10 @@ def test_solved_passes_hand_their_layer_on():
     assert all(one.solution.converged for one in passes)
     for before, after in pairwise(passes):
         assert after.inlet == pytest.approx(before.outlet, rel=1e-12)
-        assert before.kept == pytest.approx(1.0, abs=1e-3)
+        assert before.remaining == pytest.approx(1.0, abs=1e-3)
     middle = passes[-1].outlet.size // 2
     assert passes[-1].outlet.max() > 3.0 * passes[-1].outlet[middle]
-    films = [one.share for one in passes]
+    films = [one.film_fraction for one in passes]
     assert all(b < a for a, b in pairwise(films))
     chain = after_passes(Track(**law(3.0)), passes[0].ratio, 4)
     assert films == pytest.approx(chain.tolist(), rel=0.25)

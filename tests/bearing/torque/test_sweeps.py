@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from torque_sweeps import TorqueStudy, torque_sweep
 
-from oilfilm.bearing import Operation, QuasistaticModel, contact_conditions, library_lubricant, solve_quasistatic
-from oilfilm.bearing.torque.breakdown import NAMES, torque_breakdown
+from oilfilm.bearing import Operation, QuasistaticModel, contact_conditions, load_lubricant, solve_quasistatic
+from oilfilm.bearing.torque.breakdown import NAMES, friction_torque
 from oilfilm.bearing.torque.models import FrictionInput
 
 RPM = pi / 30.0
 
 
 def oil(temperature):
-    return library_lubricant("iso vg 32", temperature)
+    return load_lubricant("iso vg 32", temperature)
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +35,7 @@ def test_a_sweep_is_its_points(study):
     operation = Operation(inner_speed=speeds[1], force=forces[1], temperature=kelvin[0])
     state = solve_quasistatic(study.bearing, operation, study.model)
     lubricant = oil(kelvin[0])
-    point = torque_breakdown(state, contact_conditions(state, lubricant), lubricant, study.friction)
+    point = friction_torque(state, contact_conditions(state, lubricant), lubricant, study.friction)
     for name in NAMES:
         total = point.models[name].total
         assert sweep.totals[name].shape == (2, 2, 2)

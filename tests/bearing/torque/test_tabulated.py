@@ -14,7 +14,7 @@ from oilfilm.bearing.friction.coulomb import balanced_friction
 from oilfilm.bearing.friction.laws import LawTraction
 from oilfilm.bearing.friction.tables import contact_law, law_gradient
 from oilfilm.bearing.geometry import contact_modulus
-from oilfilm.bearing.torque.breakdown import torque_breakdown
+from oilfilm.bearing.torque.breakdown import friction_torque
 from oilfilm.bearing.torque.integrated import law_torque
 from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.ehl import Lubricant
@@ -84,7 +84,7 @@ def test_a_law_that_is_too_sharp_for_the_search_is_told(bearings):
 def test_a_table_makes_the_integrated_model(axial):
     state, contacts = axial
     shear = tabulated_torque(state, contacts, coulomb_laws(state, contacts, 1e-4))
-    torque = torque_breakdown(state, contacts, OIL, FrictionInput(coefficient=MU), shear=shear)
+    torque = friction_torque(state, contacts, OIL, FrictionInput(coefficient=MU), shear=shear)
     assert torque.chosen == "integrated"
     assert torque.total == pytest.approx(shear.torque.total)
     assert torque.models["coulomb"].total == pytest.approx(torque.total, rel=0.01)
@@ -102,7 +102,7 @@ def test_what_a_law_does_not_tell_apart_is_none_with_a_reason(axial):
         assert set(shear.missing_components) == {missing, "asperity"}
         assert set(parts) == {"rolling", "sliding", "spin", "curvature"} - {missing}
         assert sum(parts.values()) == pytest.approx(shear.torque.heat / state.operation.shaft_speed, rel=1e-12)
-        models = torque_breakdown(state, contacts, OIL, rough, shear=shear).models
+        models = friction_torque(state, contacts, OIL, rough, shear=shear).models
         assert not set(shear.missing_components) & set(models["integrated"].components)
         assert models["skf_lambda"].total is None
         assert models["skf_lambda"].note == shear.missing_components["asperity"]

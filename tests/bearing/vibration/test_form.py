@@ -6,7 +6,17 @@ from numpy.testing import assert_allclose
 
 from oilfilm.bearing.vibration._kernels import height_at, law_at
 from oilfilm.bearing.vibration.assembly import SolvedFilms, dry_law, film_law, linear_law
-from oilfilm.bearing.vibration.form import POINTS, Defect, DefectKind, Place, SurfaceForm, Wave, heights, hollow, rolled
+from oilfilm.bearing.vibration.form import (
+    POINTS,
+    Defect,
+    DefectKind,
+    FormBody,
+    SurfaceForm,
+    Wave,
+    heights,
+    hollow,
+    rolled,
+)
 from oilfilm.bearing.vibration.inputs import dry_transmission, filtered
 
 RADIUS, REDUCED = 0.0235, 0.0048  # of a track and of ball and race [m]
@@ -14,7 +24,7 @@ CELL = 2.0 * np.pi * RADIUS / POINTS
 
 
 def spall(width, depth=1e-3, kind=DefectKind.SPALL):
-    return Defect(place=Place.OUTER, kind=kind, width=width, depth=depth, azimuth=1.0)
+    return Defect(place=FormBody.OUTER, kind=kind, width=width, depth=depth, azimuth=1.0)
 
 
 @pytest.mark.parametrize("width", [0.18e-3, 0.53e-3, 2e-3])
@@ -37,8 +47,8 @@ def test_a_shallow_hollow_is_followed_to_its_bottom():
 
 
 def test_long_waves_are_rolled_over_as_they_are():
-    form = SurfaceForm(waves={Place.INNER: (Wave(order=9, amplitude=1e-6, phase=0.3),)})
-    profile = heights(form, Place.INNER)
+    form = SurfaceForm(waves={FormBody.INNER: (Wave(order=9, amplitude=1e-6, phase=0.3),)})
+    profile = heights(form, FormBody.INNER)
     # a slope touches the ball beside its lowest point: slope^2 R_x/2
     steepest = 9e-6 / RADIUS
     assert_allclose(rolled(profile, RADIUS, REDUCED), profile, atol=1.01 * steepest**2 * REDUCED / 2.0)
@@ -50,9 +60,9 @@ def test_long_waves_are_rolled_over_as_they_are():
 
 def test_profiles_and_orders_add():
     even = 1e-6 * np.sin(2.0 * np.pi * np.arange(3600) / 3600.0)
-    form = SurfaceForm(waves={Place.OUTER: (Wave(order=1, amplitude=1e-6),)}, profiles={Place.OUTER: even})
+    form = SurfaceForm(waves={FormBody.OUTER: (Wave(order=1, amplitude=1e-6),)}, profiles={FormBody.OUTER: even})
     angle = 2.0 * np.pi * np.arange(POINTS) / POINTS
-    assert_allclose(heights(form, Place.OUTER), 1e-6 * (np.cos(angle) + np.sin(angle)), atol=1e-11)
+    assert_allclose(heights(form, FormBody.OUTER), 1e-6 * (np.cos(angle) + np.sin(angle)), atol=1e-11)
 
 
 @pytest.mark.parametrize("order", [3, 100, 700])

@@ -11,7 +11,7 @@ from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.operation import Operation
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.bearing.vibration.assembly import assembled
-from oilfilm.bearing.vibration.form import Place, SurfaceForm, Wave
+from oilfilm.bearing.vibration.form import FormBody, SurfaceForm, Wave
 from oilfilm.bearing.vibration.inputs import ContactLaw, Support, VibrationModel, VibrationOptions, WaveFilter
 from oilfilm.bearing.vibration.lines import expected_lines, passing
 from oilfilm.bearing.vibration.simulation import computed, vibration_run
@@ -66,7 +66,7 @@ def closed_form(found, frequency, mass):
 @pytest.mark.parametrize("order", [1, 10, pytest.param(8, marks=SLOW), pytest.param(28, marks=SLOW)])
 def test_one_wave_on_the_inner_ring_shows_with_the_amplitude_of_springs(order):
     """Of a 6208, to 1 %: half of the 2 % that the ball's own mass and the finite record may take."""
-    state, found = run({Place.INNER: (Wave(order=order, amplitude=AMPLITUDE),)}, bearing())
+    state, found = run({FormBody.INNER: (Wave(order=order, amplitude=AMPLITUDE),)}, bearing())
     (line,) = expected_lines(state, found.assembled, found.model.form)
     speeds = found.assembled.arrays.speeds / (2.0 * np.pi)
     k = round(order / 9)
@@ -88,7 +88,7 @@ def test_orders_move_what_the_rule_says_and_nothing_else(seed):
     k = int(random.integers(1, 4))
     for offset in (0, 1, -1, 2, -2, int(random.integers(3, balls - 2)) if balls > 5 else 2):
         order = k * balls + offset
-        place = (Place.INNER, Place.OUTER)[int(random.integers(0, 2))]
+        place = (FormBody.INNER, FormBody.OUTER)[int(random.integers(0, 2))]
         waves = {place: (Wave(order=order, amplitude=AMPLITUDE, phase=random.uniform(0.0, 6.0)),)}
         _, found = run(waves, geometry, axial=500.0, duration=0.015, settling=0.01)
         near = min(order % balls, balls - order % balls)
@@ -101,7 +101,7 @@ def test_orders_move_what_the_rule_says_and_nothing_else(seed):
 
 @pytest.mark.parametrize(("order", "moves"), [(2, True), (3, False), (4, True), (5, False)])
 def test_a_ball_moves_the_ring_by_its_even_orders_alone(order, moves):
-    waves = {Place.BALL: (Wave(order=order, amplitude=AMPLITUDE, ball=1),)}
+    waves = {FormBody.BALL: (Wave(order=order, amplitude=AMPLITUDE, ball=1),)}
     _, found = run(waves, bearing())
     assert (sizes(found)[1] > 0.05 * AMPLITUDE) == moves
     assert moves or sizes(found)[1] < 2e-3 * AMPLITUDE  # what the difference of the two races leaves
@@ -115,7 +115,7 @@ def test_nothing_moves_without_waves():
 def test_an_outer_ring_that_floats_moves_as_an_inner_one():
     """The inner ring held, the outer one loaded against it: the same springs, another mass."""
     state = solve_quasistatic(bearing(), Operation(inner_speed=628.3))
-    waves = {Place.INNER: (Wave(order=10, amplitude=AMPLITUDE),)}
+    waves = {FormBody.INNER: (Wave(order=10, amplitude=AMPLITUDE),)}
     options = VibrationOptions(
         duration=0.04, settling=0.015, sample_rate=20480.0, law=ContactLaw.LINEAR, wave_filter=WaveFilter.NONE
     )
@@ -140,7 +140,7 @@ def test_hertz_and_centrifugal_forces_hold_the_works_together():
         loss_time=1e-6,
         wave_filter=WaveFilter.DRY,
     )
-    form = SurfaceForm(waves={Place.OUTER: (Wave(order=9, amplitude=2e-7),)}, ball_diameters=(1e-7,) + (0.0,) * 8)
+    form = SurfaceForm(waves={FormBody.OUTER: (Wave(order=9, amplitude=2e-7),)}, ball_diameters=(1e-7,) + (0.0,) * 8)
     model = VibrationModel(form=form, options=options)
     found = computed(vibration_run(state, model, assembled(state, contact_conditions(state, case().lubricant), model)))
     assert found.energy_balance_error < 1e-3
@@ -152,7 +152,7 @@ def test_hertz_and_centrifugal_forces_hold_the_works_together():
 
 @pytest.mark.parametrize("rpm", [0.5, 40000.0])
 def test_both_ends_of_the_speed(rpm):
-    _, found = run({Place.INNER: (Wave(order=8, amplitude=AMPLITUDE),)}, bearing(), rpm=rpm, duration=0.02)
+    _, found = run({FormBody.INNER: (Wave(order=8, amplitude=AMPLITUDE),)}, bearing(), rpm=rpm, duration=0.02)
     assert np.isfinite(found.motion).all()
     assert found.energy_balance_error < 1e-3
 

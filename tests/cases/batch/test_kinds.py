@@ -22,7 +22,7 @@ from oilfilm.cases.batch.pools import ClusterPool, LocalPool
 from oilfilm.cases.batch.results import load_results, write_batch
 from oilfilm.cases.batch.sweep import sweep_from_text
 from oilfilm.cases.cli.main import app
-from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.postprocess import summary
 from oilfilm.postprocess.batch.plots import quantities
 from oilfilm.postprocess.batch.results import main_results, varied_keys
@@ -64,11 +64,11 @@ def shared(tmp_path_factory):
 
     def counted(*arguments):
         made.append(arguments)
-        return build_table(*arguments)
+        return build_traction_table(*arguments)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(shared_tables, "TableOptions", few)
-        patch.setattr(shared_tables, "build_table", counted)
+        patch.setattr(shared_tables, "build_traction_table", counted)
         folder = tmp_path_factory.mktemp("shared")
         results = load_results(run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool))
         again = run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool, PointSelection(resume=True))

@@ -13,8 +13,7 @@ from oilfilm.bearing.friction.tables import table_contacts, table_range
 from oilfilm.bearing.geometry import Race
 from oilfilm.cases import load_case
 from oilfilm.cases.batch import shared_tables
-from oilfilm.cases.batch import shared_tables as table_films
-from oilfilm.cases.batch.shared_tables import remove_films, stored_film_sampler
+from oilfilm.cases.batch.shared_tables import stored_film_sampler
 from oilfilm.cases.cli.compute import _film_sampler
 
 
@@ -42,7 +41,7 @@ def place():
 
 def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, tmp_path, monkeypatch, capsys):
     """At once, not after minutes when the table itself does not fit; with room again it goes on from there."""
-    film_sample, write_file = table_films.film_sample, shared_tables.write_file
+    film_sample, write_file = shared_tables.film_sample, shared_tables.write_file
     places = [(*place[:2], (log(load), log(10.0)), 65) for load in (500.0, 600.0)]
     solved = []
 
@@ -59,7 +58,7 @@ def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, 
             for one in places:
                 sample(*one)
 
-    monkeypatch.setattr(table_films, "film_sample", lambda *words: solved.append(words[2]) or film_sample(*words))
+    monkeypatch.setattr(shared_tables, "film_sample", lambda *words: solved.append(words[2]) or film_sample(*words))
     with pytest.raises(OSError, match="No space left"):
         tabulated(room=1)
     told = f"finished films are kept in {tmp_path / 'table_films'}; make room, then the same command goes on with them"
@@ -80,8 +79,8 @@ def test_a_kept_film_is_not_solved_again_and_a_damaged_one_is(place, tmp_path, m
         solved.append(arguments)
         return film_sample(*arguments)
 
-    film_sample = table_films.film_sample
-    monkeypatch.setattr(table_films, "film_sample", counted)
+    film_sample = shared_tables.film_sample
+    monkeypatch.setattr(shared_tables, "film_sample", counted)
     folder = tmp_path / "films"
     first = stored_film_sampler(folder)(*place)
     again = stored_film_sampler(folder)(*place)
@@ -104,5 +103,3 @@ def test_a_kept_film_is_not_solved_again_and_a_damaged_one_is(place, tmp_path, m
         assert stored_film_sampler(folder)(*place).moment == first.moment
     assert len(solved) == 7
     assert "read without care" not in capsys.readouterr().out
-    remove_films(folder)
-    assert not folder.exists()

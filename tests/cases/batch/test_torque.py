@@ -77,7 +77,7 @@ def test_a_law_of_the_case_itself_is_taken_as_by_run(tmp_path, kinematics):
 
 def test_tables_of_points_with_heat_have_heat(tmp_path, monkeypatch):
     """Made with the thermal properties of ball and race, and named apart from those without."""
-    monkeypatch.setattr("oilfilm.cases.batch.shared_tables.build_table", lambda contact, *arguments: contact)
+    monkeypatch.setattr("oilfilm.cases.batch.shared_tables.build_traction_table", lambda contact, *arguments: contact)
     oil = "viscosity_mPa_s = 26.1 # assumed: 30 mm2/s of the paper times 870 kg/m3, at no stated temperature\n"
     warm = "thermal_conductivity_W_m_K = 0.14\nspecific_heat_J_kg_K = 2000.0\nviscosity_temperature_1_K = 0.04\n"
     text = case_text().replace(oil, oil + warm)

@@ -18,7 +18,7 @@ from rich.console import Group
 from typer.testing import CliRunner
 
 from oilfilm.bearing.library.bearings import load_catalogue_entry
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.torque.skf import viscous_factor
 from oilfilm.cases import load_case
 from oilfilm.cases.cli import compute, output, terminal
@@ -221,16 +221,15 @@ def test_validate_shows_every_error_with_its_line(tmp_path):
 
 
 def test_validation_and_run_say_the_same_of_two_laws_of_friction(tmp_path):
-    """And of keys of an earlier version; `--quiet` and JSON have errors only."""
+    """`--quiet` and JSON have errors only."""
     text = find_case("7008_radial").read_text(encoding="utf-8")
-    law = text.replace("[friction]\n", '[friction]\ntraction = "four constants"\n')
-    text = law.replace("[dynamics]\n", '[dynamics]\nfriction = "coulomb"\nfriction_coefficient = 0.05\n')
+    law = text.replace("[friction]\n", '[friction]\ntraction = "four constants"\ncoefficient = 0.05\n')
+    text = law.replace("[dynamics]\n", '[dynamics]\nfriction = "coulomb"\n')
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
     answer = oilfilm("validate", "case.toml")
     assert answer.exit_code == 0
     notes = " ".join(answer.stderr.split())
     assert 'note: two laws of friction: friction.traction = "four constants" in traction equilibrium' in notes
-    assert "note: dynamics.friction_coefficient: is now friction.coefficient" in notes
     assert notes == " ".join(f"note: {note}" for note in load_case("case.toml").file.notes)
     assert oilfilm("validate", "case.toml", "--quiet").stderr == ""
     assert oilfilm("validate", "case.toml", "--json").stderr == ""
@@ -447,7 +446,7 @@ def test_the_flow_of_a_jet_takes_the_heat_of_palmgrens_viscous_torque(tmp_path):
     """By hand: VG 22 at 70 C, f_0 6.6, d_m 90 mm, 12 000 r/min; 20 K."""
     case = written(tmp_path, "--bearing", "7014C", "--speed", "12000")
     assert case["lubricant"]["name"] == "iso vg 22"
-    oil = library_lubricant("iso vg 22", 343.15)
+    oil = load_lubricant("iso vg 22", 343.15)
     product = oil.viscosity / oil.density * 1e6 * 12000.0
     heat = 6.6e-7 * product ** (2 / 3) * 90.0**3 * 1e-3 * 12000.0 * np.pi / 30.0
     flow = heat / (oil.density * oil.thermal.specific_heat * 20.0)
@@ -487,7 +486,7 @@ def test_loads_heat_and_oil_of_a_new_case_by_hand(tmp_path):
         flow, pitch = one["friction"]["cooling_oil_mL_min"], one["bearing"]["pitch_diameter_mm"]
         share = 1e5 * (flow / rows) ** 0.37 / (12000.0 * pitch**1.7)
         assert one["friction"]["oil_fraction"] == pytest.approx(share, rel=0.05)
-    oil, pitch = library_lubricant(case["lubricant"]["name"], 343.15), case["bearing"]["pitch_diameter_mm"]
+    oil, pitch = load_lubricant(case["lubricant"]["name"], 343.15), case["bearing"]["pitch_diameter_mm"]
     product = 1e6 * oil.viscosity / oil.density * 12000.0  # nu n [mm^2/s r/min]
     torque = 1e-3 * viscous_factor("angular contact", "oil jet") * 1e-7 * product ** (2.0 / 3.0) * pitch**3  # [N m]
     flow = torque * 12000.0 * np.pi / 30.0 / (oil.density * oil.thermal.specific_heat * 20.0)  # by 20 K

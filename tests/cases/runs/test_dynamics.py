@@ -20,7 +20,7 @@ from typer.testing import CliRunner
 
 from oilfilm.bearing.dynamics.arrays import OIL_VISCOSITY
 from oilfilm.bearing.dynamics.statistics import states
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.cases import load_case, run_case
 from oilfilm.cases.cli.main import app
@@ -371,9 +371,9 @@ def test_a_ring_that_is_moved_and_oil_that_warms(tmp_path):
     assert np.abs(ring[:, 1]).max() > 0.0  # it is free across the axis
     # Vogel: 0.0762 exp(866/(t + 95)) mm2/s, at the density of each temperature; no row is farther off than told
     times, thinner = made.data.times, made.data.schedule[:, OIL_VISCOSITY]
-    oil = library_lubricant("iso vg 46", 313.15)
+    oil = load_lubricant("iso vg 46", 313.15)
     for share in (0.0, 0.3, 0.77, 1.0):
-        wanted = library_lubricant("iso vg 46", 293.15 + 80.0 * share).viscosity / oil.viscosity
+        wanted = load_lubricant("iso vg 46", 293.15 + 80.0 * share).viscosity / oil.viscosity
         assert np.interp(0.004 * share, times, thinner) == pytest.approx(wanted, rel=1.1e-3)
     (told,) = (message for message in results.messages if "mPa s over time" in message)
     assert "do not follow the temperature" in told

@@ -166,7 +166,7 @@ def test_tables_over_the_temperature_are_taken_at_that_of_the_case(over_temperat
         with pytest.raises(CaseError, match=r"made.zip: temperature must lie within .*: point 2;"):
             sweep_from_text(sweep.format(compute, "35.0, 80.0"), "sweep.toml", tmp_path)
     case = case_from_text(warm_text(57.0), "case.toml")
-    tables = tables_once(str(over_temperature))(case.lubricant, case.rheology)
+    tables = tables_once(str(over_temperature))(case.lubricant)
     assert tables[Race.OUTER].contact.lubricant == case.lubricant
 
 

@@ -13,7 +13,7 @@ import pytest
 
 from oilfilm.bearing.library import plugins
 from oilfilm.bearing.library.lubricants import _of_plugin as checked_oil
-from oilfilm.bearing.library.lubricants import library_lubricant, list_lubricants
+from oilfilm.bearing.library.lubricants import list_lubricants, load_lubricant
 from oilfilm.cases.batch.keys import program_digest
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.rules import CaseError
@@ -112,7 +112,7 @@ def test_an_oil_by_name_at_the_temperature_of_the_case(installed):
     assert case.lubricant.name == "Maker 32"
     assert case.lubricant.viscosity == pytest.approx(0.03 * np.exp(-0.3))
     assert case.lubricant.thermal.viscosity_temperature == pytest.approx(0.03)
-    assert library_lubricant("Maker 32", 373.15).pressure_viscosity == pytest.approx(15e-9)
+    assert load_lubricant("Maker 32", 373.15).pressure_viscosity == pytest.approx(15e-9)
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ import pytest
 
 from oilfilm import ehl
 from oilfilm.bearing import solve_quasistatic
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases import load_case, run_case, run_contact
 from oilfilm.cases.runs.bearing import Interrupted
 from oilfilm.cases.runs.films import equal_contacts
@@ -182,7 +182,7 @@ def test_films_say_what_heat_in_the_inlet_leaves():
     """
     plain = load_case("6208_full_ceramic")
     plain = dataclasses.replace(plain, film_maps="none")
-    oil = library_lubricant("iso vg 32", 343.15)  # within the film atlas
+    oil = load_lubricant("iso vg 32", 343.15)  # within the film atlas
     case = dataclasses.replace(plain, lubricant=oil)
     results = run_case(case)
     contacts = [contact for contact in summary(results)["contacts"] if contact["inlet_heat_share"] is not None]

@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 
 from oilfilm.bearing.friction.tables import load_tables
 from oilfilm.bearing.geometry import Race
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases.batch.shared_tables import bodies_and_oil
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_of_document, load_case
@@ -188,14 +188,14 @@ def test_tables_over_the_temperature(quick, tmp_path):
     told = json.loads(found.stdout)["tables"]["inner"]
     assert told["temperatures_K"] == [313.15, 333.15]
     assert len(told["largest_error_between"]) == 1
-    oil = library_lubricant("iso vg 32", 328.15)
+    oil = load_lubricant("iso vg 32", 328.15)
     for table in tables_at(path, oil).values():
         assert table.contact.lubricant == oil
         assert table.contact.temperature == 328.15
     with pytest.raises(ValueError, match="made for another oil: its viscosity"):
-        tables_at(path, library_lubricant("iso vg 68", 328.15))
+        tables_at(path, load_lubricant("iso vg 68", 328.15))
     with pytest.raises(ValueError, match=r"temperature must lie within 313\.15 to 333\.15 K"):
-        tables_at(path, library_lubricant("iso vg 32", 350.0))
+        tables_at(path, load_lubricant("iso vg 32", 350.0))
     path.write_bytes(path.read_bytes()[:-2000])
     with pytest.raises(ValueError, match="damaged"):
         tables_at(path, oil)

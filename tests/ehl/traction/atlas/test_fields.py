@@ -13,7 +13,7 @@ from oilfilm.ehl.atlas.films import NotInAtlasError, atlas_load
 from oilfilm.ehl.oil.lubricant import ViscosityLaw
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.ehl.traction_table.build import TableOptions, atlas_sample, atlas_sampler, build_table
+from oilfilm.ehl.traction_table.build import TableOptions, atlas_sample, atlas_sampler, build_traction_table
 from oilfilm.ehl.traction_table.film import film_sample, relative_forces
 from oilfilm.ehl.traction_table.table import TableContact, TableRange
 
@@ -118,7 +118,7 @@ def test_narrow_ranges_begin_with_fewer_loads(highest, loads):
     options = TableOptions(
         sample=sample, nodes=(8, 4, 5, 4, 5), rounds=1, check_films=1, narrow=True, check_doubtful=False
     )
-    table = build_table(CONTACT, TableRange(load=(150.0, highest), speed=(8.0, 15.0)), options)
+    table = build_traction_table(CONTACT, TableRange(load=(150.0, highest), speed=(8.0, 15.0)), options)
     assert int(table.axes[0, 2]) == loads
     assert table.films == 4 * loads + 1
 

@@ -11,7 +11,7 @@ import pytest
 from oilfilm import ehl
 from oilfilm.bearing.films.formula import formula_values_of, hertz_size, plain_film
 from oilfilm.bearing.friction._kernels import film_frictions
-from oilfilm.bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
+from oilfilm.bearing.friction.film_nodes import FilmOnSurface, joined_nodes, unsolved_nodes
 from oilfilm.bearing.friction.films import MIN_SLIDING
 from oilfilm.ehl.atlas.fields import contact_fields, film_shapes, shape_coordinates
 from oilfilm.ehl.atlas.films import atlas_films
@@ -40,7 +40,7 @@ def frictions(contacts, films, moved):
     """By the nodes that balls are balanced on, of contacts with central films [m] at a motion each."""
     sizes = [hertz_size(own) for own in contacts]
     places = [
-        ShearedFilm(plain_film(own, film), CURVATURE, size[1])
+        FilmOnSurface(plain_film(own, film), CURVATURE, size[1])
         for own, film, size in zip(contacts, films, sizes, strict=True)
     ]
     own, block = unsolved_nodes(places, SHEAR, None)

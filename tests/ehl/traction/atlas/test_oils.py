@@ -9,7 +9,7 @@ import pytest
 from verification.contacts import OIL, from_groups, moes
 
 from oilfilm import ehl
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl import DensityLaw, ViscosityLaw
 from oilfilm.ehl.atlas.oils import density_correction, inlet_oil, with_inlet_oil
 from oilfilm.ehl.oil.lubricant import log_viscosity_ratio
@@ -36,7 +36,7 @@ def test_roelands_stands_for_itself():
 @pytest.mark.parametrize("name", ["fva 3", "arana n100", "arana m100", "arana pao100", "shell t9"])
 def test_viscosities_agree_where_the_film_is_made(name):
     """Up to 1/alpha* within 2 %."""
-    oil = library_lubricant(name, 333.15)
+    oil = load_lubricant(name, 333.15)
     own = inlet_oil(oil)
     roelands = replace(OIL, pressure_viscosity=own.pressure_viscosity, roelands_z=own.exponent)
     pressure = np.linspace(0.0, own.moment, 30)
@@ -64,8 +64,8 @@ def test_density_of_the_table_adds_nothing():
 
 
 CASES = {
-    "modulus": library_lubricant("fva 3", 333.15),
-    "volume": library_lubricant("shell t9", 333.15),
+    "modulus": load_lubricant("fva 3", 333.15),
+    "volume": load_lubricant("shell t9", 333.15),
     "barus": replace(OIL, viscosity_law=ViscosityLaw.BARUS, pressure_viscosity=18e-9),
     "incompressible": replace(OIL, density_law=DensityLaw.INCOMPRESSIBLE),
     "isoviscous": replace(OIL, viscosity_law=ViscosityLaw.ISOVISCOUS),

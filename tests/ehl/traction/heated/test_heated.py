@@ -20,7 +20,7 @@ from oilfilm.ehl.traction._heated_kernels import nahme
 from oilfilm.ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
 from oilfilm.ehl.traction.heated_film import heated_film, heated_forces, line_history
 from oilfilm.ehl.traction.shear import integrate_traction
-from oilfilm.ehl.traction_table.build import TableOptions, build_table
+from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.film import table_film
 from oilfilm.ehl.traction_table.full_solves import full_solves
 from oilfilm.ehl.traction_table.table import TableContact, TableRange
@@ -246,7 +246,7 @@ def test_table_with_heat():
     options = TableOptions(
         points=65, tolerance=0.03, check_films=2, check_motions=40, rounds=1, nodes=(4, 4, 25, 7, 9), workers=2
     )
-    table = build_table(CONTACT, limits, options)
+    table = build_traction_table(CONTACT, limits, options)
     assert table.error.quantile < 0.015
     film = table_film(CONTACT, 57.0, 4.1, SolverOptions(points=65))
     ratio = np.geomspace(1e-3, 0.5, 9)

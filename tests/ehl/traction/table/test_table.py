@@ -25,7 +25,7 @@ from oilfilm.ehl.traction.linear_response import NormalResponse, ResponseValue
 from oilfilm.ehl.traction.rolling_moment import rolling_moment
 from oilfilm.ehl.traction.shear import ContactShape, EllipseLaw, integrate_traction
 from oilfilm.ehl.traction_table import build
-from oilfilm.ehl.traction_table.build import TableOptions, build_table, spin_free_motions
+from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table, spin_free_motions
 from oilfilm.ehl.traction_table.compression import VALUE_STEP, compressed, decompressed, stored_values, whole_numbers
 from oilfilm.ehl.traction_table.splines import node_values, spline_coefficients, spline_weights
 from oilfilm.ehl.traction_table.storage import inputs_digest, load_table, save_table
@@ -51,7 +51,7 @@ OPTIONS = TableOptions(points=65, tolerance=0.02, check_films=3, check_motions=4
 
 @pytest.fixture(scope="module")
 def table():
-    return build_table(CIRCLE, LIMITS, OPTIONS)
+    return build_traction_table(CIRCLE, LIMITS, OPTIONS)
 
 
 def motions(count, seed):
@@ -126,7 +126,7 @@ def test_table_states_its_error(table):
 
 def test_error_is_that_of_points_not_in_the_table(table):
     """Its check has films between the nodes; a table of fewer nodes for the motions states a larger error."""
-    coarse = build_table(CIRCLE, LIMITS, replace(OPTIONS, nodes=(5, 4, 9, 5, 7)))
+    coarse = build_traction_table(CIRCLE, LIMITS, replace(OPTIONS, nodes=(5, 4, 9, 5, 7)))
     assert coarse.error.largest > 2.0 * table.error.largest
     assert coarse.error.largest_straight > 2.0 * table.error.largest_straight
     assert not coarse.converged

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from oilfilm.bearing.library.lubricants import library_lubricant
+from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl.arrays import lagrange_weights
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.traction_table.build import TableOptions
@@ -29,7 +29,7 @@ def contact_at(temperature):
         radius_x=10e-3,
         radius_y=10e-3,
         reduced_modulus=226e9,
-        lubricant=library_lubricant("iso vg 32", temperature),
+        lubricant=load_lubricant("iso vg 32", temperature),
         rheology=Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6, limiting_coefficient=0.047),
         temperature=temperature,
         curvature_radius=0.5,
