@@ -12,7 +12,7 @@ from io import BytesIO
 from itertools import islice
 from pathlib import Path
 from types import MappingProxyType
-from typing import IO, Any
+from typing import IO, Any, TypeVar
 
 from oilfilm.postprocess.batch.columns import CHUNK, Columns, InMemory, Row, columns_of
 from oilfilm.postprocess.batch.results import BatchPoint, BatchResults, Counts
@@ -40,6 +40,7 @@ from .sweep import Shard
 
 LARGE = 10_000  # points from which on a batch is not held in memory: 1 GB of summaries
 MOST_LINES = 100_000  # of batch.csv where it is not asked for
+T = TypeVar("T")
 MISSING = "missing"  # status of a point that no record tells of
 NO_RECORD = "not computed yet, or its record is damaged; --resume computes it"
 
@@ -74,7 +75,7 @@ class Stored:
         """
         points = self.batch.sweep.points
         wanted = iter(points) if only is None else (points[index] for index in only)
-        while chunk := list(islice(wanted, CHUNK)):
+        for chunk in batched(wanted, CHUNK):
             records = self.points.records([point.key for point in chunk])
             yield [
                 (point, record or Record(key=point.key, status=MISSING, message=NO_RECORD))
@@ -273,22 +274,22 @@ def shard_counts(batch: Batch, shard: Shard) -> dict[str, int]:
     return counts
 
 
-def batched(keys: Iterable[str], size: int) -> Iterator[list[str]]:
-    """Split keys into lists of limited size.
+def batched(things: Iterable[T], size: int) -> Iterator[list[T]]:
+    """Split things into lists of limited size.
 
     Parameters
     ----------
-    keys : Iterable[str]
-        The keys.
+    things : Iterable[T]
+        The things, in their order.
     size : int
-        Keys of a list at most [-].
+        Things of a list at most [-].
 
     Yields
     ------
-    Iterator[list[str]]
+    Iterator[list[T]]
         One list after the other.
     """
-    left = iter(keys)
+    left = iter(things)
     while chunk := list(islice(left, size)):
         yield chunk
 

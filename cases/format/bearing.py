@@ -21,7 +21,7 @@ from oilfilm.bearing.torque.skf import Series, series_of, skf_series
 from oilfilm.ehl.units import MICROMETRE, from_si, to_si
 
 from .fields import Name, OneOf, Table, above, between, described, length, within
-from .rules import Below, CaseProblem, CaseValues, Needs, Where, bounded, shown
+from .rules import Below, CaseProblem, CaseValues, Needs, Where, bounded, shown, together
 
 
 class BearingTable(Table):
@@ -110,8 +110,7 @@ RELATIONS = (
         for name in (*GEOMETRY, "ball_material")
     ),
     Needs("bearing.cage_material", Where("temperatures.cage_C")),
-    Needs("surface.longest_wavelength_um", Where("surface.shortest_wavelength_um")),
-    Needs("surface.shortest_wavelength_um", Where("surface.longest_wavelength_um")),
+    *together("surface.longest_wavelength_um", "surface.shortest_wavelength_um"),
     Below("surface.shortest_wavelength_um", "surface.longest_wavelength_um"),
     *(
         Needs(

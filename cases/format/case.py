@@ -300,9 +300,22 @@ def _bearing_case(file: BearingFile) -> Case:
     assumptions = replace(model(file.model, file.friction), rings=rings)
     bodies = (bearing.ball_material, bearing.inner_ring_material)
     films = case_films(file.ehl, rheology(oil, fluid), bodies, _starvation(file))
-    torque = _friction(file, delivered)
+    torque = friction(
+        file.friction,
+        file.bearing,
+        file.lubricant,
+        cage_friction(file.cage),
+        file.surface,
+        angular=delivered.angular_contact,
+    )
     inlet = _inlet(file, bearing, fluid, torque)
-    source = (file.friction, torque, bearing, fluid, films, inlet)
+    traction = None
+    if (
+        assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
+        or file.friction.traction
+    ):
+        traction = ball_traction(file.friction, torque, bearing, fluid, films, inlet)
+    maps = file.ehl.film_maps
     return Case(
         **_common(file, films),
         document=_bearing_document(file, fluid, library, assumptions),
@@ -310,8 +323,8 @@ def _bearing_case(file: BearingFile) -> Case:
         lubricant=fluid,
         operation=at,
         model=assumptions,
-        traction=ball_traction(*source) if _has_traction(file, assumptions) else None,
-        film_maps=_film_maps(file),
+        traction=traction,
+        film_maps=maps if isinstance(maps, str) else tuple(map(radians, maps)),
         file=file,
         rating=rated,
         friction=torque,
@@ -322,18 +335,6 @@ def _bearing_case(file: BearingFile) -> Case:
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
         inlet_layer=_inlet_layer(file, torque),
     )
-
-
-def _has_traction(file: BearingFile, assumptions: QuasistaticModel) -> bool:
-    """Tell whether the motion of the balls or the case by name takes friction on races."""
-    balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
-    return balanced or file.friction.traction is not None
-
-
-def _film_maps(file: BearingFile) -> str | tuple[float, ...]:
-    """Balls whose films are wanted: in words, or their azimuths [rad]."""
-    maps = file.ehl.film_maps
-    return maps if isinstance(maps, str) else tuple(map(radians, maps))
 
 
 def _inlet_layer(file: BearingFile, torque: FrictionInput) -> InletLayer | Supply | None:
@@ -352,18 +353,6 @@ def _starvation(file: BearingFile) -> contacts.Starvation | None:
     flooded = file.lubricant.supply == "flooded"
     default = contacts.Starvation.NONE if flooded else contacts.Starvation.TABULATED
     return contacts.starvation(file.ehl, file.lubricant, default)
-
-
-def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:
-    """Inputs of the friction models."""
-    return friction(
-        file.friction,
-        file.bearing,
-        file.lubricant,
-        cage_friction(file.cage),
-        file.surface,
-        angular=delivered.angular_contact,
-    )
 
 
 def _inlet(

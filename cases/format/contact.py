@@ -54,6 +54,7 @@ from .rules import (
     Relation,
     Where,
     shown,
+    together,
 )
 
 ALIGNED = 1e-9  # sine of the entrainment's angle to x that counts as none [-]
@@ -235,10 +236,7 @@ RELATIONS: tuple[Relation, ...] = (
         "needed, or velocity_1_m_s and velocity_2_m_s, or moes_M and moes_L",
         (*GROUPS, *(f"contact.{name}" for name in VELOCITIES)),
     ),
-    *(
-        Needs(f"contact.{name}", Where(f"contact.{other}"))
-        for name, other in (VELOCITIES, VELOCITIES[::-1])
-    ),
+    *together(*(f"contact.{name}" for name in VELOCITIES)),
     *(
         Excludes(f"contact.{name}", f"contact.{velocity}", "mean and slides, or two velocities")
         for name in (SPEED, "entrainment_angle_deg", *KINEMATICS[:2])

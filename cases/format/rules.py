@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
+from itertools import permutations
 from typing import Any
 
 from oilfilm.ehl.units import UNITS
@@ -677,6 +678,23 @@ class Below:
 
 
 Relation = Excludes | Needs | OnlyWith | Below
+
+
+def together(*keys: str) -> Iterator[Needs]:
+    """Relations of keys of which each needs all the others.
+
+    Parameters
+    ----------
+    *keys : str
+        Dotted names of the keys.
+
+    Yields
+    ------
+    Iterator[Needs]
+        A relation for each pair.
+    """
+    for key, other in permutations(keys, 2):
+        yield Needs(key, Where(other))
 
 
 def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseProblem]:

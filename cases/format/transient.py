@@ -36,6 +36,7 @@ from .rules import (
     Relation,
     Where,
     shown,
+    together,
 )
 
 NAME = "features"
@@ -111,12 +112,7 @@ KINDS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 COMMON = ("kind", "body", "start_um")
 RELATIONS: tuple[Relation, ...] = (
     Needs("transient.end_time_ms", Where(NAME), "needed with [[features]]"),
-    *(
-        Needs(f"transient.{name}", Where(f"transient.{other}"))
-        for name in IMPACT
-        for other in IMPACT
-        if name != other
-    ),
+    *together(*(f"transient.{name}" for name in IMPACT)),
     OnlyWith("transient.approach_speed_m_s", (Where("transient.mass_kg"),)),
 )
 DIMENSIONLESS = "nothing with Moes' groups, which have no unit of time"

@@ -29,6 +29,7 @@ from .rules import (
     Relation,
     Where,
     shown,
+    together,
 )
 from .transient import read_columns
 
@@ -167,12 +168,7 @@ class VibrationTable(Table):
 
 SENSOR = ("sensor_mass_kg", "sensor_frequency_Hz", "sensor_damping_ratio")
 RELATIONS: tuple[Relation, ...] = (
-    *(
-        Needs(f"support.{name}", Where(f"support.{other}"))
-        for name in SENSOR
-        for other in SENSOR
-        if name != other
-    ),
+    *together(*(f"support.{name}" for name in SENSOR)),
     Needs("support.seat_damping_N_s_m", Where("support.seat_stiffness_N_um", nonzero=True)),
     Needs("support.seat_stiffness_N_um", Where("support.sensor_mass_kg")),
     *(

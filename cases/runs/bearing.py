@@ -5,6 +5,7 @@ the oil supply: torque with other supplies, films after the supply stops.
 """
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from time import perf_counter
@@ -166,27 +167,26 @@ def torque_over_supply(
     films: Films,
     torque: TorqueBreakdown | None,
 ) -> dict[str, Any]:
-    """Torque at the supply and flooded, band of the captured share of a flow, and the films after
-    the
-    supply has stopped.
+    """Torque at the supply and flooded, its band over the captured share of a flow, and the films
+    after the supply has stopped.
 
     Parameters
     ----------
     case : Case
-        a bearing case
+        The bearing.
     state : QuasistaticSolution
-        equilibrium of the bearing
+        Equilibrium of the bearing.
     contacts : Sequence[BearingContact]
-        its contacts
+        Its contacts.
     films : Films
-        of the contacts as computed
+        Films of the contacts as computed.
     torque : TorqueBreakdown | None
-        of the case
+        Torque of the case.
 
     Returns
     -------
     dict[str, Any]
-        by their names in the results
+        Fields of the results by their names.
     """
     friction = case.friction
     if friction is None or torque is None or state.operation.shaft_speed == 0.0:
@@ -303,18 +303,18 @@ def run_case(
     """
     notify = progress or (lambda done, total, state: None)
     equilibria = equilibria or Equilibria()
-    how = (workers, notify, solve, equilibria)
+    run = partial(_run, workers=workers, notify=notify, solve=solve, equilibria=equilibria)
     if case.file.operation.temperature != SELF_HEATED:
-        return _run(case, *how, on_films_solved)
+        return run(case, on_films_solved=on_films_solved)
     warmed = with_temperature(case, equilibria=equilibria)
     if case.films.model is FilmModel.THERMAL:
-        warmed = _by_rough_films(case, warmed, how)
+        warmed = _by_rough_films(case, warmed, run)
     for _ in range(WARM_ROUNDS):
-        results = _run(warmed, *how)
+        results = run(warmed)
         heating = results.heating
         if heating is None or heating.balance is None or not heating.converged:
             cold = without_heat_balance(case, heating, warmed)
-            return results if cold is None else _run(cold, *how)
+            return results if cold is None else run(cold)
         found = heating.balance.temperature
         if abs(found - warmed.operation.temperature) <= WARM_TOLERANCE:
             break
@@ -322,16 +322,14 @@ def run_case(
     return _in_balance(results, warmed)
 
 
-def _by_rough_films(
-    case: Case, warmed: Case, how: tuple[int | None, Progress, Solve | None, Equilibria]
-) -> Case:
+def _by_rough_films(case: Case, warmed: Case, run: Callable[[Case], BearingResults]) -> Case:
     """The case at the temperature of the torque of films on a rough mesh, whose heat takes a
     quarter of the time; as it was where these have no balance.
     """
     if warmed.solver.max_points <= ROUGH_POINTS:
         return warmed
     rough = replace(warmed.solver, points=ROUGH_POINTS, tolerance=None)
-    heating = _run(replace(warmed, solver=rough), *how).heating
+    heating = run(replace(warmed, solver=rough)).heating
     found = heating is not None and heating.balance is not None and heating.converged
     return with_temperature(case, heating) if found else warmed
 
@@ -354,7 +352,8 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
     state = results.quasistatic
     contacts = results.contacts
     operating = _operating(case, state, contacts, results.films, results.torque)
-    reported = _reported(case, results.torque, operating, (state, contacts, results.conductances))
+    conductances = results.conductances
+    reported = _reported(case, results.torque, operating, state, contacts, conductances)
     assert reported is not None
     return replace(results, heating=with_heat_balance(heating, case, reported))
 
@@ -389,7 +388,7 @@ def _run(
         raise Interrupted(None) from None
     timing = {"quasistatic": perf_counter() - start}
     start = perf_counter()
-    films = _films(case, state, contacts, (workers, notify, solve))
+    films = _films(case, state, contacts, workers, notify, solve)
     timing["contacts"] = perf_counter() - start
     traction = traction_messages(case.traction, state, contacts)
     results = BearingResults(
@@ -417,8 +416,12 @@ def _with_friction(
 ) -> BearingResults:
     """The results with friction, or `Interrupted` with what is there of them."""
     timing = dict(results.timing)
-    numbers = (case, results.quasistatic, results.contacts, films, timing, notify)
-    friction = None if films.interrupted else _stopped_friction(*numbers)
+    friction = None
+    if not films.interrupted:
+        with suppress(KeyboardInterrupt):  # the films are kept
+            state, contacts = results.quasistatic, results.contacts
+            work = partial(_friction, case, state, contacts, films, timing, notify)
+            friction = interruptible(work)
     timing["total"] = sum(timing.values())
     if friction is not None:
         return replace(results, timing=timing, **friction)
@@ -432,12 +435,13 @@ def _films(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    how: tuple[int | None, Progress, Solve | None],
+    workers: int | None,
+    notify: Progress,
+    solve: Solve | None,
 ) -> _Films:
     """Films that the case asks for; those that its mesh does not resolve by formulas scaled to a
     film at the lowest speed at which it does.
     """
-    workers, notify, solve = how
     wanted, messages = wanted_contacts(case, state, contacts)
     plan = film_plan(wanted, case.solver)
     solver = film_solver(solve, case.films)
@@ -494,14 +498,6 @@ def _contacts(
     return with_finite_bodies(contacts, bodies), bodies
 
 
-def _stopped_friction(*arguments: Any) -> dict[str, Any] | None:
-    """The result of `_friction`; None after Ctrl-C, so that the films are kept."""
-    try:
-        return interruptible(partial(_friction, *arguments))
-    except KeyboardInterrupt:
-        return None
-
-
 def _friction(
     case: Case,
     state: QuasistaticSolution,
@@ -525,7 +521,7 @@ def _friction(
         notify(0, 1, "self-heating")
     operating = _operating(case, state, contacts, films.films, torque)
     conductances = case_conductances(case, state, contacts, operating)
-    reported = _reported(case, torque, operating, (state, contacts, conductances))
+    reported = _reported(case, torque, operating, state, contacts, conductances)
     heating = self_heated(case, reported) if state.converged else None
     return {
         "tractions": tractions,
@@ -556,14 +552,13 @@ def _reported(
     case: Case,
     torque: TorqueBreakdown | None,
     operating: Films | None,
-    known: tuple[QuasistaticSolution, Sequence[BearingContact], Array | None],
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    conductances: Array | None,
 ) -> ReportedTorque | None:
-    """The total with its operating films [N m]; None where there is none. `known`: equilibrium,
-    contacts and conductances of films [W/K].
-    """
+    """The total with its operating films [N m]; None where there is none."""
     if torque is None or torque.total is None:
         return None
-    state, contacts, conductances = known
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
     operating = None if case.heating is None else operating
     balance = None if torque.shear is None else torque.shear.balance

@@ -307,7 +307,7 @@ def test_a_failing_point_is_recorded_and_does_not_stop_the_others(tmp_path, monk
     sweep = sweep_from_text(QUICK, "sweep.toml")
     bad = sweep.points[2].document
 
-    def run(case, *_):
+    def run(case, *_, **_options):
         if case.document["operation"]["radial_load_N"] == 1750.0:
             raise ArithmeticError("no such equilibrium")
         return original(case, 1)
