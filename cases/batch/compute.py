@@ -37,7 +37,7 @@ from oilfilm.postprocess.slip.results import slip_summary
 from oilfilm.postprocess.traction.results import traction_summary
 
 from ..format.case import Case, ContactCase, case_of_document
-from ..format.friction import require_fitting_tables, resisted_traction
+from ..format.traction import require_fitting_tables, resisted_traction
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics

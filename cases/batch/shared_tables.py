@@ -32,8 +32,8 @@ from oilfilm.ehl.traction_table.film import FilmSample, film_sample
 from oilfilm.ehl.traction_table.table import TableContact, TableRange
 
 from ..format.case import Case, ContactCase, case_of_document
-from ..format.contact import FilmPhysics
-from ..format.friction import require_fitting_tables, tables_of_file
+from ..format.film_model import FilmPhysics
+from ..format.traction import require_fitting_tables, tables_of_file
 from ..runs.films import Progress
 from ..runs.interrupt import print_message
 from ..runs.traction_films import Equilibria, case_equilibrium, without_traction_equilibrium

@@ -26,11 +26,11 @@ from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
-from .contact import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_frequencies
 from .document import BearingFile, ContactFile, check_document, read_text, validate_text
 from .dynamics import cage_friction, guiding_land
+from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_frequencies
 from .fits import HeatingInput
-from .friction import SHEAR_ASSUMED, ball_traction, friction, rheology
+from .friction import SHEAR_ASSUMED, friction, rheology
 from .library import material_table, materials
 from .load_cases import load_case_files
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
@@ -38,6 +38,7 @@ from .operation import model, operation
 from .rows import rows
 from .rules import CaseError, InvalidKeyError, key_lines
 from .shipped import find_case
+from .traction import ball_traction
 from .transient import transient, transient_options
 
 

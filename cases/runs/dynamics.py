@@ -51,11 +51,11 @@ from oilfilm.postprocess.dynamics.results import DynamicsResults
 from ..format.case import Case, oil_of_file
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
 from ..format.fields import FREE_WORD
-from ..format.friction import coefficient_source, read_race_tables
 from ..format.library import materials
 from ..format.programs import oil_data
 from ..format.rules import CaseError
 from ..format.shipped import table_path
+from ..format.traction import coefficient_source, read_race_tables
 from ..version import version
 from .films import Progress
 from .interrupt import finish_first, interruptible

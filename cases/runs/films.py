@@ -24,8 +24,9 @@ from oilfilm.ehl.multigrid.threads import cores, film_threads
 from oilfilm.ehl.oil.lubricant import InletLayer
 
 from ..format.case import Case
-from ..format.contact import FilmModel, FilmPhysics
+from ..format.contact import FilmModel
 from ..format.fields import rounded
+from ..format.film_model import FilmPhysics
 from ..format.rows import ball_at
 
 SolveOne = Callable[[ContactConditions, SolverOptions], ContactSolution]

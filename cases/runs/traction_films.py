@@ -22,7 +22,7 @@ from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.ehl import ContactConditions, ContactSolution
 
 from ..format.case import Case
-from ..format.contact import CaseFilms
+from ..format.film_model import CaseFilms
 from .films import Progress, Solve, film_solver, solve_contacts
 
 MOST_STORED = 1000  # equilibria, some 10 kB each

@@ -24,7 +24,7 @@ from oilfilm.bearing.friction.laws import CoefficientTraction, CoulombTraction, 
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.cases import load_case
 from oilfilm.cases.format.case import Case
-from oilfilm.cases.format.contact import NEWTONIAN, CaseFilms
+from oilfilm.cases.format.film_model import NEWTONIAN, CaseFilms
 from oilfilm.cases.runs.traction_films import PooledFilms
 from oilfilm.ehl import SolverOptions
 from oilfilm.ehl.traction.coefficients import FourConstants

@@ -30,7 +30,7 @@ from oilfilm.cases.batch.shared_tables import ContactCache
 from oilfilm.cases.batch.store import finished_points, open_folder
 from oilfilm.cases.batch.sweep import read_sweep, sweep_from_text
 from oilfilm.cases.cli.main import app
-from oilfilm.cases.format.contact import NEWTONIAN
+from oilfilm.cases.format.film_model import NEWTONIAN
 from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 from oilfilm.postprocess.batch.store import PointStore, Record, StoredPoints, store_files
 
@@ -459,7 +459,7 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
         return original(conditions, options)
 
     original = ehl.solve_contact
-    monkeypatch.setattr("oilfilm.cases.format.contact.solve_contact", solve)
+    monkeypatch.setattr("oilfilm.cases.format.film_model.solve_contact", solve)
     results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(solved) == 2  # both races of one ball, for two points
     first, second = (point.summary["contacts"] for point in results.points)
@@ -481,7 +481,7 @@ def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, 
     solved = []
     original = ehl.solve_contact
     monkeypatch.setattr(
-        "oilfilm.cases.format.contact.solve_contact", lambda *words: solved.append(words[0]) or original(*words)
+        "oilfilm.cases.format.film_model.solve_contact", lambda *words: solved.append(words[0]) or original(*words)
     )
     sweep = sweep_from_text(text, "sweep.toml")
     run_batch(sweep, tmp_path / "out", HerePool)

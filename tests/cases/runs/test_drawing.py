@@ -58,7 +58,7 @@ def test_results_that_no_process_can_take_lose_their_pictures_only(results, draw
     def refused(_results):
         raise pickle.PicklingError("no way")
 
-    monkeypatch.setattr("oilfilm.cases.runs.processes.pickle.dumps", refused)
+    monkeypatch.setattr("oilfilm.cases.runs.drawing.pickle.dumps", refused)
     assert drawing.write(results, tmp_path) == (f"{LEFT_OUT} not written: PicklingError: no way",)
     assert set(contents(tmp_path)) == NUMBERS
 
@@ -82,7 +82,7 @@ def test_after_an_interrupt_pictures_begun_ahead_are_given_up(results, tmp_path)
 
 
 def test_a_drawing_process_that_is_killed_loses_its_pictures_only(results, tmp_path, monkeypatch):
-    monkeypatch.setattr("oilfilm.cases.runs.processes._make", killed)
+    monkeypatch.setattr("oilfilm.cases.runs.drawing._make", killed)
     with drawing_processes(ahead=False) as processes:
         problems = processes.write(results, tmp_path)
     assert problems == (f"{LEFT_OUT}: some not written, a process that drew them was ended",)
@@ -95,7 +95,7 @@ def test_an_interrupt_ends_all_processes_without_a_word():
     code = """
 import sys, time
 from oilfilm.cases.cli.terminal import exit_code
-from oilfilm.cases.runs.processes import drawing_processes
+from oilfilm.cases.runs.drawing import drawing_processes
 def wait():
     with drawing_processes(ahead=True):
         print("up", flush=True)

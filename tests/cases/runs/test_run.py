@@ -52,7 +52,7 @@ def unsheared(monkeypatch):
 
 def replace_solver(monkeypatch, stand_in):
     """Solve films by a stand-in, in runs of bearings and of single contacts."""
-    for module in ("oilfilm.cases.format.contact", "oilfilm.cases.runs.films"):
+    for module in ("oilfilm.cases.format.film_model", "oilfilm.cases.runs.films"):
         monkeypatch.setattr(f"{module}.solve_contact", stand_in)
 
 

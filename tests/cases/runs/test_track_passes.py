@@ -67,7 +67,7 @@ def test_a_pass_that_does_not_converge_is_told(monkeypatch):
         solution = solve_contact(conditions, options)
         return solution if len(calls) < 2 else replace(solution, converged=False)
 
-    monkeypatch.setattr("oilfilm.cases.format.contact.solve_contact", failing)
+    monkeypatch.setattr("oilfilm.cases.format.film_model.solve_contact", failing)
     document = summary(run_contact(case_from_text(MOES + "track_passes = 3\n", "case.toml")))
     assert not document["converged"]
     assert [row["converged"] for row in document["passes"]] == [True, False]

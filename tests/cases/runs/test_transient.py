@@ -180,7 +180,7 @@ def test_an_interrupted_run_keeps_its_steps_and_goes_on(tmp_path, results):
     case = tmp_path / "waves.toml"
     case.write_text(COARSE, encoding="utf-8")
     code = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-    code += "from oilfilm.cases.runs.studies import kept_steps; kept_steps.EVERY = 0.0\n"
+    code += "from oilfilm.cases.runs import transient; transient.EVERY = 0.0\n"
     code += "from oilfilm.cases.cli.start import main; main()"
     command = [sys.executable, "-c", code, "transient", str(case), "-o", str(tmp_path / "out"), "--no-movie"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, cwd=tmp_path) as process:

@@ -15,7 +15,7 @@ from oilfilm.postprocess.scene.rendering import (
     require_rendering,
     run_python,
 )
-from oilfilm.postprocess.scene.scene import SceneOptions, screenshot, show
+from oilfilm.postprocess.scene.scene import SceneOptions, screenshot, view
 
 LINUX = sys.platform.startswith("linux")
 
@@ -150,7 +150,7 @@ def test_window_kind_is_chosen_without_a_display(monkeypatch):
 def test_window_needs_a_display(bearing_folder, monkeypatch):
     monkeypatch.delenv("DISPLAY", raising=False)
     with pytest.raises(RenderingError, match="--screenshot"):
-        show(bearing_folder)
+        view(bearing_folder)
 
 
 def test_bad_requests(bearing_folder, tmp_path):
