@@ -5,8 +5,8 @@ from .dynamics.simulation import simulate
 from .films.film import ContactFilm
 from .films.operating import contact_films
 from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
+from .friction.contact_friction import BallTraction
 from .friction.equilibrium import solve_traction_equilibrium
-from .friction.law import BallTraction
 from .geometry import (
     Bearing,
     BearingType,

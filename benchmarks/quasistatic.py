@@ -12,7 +12,7 @@ from time import perf_counter, process_time
 
 from oilfilm.bearing import Arrangement, duplex, solve_quasistatic
 from oilfilm.cases import load_case
-from oilfilm.cases.runs.stiffness import run_slip
+from oilfilm.cases.runs.stiffness_and_slip import run_slip
 
 REPEATS = 50
 

@@ -13,9 +13,9 @@ from time import process_time
 import numpy as np
 
 from oilfilm.bearing import Operation, Race, contact_conditions, solve_quasistatic, solve_traction_equilibrium
+from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.friction.coulomb import balanced_friction
-from oilfilm.bearing.friction.law import BallTraction
-from oilfilm.bearing.friction.laws import LawTraction
+from oilfilm.bearing.friction.friction_sources import LawTraction
 from oilfilm.bearing.friction.tables import build_race_tables
 from oilfilm.bearing.torque.breakdown import friction_torque
 from oilfilm.bearing.torque.integrated import law_torque

@@ -16,10 +16,10 @@ from pathlib import Path
 
 import numpy as np
 
-from oilfilm.bearing.films.formula import hertz_size, plain_film
+from oilfilm.bearing.films.unsolved_films import hertz_size, plain_film
 from oilfilm.bearing.friction._kernels import film_frictions
+from oilfilm.bearing.friction.film_friction import MIN_SLIDING
 from oilfilm.bearing.friction.film_nodes import FilmOnSurface, joined_nodes, unsolved_nodes
-from oilfilm.bearing.friction.films import MIN_SLIDING
 from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from oilfilm.ehl.atlas.films import atlas_load
 from oilfilm.ehl.closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_coefficients
@@ -29,7 +29,7 @@ from oilfilm.ehl.traction.film_quadrature import film_quadrature, sliding_forces
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from verification.draws import draws
+from oilfilm.verification.draws import draws
 
 SHEAR = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=0.047, limiting_coefficient=0.047, limiting_minimum=5e6)
 RATIOS = (1e-3, 1e-2, 0.1)

@@ -13,7 +13,7 @@ CONSTANTS = (  # modules of which kernels take constants, types, formulas and ho
     "bearing/vibration/assembly.py",
     "ehl/arrays.py",
     "ehl/compiled.py",
-    "ehl/traction/coefficients.py",
+    "ehl/traction/friction_coefficients.py",
 )
 
 

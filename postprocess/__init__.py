@@ -8,8 +8,8 @@ compare      - two results side by side
 contact      - results of one lubricated contact
 dynamics     - results of a time simulation
 files        - JSON and CSV files of results
-netcdf_read  - one loader for the folders of all commands
 netcdf_write - netCDF-4 files of results, written as `reader` reads them, without xarray
+open_results - one loader for the folders of all commands
 plot_style   - common to all plots: type sizes, colours, colour maps, the part of a contact shown
 quantities   - output quantities: each is declared once: key, unit, title, getter
 report       - the HTML report of a result folder

@@ -1,6 +1,6 @@
 from .bearing.results import BearingResults
 from .contact.summary import ContactResults
-from .netcdf_read import open_results
+from .open_results import open_results
 from .scene.scene import view
 from .writer import summary, write_extras, write_numbers, write_results
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.closed_form.hertz import contact_stiffness
-from oilfilm.ehl.traction.coefficients import RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import RampedCoulomb
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import reduced_modulus

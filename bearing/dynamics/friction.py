@@ -11,7 +11,7 @@ from oilfilm.ehl.traction.law import TractionLaw
 from oilfilm.ehl.traction.shear import EllipseLaw, EllipseRule, ellipse_nodes
 from oilfilm.ehl.traction_table.table import TractionTable
 
-from ..friction.laws import RaceTraction
+from ..friction.friction_sources import RaceTraction
 from ..geometry import Bearing, Race
 from ._race_kernels import film_and_slope, weights
 from .arrays import (

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..friction.laws import RaceTraction
+from ..friction.friction_sources import RaceTraction
 from ..geometry import Bearing
 from ..material import Material
 from ..operation import Operation

@@ -1,8 +1,9 @@
 """Films of the contacts of a bearing: one type, from the computed film to the operating one.
 
-asperities - mixed lubrication, first order: the fraction of the load on asperities
-decay      - film of a bearing over the time after its oil supply has stopped
-film       - the film of one contact, its origin, values, errors and fractions
-formula    - films and rolling moments of atlas and formulas, where none is solved
-operating  - films as the bearing runs: oil supply, heat of the inlet, asperities
+asperities     - mixed lubrication, first order: the fraction of the load on asperities
+decay          - film of a bearing over the time after its oil supply has stopped
+film           - the film of one contact, its origin, values, errors and fractions
+operating      - films as the bearing runs: oil supply, heat of the inlet, asperities
+unsolved_films - films and rolling moments of the film atlas and of formulas, for contacts whose
+                 film is not solved
 """

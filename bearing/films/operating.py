@@ -32,7 +32,7 @@ from .film import (
     first_same,
     solved_with_heat,
 )
-from .formula import formula_films, formula_values, hertz_size
+from .unsolved_films import formula_films, formula_values, hertz_size
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -29,7 +29,7 @@ from .cage import (
     rubbing_speeds,
     with_land,
 )
-from .law import TINY, ContactFriction
+from .contact_friction import TINY, ContactFriction
 from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_power
 from .resistance import NO_RESISTANCE, Resistance, ResistedPower
 

@@ -12,7 +12,7 @@ from oilfilm.ehl.arrays import Array
 
 from ..contacts.motion import ball_speeds
 from ..quasistatic.solution import QuasistaticSolution
-from .law import TINY
+from .contact_friction import TINY
 from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, solve_with_couple_steps
 from .resistance import Resistance, ResistedPower
 

@@ -29,7 +29,7 @@ from ..contacts.contact import BearingContact, dry_contacts
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
 from .balance import BalancedFriction, balance_balls, curvature_slip
-from .law import ContactFriction, Dissipation
+from .contact_friction import ContactFriction, Dissipation
 
 # e of Coulomb's law over the largest sliding that the curvature of the contact makes [-]: half and
 # double of it change the friction power of 25 random bearings by 2.4e-3 at most, as much as the

@@ -35,7 +35,7 @@ from .balance import (
     balance_driven_balls,
     sliding_ratio,
 )
-from .law import BallTraction, ContactFriction, FrictionSource
+from .contact_friction import BallTraction, ContactFriction, FrictionSource
 from .newton import BALANCE_TOLERANCE
 
 # Half and double of `MAX_ROUNDS` and `MEMORY` change loads and speeds of eight random bearings

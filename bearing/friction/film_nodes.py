@@ -39,7 +39,7 @@ from ..films.film import ContactFilm, Films, first_same
 from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import thin_sums
-from .law import TINY
+from .contact_friction import TINY
 
 ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
 THIN = 11  # numbers of `_kernels.thin_sums`

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from oilfilm.ehl.arrays import Array
 
 from ._kernels import accept_steps, damped_steps, left_on_balls, motions
-from .law import TINY, ContactFriction
+from .contact_friction import TINY, ContactFriction
 
 # Measured on Coulomb friction of 25 random bearings: each halved and doubled leaves all balls
 # balanced and the friction power equal to 2e-11, in 1421 to 1664 evaluations (1444 as they are).

@@ -37,7 +37,7 @@ from ..films.film import first_same
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
-from .law import REFERENCE_TRACTION, ContactFriction, Dissipation
+from .contact_friction import REFERENCE_TRACTION, ContactFriction, Dissipation
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 

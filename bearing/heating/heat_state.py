@@ -25,10 +25,10 @@ from oilfilm.ehl.traction.shear import dimensional_conditions, dimensional_grid
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions, with_oil
 from ..films.film import CONTACT_PRESSURE, ContactFilm, Films, first_same
-from ..films.formula import formula_films
+from ..films.unsolved_films import formula_films
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
 from ..friction.balance import BalancedFriction
-from ..friction.films import film_balance
+from ..friction.film_friction import film_balance
 from ..geometry import SINGLE, Bearing, Race, Row
 from ..operation import Operation, QuasistaticModel
 from ..quasistatic.solution import QuasistaticSolution

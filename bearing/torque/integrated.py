@@ -31,9 +31,9 @@ from ..films.film import ContactFilm, FilmOrigin, Films, first_same
 from ..films.operating import OilAtInlets, operating_films, with_formulas
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
+from ..friction.contact_friction import ContactFriction
+from ..friction.film_friction import ShearedFilms, sheared_films
 from ..friction.film_nodes import film_nodes
-from ..friction.films import ShearedFilms, sheared_films
-from ..friction.law import ContactFriction
 from ..friction.resistance import NO_RESISTANCE, NOTHING_RESISTED, Resistance, ResistedPower
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution

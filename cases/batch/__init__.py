@@ -14,6 +14,19 @@
 | pools | processes of this machine, a Dask cluster, an executor of the user's |
 | engine | execution: submit, store, resume |
 | results | finished points gathered and written |
+
+compute       - points of a batch, computed in a worker
+engine        - execution of a sweep
+keys          - names of points, tables and contacts on disk
+plan          - the points of a sweep, each made when it is asked for
+points        - A sweep, its points, and what a worker is sent and sends back
+pools         - executors that compute the points
+results       - the finished points of a batch, gathered, and the files made of them
+samples       - points drawn at random
+shared_tables - results that points of a batch share
+store         - the folder of a batch
+sweep         - A sweep file
+sweep_file    - A sweep file
 """
 
 import lazy_loader

@@ -23,7 +23,7 @@ from typing import Any
 from pydantic_core import from_json, to_json
 
 from oilfilm.bearing.contacts.contact import BearingContact
-from oilfilm.bearing.friction.laws import LawTraction
+from oilfilm.bearing.friction.friction_sources import LawTraction
 from oilfilm.bearing.friction.tables import Tables, save_race_tables
 from oilfilm.postprocess import summary
 from oilfilm.postprocess.batch.store import FAILED, Record, record_of
@@ -41,10 +41,10 @@ from ..format.traction import require_fitting_tables, resisted_traction
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
+from ..runs.equilibrium import Equilibria
 from ..runs.films import Solve
 from ..runs.output_directory import scratch_folder
-from ..runs.stiffness import run_slip
-from ..runs.traction_films import Equilibria
+from ..runs.stiffness_and_slip import run_slip
 from ..runs.traction_table import run_table
 from .keys import digest, program_digest, value_in
 from .points import Limits, PointResult, Task

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import IO, Any, TypeVar
 
-from oilfilm.postprocess.batch.columns import CHUNK, Columns, InMemory, Row, columns_of
+from oilfilm.postprocess.batch.packed_columns import CHUNK, Columns, InMemory, Row, columns_of
 from oilfilm.postprocess.batch.results import BatchPoint, BatchResults, Counts
 from oilfilm.postprocess.batch.store import (
     DONE,

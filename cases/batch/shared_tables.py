@@ -15,7 +15,7 @@ from hashlib import blake2b
 from pathlib import Path
 from typing import Any
 
-from oilfilm.bearing.friction.laws import FilmTraction
+from oilfilm.bearing.friction.friction_sources import FilmTraction
 from oilfilm.bearing.friction.tables import (
     LOAD_SPAN,
     Tables,
@@ -34,9 +34,9 @@ from oilfilm.ehl.traction_table.table import TableContact, TableRange
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.film_model import FilmPhysics
 from ..format.traction import require_fitting_tables, tables_of_file
+from ..runs.equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 from ..runs.films import Progress
 from ..runs.interrupt import print_message
-from ..runs.traction_films import Equilibria, case_equilibrium, without_traction_equilibrium
 from ..runs.traction_table import asked_films, films_of_atlas
 from .keys import NOT_IN_TRACTION_TABLES, content_key, digest, document_text, program_digest
 from .points import Point, Sweep

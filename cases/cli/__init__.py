@@ -15,4 +15,19 @@
 | files | list, validate, init, schema |
 | new_case | text of new case files |
 | verify | verify |
+
+__main__  - `python -m oilfilm.cases.cli` is the command `oilfilm`
+batch     - commands on many points
+compute   - commands that compute a case
+documents - commands on results
+files     - commands about case files and libraries
+main      - the commands of `oilfilm`; importing it registers them in the order of the help
+new_case  - A new case file for a bearing by its designation or its boundary dimensions
+optimise  - commands that search
+output    - common steps of the commands that compute
+over_time - commands that compute over time
+start     - entry point of `oilfilm`: what to do on a signal before anything that takes time to
+            load
+terminal  - the application `oilfilm` and its terminal
+verify    - the command that verifies an installation
 """

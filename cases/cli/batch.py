@@ -32,7 +32,7 @@ from .terminal import (
 )
 
 if TYPE_CHECKING:
-    from oilfilm.postprocess.batch.columns import Columns
+    from oilfilm.postprocess.batch.packed_columns import Columns
     from oilfilm.postprocess.batch.results import BatchResults
 
     from ..batch.engine import Batch, PointSelection

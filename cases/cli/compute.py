@@ -160,7 +160,7 @@ def slip(
     directory = results_directory(case, output, as_json)
     from oilfilm.ehl.multigrid.threads import cores
 
-    from ..runs.stiffness import run_slip
+    from ..runs.stiffness_and_slip import run_slip
 
     report_cost(slip_cost(loaded, workers or cores()), quiet=quiet)
     try:
@@ -203,7 +203,7 @@ def stiffness(
 
     loaded = load_bearing(case, "a stiffness needs a bearing")
     directory = results_directory(case, output, as_json)
-    from ..runs.stiffness import run_stiffness
+    from ..runs.stiffness_and_slip import run_stiffness
 
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
     with progress_bar(quiet=quiet) as progress:

@@ -213,10 +213,10 @@ def _write_document(directory: Path, file: Path, kind: str) -> tuple[Path, ...]:
     if kind not in DOCUMENTS:
         return ()
     if kind == "xlsx":
-        from oilfilm.postprocess.report.plots_pdf import write_workbook
+        from oilfilm.postprocess.report.pdf_and_workbook import write_workbook
 
         return (write_workbook(directory, file),)
-    from oilfilm.postprocess.report.plots_pdf import write_pdf
+    from oilfilm.postprocess.report.pdf_and_workbook import write_pdf
 
     return (write_pdf(directory, file),)
 

@@ -223,7 +223,7 @@ def _window(text: str | None, animation: Path | None, case: Case) -> tuple[float
 
 def _animate(directory: Path, file: Path, window: tuple[float, float] | None) -> None:
     """Draw the motion; where that fails a message says so, and the results stay."""
-    from oilfilm.postprocess.scene.rendering import RenderingError
+    from oilfilm.postprocess.scene.render_process import RenderingError
     from oilfilm.postprocess.scene.scene import AnimationOptions, animate
 
     try:

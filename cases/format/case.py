@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from oilfilm.bearing.fits.clearance import ClearanceBudget
-from oilfilm.bearing.friction.law import BallTraction
+from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.geometry import Bearing, Row
 from oilfilm.bearing.library.bearings import warn_of_estimates
 from oilfilm.bearing.library.lubricants import load_grease

@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, NormalLaw, RaceStiffness, Start
 from oilfilm.bearing.friction.resistance import Cage
 from oilfilm.bearing.geometry import Race
-from oilfilm.ehl.traction.coefficients import COEFFICIENTS
+from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS
 from oilfilm.ehl.units import from_si
 
-from . import programs
+from . import schedules
 from .fields import (
     LENGTH_MAXIMUM,
     Clearances,
@@ -206,7 +206,7 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
         allowed = f"at least {least:.3g}, {LARGEST_HISTORY} rows"
         key = "dynamics.output_interval_us"
         yield from bounded(values, key, lambda interval: interval >= least, allowed)
-    yield from programs.faults(values)
+    yield from schedules.faults(values)
     lubricated = values.get("dynamics", "contact_law") == "lubricated"
     if lubricated and values.get("dynamics", "friction") != "table":
         path = ("dynamics", "contact_law")

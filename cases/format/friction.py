@@ -18,7 +18,7 @@ from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.bearing.torque.skf import Lubrication, series_of
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
-from oilfilm.ehl.traction.coefficients import COEFFICIENTS, Constant
+from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS, Constant
 from oilfilm.ehl.units import to_si
 
 from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum

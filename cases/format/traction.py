@@ -6,8 +6,8 @@ from math import isclose
 from pathlib import Path
 from typing import Any
 
-from oilfilm.bearing.friction.law import BallTraction, FrictionSource
-from oilfilm.bearing.friction.laws import (
+from oilfilm.bearing.friction.contact_friction import BallTraction, FrictionSource
+from oilfilm.bearing.friction.friction_sources import (
     CoefficientTraction,
     CoulombTraction,
     FilmTraction,
@@ -19,7 +19,7 @@ from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.bearing.torque.skf import InletFactors
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.oil.rheology import Rheology
-from oilfilm.ehl.traction.coefficients import COEFFICIENTS
+from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS
 from oilfilm.ehl.traction_table.table import TractionTable
 from oilfilm.ehl.traction_table.temperature import TemperatureTable
 

@@ -22,4 +22,30 @@
 | kernel_cache | folders of compiled kernels |
 | warm_up | compilation of kernels ahead, in a process of its own |
 | verification | the short verification of an installation |
+
+atlas              - films of a case by the film atlas, without a film solve
+bearing            - run a case
+contact            - run of a single contact
+drawing            - pictures and VTK of a run, made by processes while the numbers are written
+dynamics           - run the time simulation of a case
+equilibrium        - equilibrium of a case
+export             - films of results as meshes for other programs
+films              - films of the contacts of a bearing, equal ones solved once in parallel;
+                     strength of rings
+heating            - A case that warms itself
+interrupt          - messages on standard error, work that an interrupt gives up at once, and work
+                     that it lets finish
+kernel_cache       - folders for compiled kernels when installation and home cannot be written
+output_directory   - the folder of a result
+processes          - worker processes of all commands
+stiffness_and_slip - run the stiffness of a case over the speed of its inner ring, and its slip
+                     maps
+temperatures       - run the temperatures of a case over the speed, and over time from a start on
+traction_table     - run `oilfilm table`: equilibrium of the bearing, then the traction tables of
+                     both races
+transient          - run of a contact over time, whose steps stay on disk while it runs, so that it
+                     can go on
+verification       - the short verification of an installation
+vibration          - run the vibration of a bearing case
+warm_up            - kernels compiled before a command needs them
 """

@@ -8,7 +8,7 @@ from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
-from oilfilm.bearing.films.formula import formula_films, too_thick
+from oilfilm.bearing.films.unsolved_films import formula_films, too_thick
 from oilfilm.bearing.geometry import SINGLE
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.ehl import ContactConditions, atlas_films
@@ -20,8 +20,8 @@ from ..format.case import Case, ContactCase
 from ..format.contact import FilmModel
 from ..format.rules import CaseError
 from ..version import version
+from .equilibrium import without_traction_equilibrium
 from .films import wanted_contacts
-from .traction_films import without_traction_equilibrium
 
 HALF_AND_HALF = (
     "loads of half and half in place of traction equilibrium, which takes its friction from films"

@@ -16,9 +16,9 @@ from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.film import ContactFilm, Films
-from oilfilm.bearing.films.formula import formula_film
 from oilfilm.bearing.films.operating import OilAtInlets, solved_films, supplied_films
-from oilfilm.bearing.friction.laws import FilmTraction, LawTraction
+from oilfilm.bearing.films.unsolved_films import formula_film
+from oilfilm.bearing.friction.friction_sources import FilmTraction, LawTraction
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution, bearing_frequencies
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
@@ -43,6 +43,14 @@ from ..format.contact import FilmModel
 from ..format.operation import SELF_HEATED
 from ..version import version
 from .atlas import fill_from_atlas
+from .equilibrium import (
+    Equilibria,
+    case_equilibrium,
+    contact_tractions,
+    traction_messages,
+    with_workers,
+    without_traction_equilibrium,
+)
 from .films import (
     Progress,
     Solve,
@@ -64,14 +72,6 @@ from .heating import (
     without_heat_balance,
 )
 from .interrupt import interruptible
-from .traction_films import (
-    Equilibria,
-    case_equilibrium,
-    contact_tractions,
-    traction_messages,
-    with_workers,
-    without_traction_equilibrium,
-)
 
 HALF_AND_HALF = (
     "its balls are taken as half and half in place of traction equilibrium, which loads hardly "

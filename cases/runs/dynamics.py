@@ -40,10 +40,10 @@ from oilfilm.bearing.dynamics.statistics import (
     other_start,
     simulated_statistics,
 )
-from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.library.lubricants import dynamic_viscosity
-from oilfilm.ehl.traction.coefficients import COEFFICIENTS, RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS, RampedCoulomb
 from oilfilm.ehl.units import from_si
 from oilfilm.postprocess.dynamics.history import HistoryWriter
 from oilfilm.postprocess.dynamics.results import DynamicsResults
@@ -52,8 +52,8 @@ from ..format.case import Case, oil_of_file
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
 from ..format.fields import FREE_WORD
 from ..format.library import materials
-from ..format.programs import oil_data
 from ..format.rules import CaseError
+from ..format.schedules import oil_data
 from ..format.shipped import table_path
 from ..format.traction import coefficient_source, read_race_tables
 from ..version import version

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from oilfilm.ehl import ContactConditions
 from oilfilm.ehl.solid.layered import Coating
-from oilfilm.postprocess.netcdf_read import open_results
+from oilfilm.postprocess.open_results import open_results
 from oilfilm.postprocess.scene.export import export_results
 
 from ..format.case import ContactCase, case_of_document

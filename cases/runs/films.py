@@ -9,7 +9,7 @@ from typing import NamedTuple
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.motion import ContactTraction
 from oilfilm.bearing.contacts.stress import SurfaceTension, surface_tensions
-from oilfilm.bearing.films.formula import (
+from oilfilm.bearing.films.unsolved_films import (
     CELLS_BY_POINTS,
     CELLS_BY_TOLERANCE,
     formula_films,

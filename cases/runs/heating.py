@@ -36,7 +36,7 @@ from ..format.contact import FilmModel
 from ..format.fields import rounded
 from ..format.fits import HeatingInput, part_temperatures
 from ..format.operation import SELF_HEATED
-from .traction_films import Equilibria, case_equilibrium, without_traction_equilibrium
+from .equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 
 Contacts = Sequence[BearingContact]
 WARM_TOLERANCE = 0.1  # of the temperature that the torque of a run asks for [K]

@@ -29,8 +29,8 @@ from ..format.lubricant import lubricant
 from ..format.rules import CaseError
 from ..format.shipped import find_case
 from ..version import version
+from .equilibrium import case_equilibrium
 from .films import Progress
-from .traction_films import case_equilibrium
 
 # nodes to begin with where a tolerance of COARSE or more is asked for: over 1 to 150 N and 2 to
 # 9 m/s of a 7008 the worst point of the outer race is off by 3.5 % of kappa_max Q, 95 % by 1.3 %

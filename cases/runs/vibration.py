@@ -18,9 +18,9 @@ from ..format.case import Case
 from ..format.rules import CaseError, InvalidKeyError
 from ..format.vibration import VibrationTable, frequency_response, vibration
 from ..version import version
+from .equilibrium import case_equilibrium
 from .films import Progress, inlet_layers
 from .interrupt import interruptible
-from .traction_films import case_equilibrium
 
 
 class NotSolvedError(RuntimeError):

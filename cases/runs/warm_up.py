@@ -17,7 +17,7 @@ from oilfilm.bearing.dynamics._integration_kernels import renew_friction, renew_
 from oilfilm.bearing.dynamics.assembly import assemble
 from oilfilm.bearing.dynamics.initial import StartingPoint
 from oilfilm.bearing.dynamics.inputs import LoadType
-from oilfilm.bearing.friction.law import ContactFriction, Dissipation
+from oilfilm.bearing.friction.contact_friction import ContactFriction, Dissipation
 from oilfilm.bearing.friction.newton import MotionProblem, minimise
 from oilfilm.ehl.arrays import Array
 

@@ -1,4 +1,4 @@
-from .coefficients import FourConstants, RampedCoulomb
+from .friction_coefficients import FourConstants, RampedCoulomb
 from .law import TractionForces, TractionLaw
 from .linear_response import NormalResponse, ResponseValue, normal_response
 from .shear import (

@@ -18,7 +18,7 @@ from ..oil._kernels import (
     shear_stress,
 )
 from ._spline_kernels import inner_weights, spline_sum, spline_weights
-from .coefficients import coefficient as coefficient_law
+from .friction_coefficients import coefficient as coefficient_law
 
 # rows of the nodes of a film; spread: a twelfth of the squared size
 X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)

@@ -61,7 +61,7 @@ from ..oil.lubricant import Lubricant, viscosity
 from ..oil.rheology import FilmState, Rheology, ShearLaw, contact_rheology, shear_stress_vector
 from ..solution import ContactSolution
 from . import _kernels
-from .coefficients import Coefficient
+from .friction_coefficients import Coefficient
 from .law import TractionForces
 
 # [Pa s] keeps products finite; every law with a bound on its stress has reached it long before

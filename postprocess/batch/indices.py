@@ -12,7 +12,7 @@ import numpy as np
 
 from oilfilm.ehl.arrays import Array
 
-from .columns import Columns
+from .packed_columns import Columns
 from .results import BatchPoint, BatchResults, Design, main_results, point_error
 
 CONFIDENCE = 0.95  # of intervals

@@ -17,7 +17,7 @@ from matplotlib.lines import Line2D
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import unit_of, unit_symbol, without_unit
 
-from ..bearing.quantities import TORQUE_PARTS, torque_model
+from ..bearing.bearing_quantities import TORQUE_PARTS, torque_model
 from ..plot_style import INK, REFERENCE, titled_panels, write_figure
 from ..quantities import evenly_chosen
 from .results import (

@@ -8,8 +8,7 @@ import numpy as np
 
 from oilfilm.ehl.units import notebook_html, unit_of, unit_symbol, without_unit
 
-from ..bearing.contacts import CONTACT_QUANTITY
-from ..bearing.quantities import (
+from ..bearing.bearing_quantities import (
     DECAY,
     HEATING,
     LIFE_RATING,
@@ -18,6 +17,7 @@ from ..bearing.quantities import (
     TORQUE,
     TORQUE_MODELS,
 )
+from ..bearing.contact_quantities import CONTACT_QUANTITY
 from ..quantities import CAGE_SPEED, Quantity, by_key, is_number, number
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")

@@ -9,8 +9,8 @@ from rich.table import Table
 from oilfilm.ehl.units import unit_symbol, without_unit
 
 from ..quantities import NOTHING, in_figures, number, number_table, titled
-from .columns import Columns, InMemory, columns_of
 from .indices import MORRIS, SOBOL, bands, design_documents, sensitivities
+from .packed_columns import Columns, InMemory, columns_of
 from .results import (
     BATCH_COLUMNS,
     LIVES,

@@ -15,7 +15,7 @@ from oilfilm.ehl.units import unit_of
 
 from ..files import write_csv
 from ..netcdf_write import DatasetParts, Variables, write_dataset_in_parts
-from .columns import STATE, STATE_KINDS, Columns, Kinds, Numbers, Row
+from .packed_columns import STATE, STATE_KINDS, Columns, Kinds, Numbers, Row
 from .results import BatchResults
 from .store import BOOL, INTEGER, NOTHING
 

@@ -9,14 +9,14 @@ from rich.text import Text
 
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.films.film import ContactFilm
-from oilfilm.bearing.films.formula import atlas_film
 from oilfilm.bearing.films.operating import operating_films
+from oilfilm.bearing.films.unsolved_films import atlas_film
 from oilfilm.ehl.units import value_with_error
 
 from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
 from ..files import plain_document
 from ..quantities import NOTHING, Results, number, number_table, titled, values_of
-from .contacts import CONTACT_QUANTITY, HEAT_QUANTITIES, film_values, heat_messages
+from .contact_quantities import CONTACT_QUANTITY, HEAT_QUANTITIES, film_values, heat_messages
 from .results import balls_text
 
 DRY = (

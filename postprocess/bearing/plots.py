@@ -27,7 +27,7 @@ from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si, value_with_error
 
 from ..contact.plots import draw_contact, draw_map, film_text
-from ..contact.view import ContactView, contact_view
+from ..contact.shown_part import ContactView, contact_view
 from ..plot_style import (
     BALL_COLOUR,
     BEYOND_SCALE,
@@ -49,8 +49,8 @@ from ..plot_style import (
     write_figures,
 )
 from ..quantities import FILMS, OTHERS, Quantity, by_key, evenly_chosen
-from .contacts import isothermal_note
-from .quantities import BALL_QUANTITY, DECAY_COURSE, TORQUE, TORQUE_MODELS
+from .bearing_quantities import BALL_QUANTITY, DECAY_COURSE, TORQUE, TORQUE_MODELS
+from .contact_quantities import isothermal_note
 from .results import BearingResults, distinct_contacts
 from .torque import shown_titles, shown_torques
 

@@ -51,14 +51,7 @@ from ..quantities import (
     rows_of,
     values_of,
 )
-from .contacts import (
-    contact_messages,
-    contact_records,
-    contact_values,
-    finite_body_block,
-    finite_body_messages,
-)
-from .quantities import (
+from .bearing_quantities import (
     BALL_QUANTITIES,
     CLEARANCE,
     DUTY_CYCLE,
@@ -76,6 +69,13 @@ from .quantities import (
     ROW,
     STABILITY,
     STABILITY_KEYS,
+)
+from .contact_quantities import (
+    contact_messages,
+    contact_records,
+    contact_values,
+    finite_body_block,
+    finite_body_messages,
 )
 from .results import BearingResults, distinct_contacts
 from .torque import (

@@ -14,7 +14,7 @@ from oilfilm.ehl.units import from_si
 
 from ..netcdf_write import DataGroup, Variables
 from ..quantities import values_of
-from .quantities import (
+from .bearing_quantities import (
     AS_PRINTED,
     DECAY,
     DECAY_COURSE,

@@ -29,7 +29,8 @@ from ..quantities import (
     titled,
     values_of,
 )
-from .contacts import (
+from .bearing_quantities import BALL_QUANTITY, RING
+from .contact_quantities import (
     CONTACT_QUANTITIES,
     CONTACT_QUANTITY,
     TERMINAL_COLUMNS,
@@ -38,7 +39,6 @@ from .contacts import (
     contact_records,
     contact_values,
 )
-from .quantities import BALL_QUANTITY, RING
 from .results import BearingResults
 from .summary import (
     duty_cycle_rows,

@@ -40,8 +40,8 @@ from ..plot_style import (
 )
 from ..plot_style import INNER_COLOUR as FILM_COLOUR
 from ..plot_style import OUTER_COLOUR as PRESSURE_COLOUR
+from .shown_part import ContactView, contact_view, refined, shown
 from .summary import ContactResults, open_contact, shown_nodes
-from .view import ContactView, contact_view, refined, shown
 
 HEIGHT = 5.9  # of the figure [in]
 LINES = 8  # contour intervals of a map

@@ -22,10 +22,10 @@ from oilfilm.ehl.traction.shear import TractionResult
 from oilfilm.ehl.units import MILLIMETRE, from_si, notebook_html, to_si, value_with_error
 
 from ..files import plain_document
-from ..netcdf_read import open_results
 from ..netcdf_write import DataGroup, Variables
+from ..open_results import open_results
 from ..quantities import FILMS, OTHERS, Results, quantities, values_of
-from .view import half_extents, shown_part
+from .shown_part import half_extents, shown_part
 
 NOT_CONVERGED = "the film of this pass did not converge"
 PASS_QUANTITIES = quantities(

@@ -9,9 +9,7 @@ from markupsafe import Markup
 from oilfilm.bearing.torque.models import ModelTorque
 from oilfilm.ehl.units import to_si, unit_symbol
 
-from ..bearing.contacts import CONTACT_QUANTITY, REPORT_COLUMNS
-from ..bearing.plots import KINDS, torque_svg
-from ..bearing.quantities import (
+from ..bearing.bearing_quantities import (
     CLEARANCE,
     DUTY_CYCLE,
     FILM_LIFE,
@@ -19,6 +17,8 @@ from ..bearing.quantities import (
     LOAD_RATING,
     torque_model,
 )
+from ..bearing.contact_quantities import CONTACT_QUANTITY, REPORT_COLUMNS
+from ..bearing.plots import KINDS, torque_svg
 from ..bearing.torque import CHURNING_SHARE, shown_titles
 from . import html
 from .html import estimated_keys

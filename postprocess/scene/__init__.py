@@ -1,13 +1,14 @@
 """Three-dimensional views, files for ParaView, meshes for other programs.
 
-drawing     - the scene of results, drawn with pyvista
-export      - films and finite elements as meshes for other programs
-geometry    - shapes of patches, balls, cage and rings, by lengths
-parts       - bodies, labels, colour bar and camera of a scene
-patch       - the shown part of one contact, read from disk
-rendering   - the process that draws, and what to do where it cannot
-scene       - what a scene shows; asks for picture, page, movie, window, GIF
-transient   - a contact over time for ParaView and as a movie, a simulation as a GIF
-vtk         - fields and bodies of results as VTK files
-vtk_history - motion of a simulation as steps for ParaView
+drawing        - the scene of results, drawn with pyvista
+export         - films and finite elements as meshes for other programs
+geometry       - shapes of patches, balls, cage and rings, by lengths
+parts          - bodies, labels, colour bar and camera of a scene
+patch          - the shown part of one contact, read from disk
+render_process - scenes drawn in a process of their own, their controls, and as one page for
+                 browsers
+scene          - what a scene shows; asks for picture, page, movie, window, GIF
+transient      - a contact over time for ParaView and as a movie, a simulation as a GIF
+vtk            - fields and bodies of results as VTK files
+vtk_history    - motion of a simulation as steps for ParaView
 """

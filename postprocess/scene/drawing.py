@@ -20,13 +20,13 @@ from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import MICROMETRE, MILLIMETRE
 
 from ..contact.summary import film_maps
-from ..netcdf_read import open_results
+from ..open_results import open_results
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, RULING_PRESSURE, common_film_range
 from . import parts
 from .geometry import Placement, about_axis
 from .parts import ColourScale, Label
 from .patch import Patch
-from .rendering import (
+from .render_process import (
     NUMBERS,
     Spot,
     add_controls,

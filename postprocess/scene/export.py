@@ -19,10 +19,10 @@ from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.solid.layered import Coating, layered_mesh
 from oilfilm.ehl.units import GIGAPASCAL, MILLIMETRE
 
+from ..contact.shown_part import ALL, principal_coordinates, shown
 from ..contact.summary import film_maps, require_contacts
-from ..contact.view import ALL, principal_coordinates, shown
 from ..files import write_csv
-from ..netcdf_read import open_results
+from ..open_results import open_results
 from .geometry import Placement, contact_frame, crop_to_ball, grid_quads, place_patch
 from .vtk import ring_files
 

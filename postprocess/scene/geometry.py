@@ -12,7 +12,7 @@ from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.geometry import Bearing
 from oilfilm.ehl.arrays import Array
 
-from ..contact.view import within
+from ..contact.shown_part import within
 
 LENGTHS = (
     "ball_diameter pitch_diameter inner_groove_radius outer_groove_radius diametral_clearance "

@@ -9,8 +9,8 @@ import xarray
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import MICROMETRE, MILLIMETRE
 
+from ..contact.shown_part import ALL, principal_coordinates, refined, shown
 from ..contact.summary import shown_nodes
-from ..contact.view import ALL, principal_coordinates, refined, shown
 from ..plot_style import film_range
 from .geometry import Placement, contact_frame, crop_to_ball, place_patch
 from .vtk import structured_grid

@@ -9,8 +9,15 @@ from pathlib import Path
 
 from ..contact.summary import require_contacts
 from ..dynamics.results import open_history
-from ..netcdf_read import open_results
-from .rendering import PATIENCE, RenderingError, draw, require_display, run_module, with_suffix
+from ..open_results import open_results
+from .render_process import (
+    PATIENCE,
+    RenderingError,
+    draw,
+    require_display,
+    run_module,
+    with_suffix,
+)
 from .vtk import COLLECTION_FILE, ring_files
 from .vtk_history import FRAMES, TURNS
 

@@ -24,7 +24,7 @@ from ..dynamics.results import open_history
 from ..files import write_text
 from ..plot_style import CAGE_COLOUR, COLOUR_MAPS, INK, INNER_COLOUR, OUTER_COLOUR, RC
 from .geometry import Surface, ring_shape, ring_surface
-from .rendering import read_request, write_gif
+from .render_process import read_request, write_gif
 from .scene import AnimationOptions
 from .vtk import FILLED, FILM, PRESSURE, collection_text, poly_data, structured_grid, write_block
 from .vtk_history import RACES, MovingBearing

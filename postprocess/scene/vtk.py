@@ -32,8 +32,8 @@ from oilfilm.ehl.solid.subsurface import subsurface_stress
 from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 from ..bearing.results import BearingResults
+from ..contact.shown_part import principal_coordinates, resampled, shown_scales
 from ..contact.summary import ContactResults
-from ..contact.view import principal_coordinates, resampled, shown_scales
 from ..files import contact_name, write_text
 from .geometry import (
     SET_BACK,

@@ -9,7 +9,7 @@ from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, CriticalCurves, SlipSurface, slip_factors
 from oilfilm.ehl.arrays import Array
 
-from ..bearing.quantities import BALL_QUANTITY
+from ..bearing.bearing_quantities import BALL_QUANTITY
 from ..files import plain
 from ..quantities import Quantity, Results, quantities, rows_of, values_of
 

@@ -19,7 +19,7 @@ from oilfilm.bearing.studies.slip import CriticalCurves
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si, unit_symbol
 
-from ..bearing.quantities import BALL_QUANTITY
+from ..bearing.bearing_quantities import BALL_QUANTITY
 from ..files import CsvTable
 from ..netcdf_write import SPEED_COLUMN, StudyFiles, Variables, write_study
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figure

@@ -23,7 +23,7 @@ from oilfilm.postprocess.bearing.plots import (
 from oilfilm.postprocess.bearing.write import bearing_table
 from oilfilm.postprocess.contact import plots
 from oilfilm.postprocess.contact.plots import write_contact_plots
-from oilfilm.postprocess.contact.view import contact_view, principal_coordinates, refined
+from oilfilm.postprocess.contact.shown_part import contact_view, principal_coordinates, refined
 from oilfilm.postprocess.plot_style import few_ticks
 
 pytest.importorskip("matplotlib")

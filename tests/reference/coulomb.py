@@ -7,8 +7,8 @@ from math import pi
 import numpy as np
 from scipy.optimize import minimize_scalar
 
+from oilfilm.bearing.friction.contact_friction import Dissipation
 from oilfilm.bearing.friction.coulomb import Ellipses
-from oilfilm.bearing.friction.law import Dissipation
 from oilfilm.bearing.torque.paper_models import SlidingContact
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.traction.shear import EllipseRule, ellipse_nodes

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from oilfilm.bearing.friction.law import TINY, Dissipation
+from oilfilm.bearing.friction.contact_friction import TINY, Dissipation
 from oilfilm.bearing.friction.newton import MotionProblem, contacts_of
 from oilfilm.ehl.arrays import Array
 

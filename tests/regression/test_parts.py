@@ -55,7 +55,7 @@ def electrical_parts(stem):
 
 def slip_parts(folder):
     """Critical loads, slip factors and preloads of the 7000C on a coarse mesh."""
-    from oilfilm.cases.runs.stiffness import run_slip
+    from oilfilm.cases.runs.stiffness_and_slip import run_slip
     from oilfilm.postprocess.slip.results import slip_summary
 
     text = read_text(find_case("hirano_7000C")).replace("points = 51\n", "points = 3\ncritical_points = 2\n")

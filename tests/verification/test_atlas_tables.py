@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from oilfilm.bearing import contact_conditions, solve_quasistatic
-from oilfilm.bearing.friction.laws import LawTraction
+from oilfilm.bearing.friction.friction_sources import LawTraction
 from oilfilm.bearing.friction.tables import build_race_tables
 from oilfilm.bearing.torque.integrated import law_torque
 from oilfilm.cases.format.case import case_of_document

@@ -28,12 +28,12 @@ from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from oilfilm.bearing.dynamics.record import join
 from oilfilm.bearing.dynamics.simulation import simulation
 from oilfilm.bearing.friction.balance import balance_driven_balls
-from oilfilm.bearing.friction.law import BallTraction
-from oilfilm.bearing.friction.laws import CoefficientTraction, LawTraction
+from oilfilm.bearing.friction.contact_friction import BallTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction, LawTraction
 from oilfilm.bearing.friction.tables import build_race_tables
 from oilfilm.cases import load_case
 from oilfilm.ehl import Lubricant
-from oilfilm.ehl.traction.coefficients import FourConstants
+from oilfilm.ehl.traction.friction_coefficients import FourConstants
 from oilfilm.ehl.traction_table.build import TableOptions
 
 STEEL = Material(name="test steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)

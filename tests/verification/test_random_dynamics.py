@@ -28,8 +28,8 @@ from oilfilm.bearing.dynamics.inputs import (
 from oilfilm.bearing.dynamics.record import Record
 from oilfilm.bearing.dynamics.simulation import Simulation, from_state, simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
-from oilfilm.bearing.friction.laws import CoefficientTraction
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 
 SEED = 734821
 LAWS = (NormalLaw.HERTZ, NormalLaw.LANKARANI_NIKRAVESH, NormalLaw.HUNT_CROSSLEY, NormalLaw.FLORES)

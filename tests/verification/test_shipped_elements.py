@@ -8,7 +8,7 @@ import pytest
 
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.cases import load_case
-from oilfilm.cases.runs.traction_films import case_equilibrium
+from oilfilm.cases.runs.equilibrium import case_equilibrium
 from oilfilm.ehl import SolverOptions, solve_contact
 from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
 

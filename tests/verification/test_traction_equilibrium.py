@@ -12,9 +12,9 @@ from oilfilm.bearing.dynamics.bodies import ring_body
 from oilfilm.bearing.dynamics.friction import RaceFriction, race_friction
 from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from oilfilm.bearing.dynamics.simulation import simulation
-from oilfilm.bearing.friction.law import BallTraction
-from oilfilm.bearing.friction.laws import CoefficientTraction, LawTraction
-from oilfilm.ehl.traction.coefficients import FourConstants
+from oilfilm.bearing.friction.contact_friction import BallTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction, LawTraction
+from oilfilm.ehl.traction.friction_coefficients import FourConstants
 
 from .test_dynamics_equilibrium import BEARING, OIL, motion, settled
 

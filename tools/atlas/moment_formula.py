@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import least_squares
 
-from oilfilm.bearing.films.formula import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
+from oilfilm.bearing.films.unsolved_films import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
 from oilfilm.ehl import Lubricant, atlas_films
 from oilfilm.ehl.atlas.films import NotInAtlasError
 from oilfilm.ehl.scaling import scale_contact
@@ -21,7 +21,7 @@ from oilfilm.ehl.traction.rolling_moment import kapitza_moment
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from verification.contacts import from_groups, moes
+from oilfilm.verification.contacts import from_groups, moes
 
 LAYERS = (50e-6, 100e-6, 400e-6)  # [m]
 ROBUST = 0.02  # error beyond which one counts less [-]

@@ -13,7 +13,7 @@ import numpy as np
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.vibration.assembly import mean_angle, track_radius
 from oilfilm.cases.format.case import case_of_document, load_case
-from oilfilm.cases.runs.traction_films import case_equilibrium
+from oilfilm.cases.runs.equilibrium import case_equilibrium
 from oilfilm.cases.runs.vibration import run_vibration
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -9,7 +9,7 @@ from pathlib import Path
 from PIL import Image
 
 from oilfilm.cases import load_case
-from oilfilm.cases.runs.stiffness import run_slip
+from oilfilm.cases.runs.stiffness_and_slip import run_slip
 from oilfilm.postprocess.slip.write import write_slip
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"

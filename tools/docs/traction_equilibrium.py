@@ -19,15 +19,15 @@ from oilfilm.bearing import (
     solve_traction_equilibrium,
 )
 from oilfilm.bearing.contacts.motion import bearing_kinematics, motion_map
-from oilfilm.bearing.friction.law import BallTraction, FrictionSource
-from oilfilm.bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction
+from oilfilm.bearing.friction.contact_friction import BallTraction, FrictionSource
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction, CoulombTraction, FilmTraction
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.cases import load_case
 from oilfilm.cases.format.case import Case
 from oilfilm.cases.format.film_model import NEWTONIAN, CaseFilms
-from oilfilm.cases.runs.traction_films import PooledFilms
+from oilfilm.cases.runs.equilibrium import PooledFilms
 from oilfilm.ehl import SolverOptions
-from oilfilm.ehl.traction.coefficients import FourConstants
+from oilfilm.ehl.traction.friction_coefficients import FourConstants
 from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"

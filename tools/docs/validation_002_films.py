@@ -18,7 +18,7 @@ from oilfilm.bearing import Race
 from oilfilm.cases import load_case, run_case
 from oilfilm.ehl import ContactSolution
 from oilfilm.postprocess.contact.plots import draw_map
-from oilfilm.postprocess.contact.view import contact_view
+from oilfilm.postprocess.contact.shown_part import contact_view
 from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, REFERENCE, common_film_range, logarithmic_ticks, save
 
 DOCS = Path(__file__).parents[2] / "docs"

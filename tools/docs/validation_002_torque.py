@@ -17,8 +17,8 @@ from matplotlib.figure import Figure
 from printed import printed
 
 from oilfilm.bearing import contact_conditions, load_material, solve_quasistatic
-from oilfilm.bearing.films.formula import formula_films
 from oilfilm.bearing.films.operating import OilAtInlets, least_lambda, mean_fraction, of_driven_balls, supplied_films
+from oilfilm.bearing.films.unsolved_films import formula_films
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.bearing.supply.supply import PrescribedInlet, Supply
@@ -27,8 +27,8 @@ from oilfilm.bearing.torque.integrated import bearing_films, solved_shear
 from oilfilm.cases import load_case
 from oilfilm.cases.batch.sweep import read_sweep
 from oilfilm.cases.format.case import Case, case_of_document
+from oilfilm.cases.runs.equilibrium import case_equilibrium
 from oilfilm.cases.runs.heating import self_heated
-from oilfilm.cases.runs.traction_films import case_equilibrium
 from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"

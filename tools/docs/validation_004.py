@@ -13,9 +13,9 @@ from pathlib import Path
 from printed import printed
 
 from oilfilm.bearing import BallKinematics, contact_conditions, solve_quasistatic, solve_traction_equilibrium
+from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.friction.coulomb import balanced_friction
-from oilfilm.bearing.friction.law import BallTraction
-from oilfilm.bearing.friction.laws import CoulombTraction
+from oilfilm.bearing.friction.friction_sources import CoulombTraction
 from oilfilm.bearing.torque.breakdown import friction_torque
 from oilfilm.bearing.torque.paper_models import sliding_contacts
 from oilfilm.cases import Case, load_case

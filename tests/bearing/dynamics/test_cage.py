@@ -15,8 +15,8 @@ from oilfilm.bearing.dynamics.friction import race_friction
 from oilfilm.bearing.dynamics.inputs import LoadType, Start
 from oilfilm.bearing.dynamics.simulation import from_state, simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, _cage_orbit, simulation_statistics
-from oilfilm.bearing.friction.laws import CoefficientTraction
-from oilfilm.ehl.traction.coefficients import FourConstants
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction
+from oilfilm.ehl.traction.friction_coefficients import FourConstants
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)
 

@@ -16,9 +16,9 @@ from oilfilm.bearing.dynamics.friction import race_friction
 from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, Schedule
 from oilfilm.bearing.dynamics.reduction import derivative, solved_motion
 from oilfilm.bearing.dynamics.simulation import simulation
-from oilfilm.bearing.friction.laws import CoefficientTraction, LawTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction, LawTraction
 from oilfilm.ehl.traction._kernels import hertz_friction
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 from oilfilm.ehl.traction.shear import ellipse_rings
 
 from ...reference.dynamics import accelerations

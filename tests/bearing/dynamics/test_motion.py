@@ -16,8 +16,8 @@ from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, NormalContact, N
 from oilfilm.bearing.dynamics.integrators import advance_implicit
 from oilfilm.bearing.dynamics.record import empty_record
 from oilfilm.bearing.dynamics.simulation import from_state, simulation
-from oilfilm.bearing.friction.laws import CoefficientTraction
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 
 from ...reference.impact import restitution_returned
 

@@ -18,9 +18,9 @@ from oilfilm.bearing.dynamics.friction import race_friction
 from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, Schedule, Start, prescribed_values
 from oilfilm.bearing.dynamics.reduction import derivative
 from oilfilm.bearing.dynamics.simulation import simulation
-from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
-from oilfilm.ehl.traction.coefficients import FourConstants
+from oilfilm.ehl.traction.friction_coefficients import FourConstants
 
 RPM = np.pi / 30.0
 FREE = (None, None, None)

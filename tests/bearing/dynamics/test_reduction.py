@@ -16,10 +16,10 @@ from oilfilm.bearing.dynamics.friction import race_friction
 from oilfilm.bearing.dynamics.inputs import LoadType, RotatingLoad, Schedule
 from oilfilm.bearing.dynamics.reduction import derivative
 from oilfilm.bearing.dynamics.simulation import simulation
-from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction
 from oilfilm.bearing.quasistatic.symmetric import solve_symmetric, unknowns
 from oilfilm.ehl.traction._kernels import hertz_friction, straight_friction
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 from oilfilm.ehl.traction.shear import STRAIGHT_NODES, ellipse_lines, unit_gauss
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)

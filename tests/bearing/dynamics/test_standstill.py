@@ -15,8 +15,8 @@ from oilfilm.bearing.dynamics.friction import race_friction
 from oilfilm.bearing.dynamics.inputs import Schedule, prescribed_values
 from oilfilm.bearing.dynamics.simulation import simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
-from oilfilm.bearing.friction.laws import CoefficientTraction
-from oilfilm.ehl.traction.coefficients import COULOMB, FourConstants, RampedCoulomb, coefficient
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction
+from oilfilm.ehl.traction.friction_coefficients import COULOMB, FourConstants, RampedCoulomb, coefficient
 
 LAW = FourConstants(-0.03, 3.644876513237464, 45.9363161820606, 0.03)
 LOADS = {"axial": (100.0, 0.0), "radial": (0.0, 100.0), "combined": (80.0, 40.0)}

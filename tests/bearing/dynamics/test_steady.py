@@ -15,9 +15,9 @@ from oilfilm.bearing.dynamics.friction import race_friction
 from oilfilm.bearing.dynamics.inputs import LoadType, NormalContact, Schedule
 from oilfilm.bearing.dynamics.simulation import simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
-from oilfilm.bearing.friction.laws import CoefficientTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction
 from oilfilm.bearing.quasistatic.solution import kinematic_cage_speed
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # kappa_max 0.05 at s 0.03, 0.03 at large s
 

@@ -22,11 +22,11 @@ from oilfilm.bearing import (
 from oilfilm.bearing.contacts.contact import contact_shape
 from oilfilm.bearing.contacts.motion import bearing_kinematics, motion_map
 from oilfilm.bearing.friction.balance import balance_driven_balls, curvature_slip
-from oilfilm.bearing.friction.law import BallTraction
-from oilfilm.bearing.friction.laws import CoefficientTraction, CoulombTraction, LawTraction
+from oilfilm.bearing.friction.contact_friction import BallTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction, CoulombTraction, LawTraction
 from oilfilm.bearing.friction.resistance import Cage, Resistance, resistance_of
 from oilfilm.ehl import Lubricant
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 from oilfilm.ehl.traction.shear import EllipseLaw
 
 from ..quasistatic.test_random_bearings import random_bearing, random_operation

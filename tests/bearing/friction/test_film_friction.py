@@ -5,7 +5,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from oilfilm.bearing.friction._kernels import PROPORTIONAL, film_frictions, thin_sums
-from oilfilm.bearing.friction.films import MIN_SLIDING
+from oilfilm.bearing.friction.film_friction import MIN_SLIDING
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology, limiting_stress
 
 from ...reference.film_friction import film_friction_twin

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from oilfilm.bearing.contacts.contact import hertz_contacts
-from oilfilm.bearing.films.formula import formula_values
+from oilfilm.bearing.films.unsolved_films import formula_values
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases import load_case, run_case
 from oilfilm.cases.format.case import case_of_document

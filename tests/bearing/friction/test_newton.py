@@ -6,7 +6,7 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from oilfilm.bearing.friction._kernels import damped_steps
-from oilfilm.bearing.friction.law import ContactFriction, Dissipation
+from oilfilm.bearing.friction.contact_friction import ContactFriction, Dissipation
 from oilfilm.bearing.friction.newton import MotionProblem, _evaluate, _of_balls, pocket_power
 
 from ...reference.newton import damped_step_twin, left_on_balls_twin, pocket_friction_twin

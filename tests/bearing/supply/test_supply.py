@@ -11,7 +11,6 @@ import pytest
 
 from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities, asperity_share
-from oilfilm.bearing.films.formula import formula_values
 from oilfilm.bearing.films.operating import (
     OilAtInlets,
     film_heat,
@@ -20,6 +19,7 @@ from oilfilm.bearing.films.operating import (
     of_driven_balls,
     supplied_films,
 )
+from oilfilm.bearing.films.unsolved_films import formula_values
 from oilfilm.bearing.heating.heat_state import HIGHEST_TEMPERATURE
 from oilfilm.bearing.supply.supply import (
     PrescribedInlet,

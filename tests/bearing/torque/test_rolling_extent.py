@@ -12,7 +12,7 @@ from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.contacts.motion import ball_speeds, contact_traction, motion_map
 from oilfilm.bearing.films.film import NO_HEAT
 from oilfilm.bearing.films.operating import operating_films, solved_films
-from oilfilm.bearing.friction.films import film_law, sheared_films
+from oilfilm.bearing.friction.film_friction import film_law, sheared_films
 from oilfilm.bearing.torque.integrated import integrated_torque, rolling_extent, rolling_moments
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 from oilfilm.ehl.multigrid.supply.oil_supply import pressure_moment

@@ -14,7 +14,7 @@ from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.operating import operating_films, solved_films, with_formulas
 from oilfilm.bearing.friction import balance as balancing
 from oilfilm.bearing.friction import cage
-from oilfilm.bearing.friction.films import film_balance, film_law
+from oilfilm.bearing.friction.film_friction import film_balance, film_law
 from oilfilm.bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
 from oilfilm.bearing.torque.integrated import POWER_TOLERANCE, SolvedShear, solved_shear
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact

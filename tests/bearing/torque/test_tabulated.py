@@ -11,7 +11,7 @@ import pytest
 from oilfilm.bearing import Operation, Race, contact_conditions, reduced_radii, solve_quasistatic
 from oilfilm.bearing.contacts.motion import bearing_kinematics
 from oilfilm.bearing.friction.coulomb import balanced_friction
-from oilfilm.bearing.friction.laws import LawTraction
+from oilfilm.bearing.friction.friction_sources import LawTraction
 from oilfilm.bearing.friction.tables import contact_law, law_gradient
 from oilfilm.bearing.geometry import contact_modulus
 from oilfilm.bearing.torque.breakdown import friction_torque
@@ -20,7 +20,7 @@ from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.closed_form.hertz import hertz_contact
 from oilfilm.ehl.oil.rheology import Rheology
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 from oilfilm.ehl.traction.shear import ContactShape, EllipseLaw
 from oilfilm.ehl.traction_table.table import TableContact, TableError, TableRange, TractionTable, load_coordinate
 

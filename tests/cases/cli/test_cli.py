@@ -22,7 +22,7 @@ from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.torque.skf import viscous_factor
 from oilfilm.cases import load_case
 from oilfilm.cases.cli import compute, output, terminal
-from oilfilm.cases.cli.main import app
+from oilfilm.cases.cli.terminal import app
 from oilfilm.cases.format.shipped import find_case, shipped_cases
 from oilfilm.cases.runs import interrupt
 
@@ -291,7 +291,7 @@ def test_not_converged_is_written_flagged_and_told(monkeypatch, tmp_path):
         solved = solve(*arguments, **options)
         return dataclasses.replace(solved, converged=False, message="the load exceeds every capacity")
 
-    monkeypatch.setattr("oilfilm.cases.runs.traction_films.solve_quasistatic", fail)
+    monkeypatch.setattr("oilfilm.cases.runs.equilibrium.solve_quasistatic", fail)
     answer = oilfilm("run", AT_REST, "-o", "out", "--quiet")
     assert answer.exit_code == 1
     assert "the load exceeds every capacity" in answer.stderr

@@ -9,13 +9,13 @@ from types import SimpleNamespace
 
 import pytest
 
-from oilfilm import ehl
 from oilfilm.bearing import solve_quasistatic
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases import load_case, run_case, run_contact
 from oilfilm.cases.runs.bearing import Interrupted
 from oilfilm.cases.runs.films import equal_contacts
 from oilfilm.ehl.conditions import moes_groups
+from oilfilm.oilfilm import ehl
 from oilfilm.postprocess import summary
 
 CASE = "6208_full_ceramic"
@@ -98,7 +98,7 @@ def test_no_films_without_equilibrium(solver, monkeypatch):
     def fail(*arguments, **named):
         return dataclasses.replace(solve(*arguments, **named), converged=False, message="no equilibrium")
 
-    monkeypatch.setattr("oilfilm.cases.runs.traction_films.solve_quasistatic", fail)
+    monkeypatch.setattr("oilfilm.cases.runs.equilibrium.solve_quasistatic", fail)
     results = run_case(load_case(CASE))
     assert solver.asked == []
     assert not results.converged
@@ -164,7 +164,7 @@ def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
 
 def test_the_lambda_ratio_of_a_case_with_roughness():
     """h_min over the rms roughness of race and ball, sqrt(0.03^2 + 0.04^2) = 0.05 um."""
-    from oilfilm.postprocess.bearing.contacts import lambda_ratio
+    from oilfilm.postprocess.bearing.contact_quantities import lambda_ratio
 
     surface = {"inner_ring_roughness_um": 0.03, "outer_ring_roughness_um": 0.0, "ball_roughness_um": 0.04}
     inner = SimpleNamespace(race=SimpleNamespace(value="inner"))

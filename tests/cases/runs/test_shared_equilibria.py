@@ -11,8 +11,8 @@ import oilfilm
 from oilfilm.bearing.geometry import SINGLE
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.cases.format.case import case_of_document
-from oilfilm.cases.runs import traction_films
-from oilfilm.cases.runs.traction_films import Equilibria, case_equilibrium
+from oilfilm.cases.runs import equilibrium
+from oilfilm.cases.runs.equilibrium import Equilibria, case_equilibrium
 
 
 def as_run(name):
@@ -44,7 +44,7 @@ def solved(monkeypatch):
         found.append(operation)
         return solve_quasistatic(bearing, operation, model, rows=rows)
 
-    monkeypatch.setattr(traction_films, "solve_quasistatic", counted)
+    monkeypatch.setattr(equilibrium, "solve_quasistatic", counted)
     return found
 
 

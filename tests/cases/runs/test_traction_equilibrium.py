@@ -6,13 +6,13 @@ from math import radians
 
 import pytest
 
-from oilfilm.bearing.friction.laws import CoefficientTraction, CoulombTraction, FilmTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction, CoulombTraction, FilmTraction
 from oilfilm.bearing.friction.tables import save_race_tables
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.runs.bearing import run_case
-from oilfilm.cases.runs.stiffness import run_slip
+from oilfilm.cases.runs.stiffness_and_slip import run_slip
 from oilfilm.postprocess import summary
 
 from ..made_up_tables import made_up_tables

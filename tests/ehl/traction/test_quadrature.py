@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from oilfilm.ehl.traction._kernels import hertz_friction
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 from oilfilm.ehl.traction.shear import EllipseRule, ellipse_lines, ellipse_nodes
 
 SHAPE = np.array([1e-4, 1.1e-3, 5e-3, 0.5 / 6e-3, 0.0])  # an ellipse of 1 to 11

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from oilfilm.postprocess.batch.columns import InMemory, columns_of
 from oilfilm.postprocess.batch.indices import bands, sensitivities
+from oilfilm.postprocess.batch.packed_columns import InMemory, columns_of
 from oilfilm.postprocess.batch.results import BatchPoint, BatchResults
 from oilfilm.postprocess.batch.summary import batch_summary
 

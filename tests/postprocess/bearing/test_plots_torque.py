@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 from oilfilm.bearing.torque.breakdown import NAMES, TorqueBreakdown
 from oilfilm.bearing.torque.integrated import IntegratedTorque, SolvedShear
 from oilfilm.bearing.torque.models import ModelTorque, summed
+from oilfilm.postprocess.bearing.bearing_quantities import TORQUE_MODELS
 from oilfilm.postprocess.bearing.plots import KINDS, draw_models, draw_torque
-from oilfilm.postprocess.bearing.quantities import TORQUE_MODELS
 
 
 def test_every_model_has_a_label_and_every_component_one_colour():

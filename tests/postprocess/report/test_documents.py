@@ -8,9 +8,9 @@ from zipfile import ZipFile
 import pytest
 from typer.testing import CliRunner
 
-from oilfilm.cases.cli.main import app
+from oilfilm.cases.cli.terminal import app
 from oilfilm.postprocess.files import read_summary
-from oilfilm.postprocess.report.plots_pdf import sheets, write_pdf, write_workbook
+from oilfilm.postprocess.report.pdf_and_workbook import sheets, write_pdf, write_workbook
 
 
 def test_sheets_hold_every_number_with_its_unit(bearing_folder):

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 
 from oilfilm.postprocess.dynamics.results import open_history
 from oilfilm.postprocess.scene.geometry import about_axis, cage_surface, ring_shape, ring_surface, rotation
-from oilfilm.postprocess.scene.rendering import RenderingError, require_rendering
+from oilfilm.postprocess.scene.render_process import RenderingError, require_rendering
 from oilfilm.postprocess.scene.scene import AnimationOptions, animate
 from oilfilm.postprocess.scene.vtk_history import RING_RESOLUTION, marked_ball, shown_rows, write_motion
 

@@ -11,7 +11,7 @@ import pytest
 
 from oilfilm.postprocess import open_results
 from oilfilm.postprocess.contact.summary import film_maps
-from oilfilm.postprocess.scene.rendering import RenderingError, require_rendering
+from oilfilm.postprocess.scene.render_process import RenderingError, require_rendering
 from oilfilm.postprocess.scene.scene import export_html
 
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
@@ -121,7 +121,7 @@ def test_wrong_names_and_missing_packages_are_reported(tmp_path, monkeypatch):
 def test_the_colour_scale_of_the_page():
     """Logarithmic where the scene's colours are: equal ratios take equal heights."""
     from oilfilm.postprocess.scene.parts import ColourScale
-    from oilfilm.postprocess.scene.rendering import overlay_html
+    from oilfilm.postprocess.scene.render_process import overlay_html
 
     bar = ColourScale(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
     assert [bar.height(h) for h in (0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.5, 1.0])
@@ -138,7 +138,7 @@ def test_letters_face_the_camera():
     """Flat, across x, upright where the picture's top is; read from the side of +x."""
     import numpy as np
 
-    from oilfilm.postprocess.scene.rendering import flat_text
+    from oilfilm.postprocess.scene.render_process import flat_text
 
     up = np.array([0.0, 1.0, 0.0])
     body = flat_text("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)
@@ -172,7 +172,7 @@ def test_a_click_shows_numbers_and_the_slider_turns(page, bearing_results, beari
     import json
     import sys
 
-    from oilfilm.postprocess.scene.rendering import rendering_environment
+    from oilfilm.postprocess.scene.render_process import rendering_environment
 
     run = subprocess.run(
         [sys.executable, "-c", MOTION, str(bearing_folder)],

@@ -17,7 +17,7 @@ from oilfilm.ehl.solid.bodies import RingCells, Seat
 from oilfilm.postprocess import write_results
 from oilfilm.postprocess.bearing.summary import ring_messages
 from oilfilm.postprocess.scene.export import export_results
-from oilfilm.postprocess.scene.rendering import RenderingError, require_rendering
+from oilfilm.postprocess.scene.render_process import RenderingError, require_rendering
 from oilfilm.postprocess.scene.scene import SceneOptions, screenshot
 from oilfilm.postprocess.scene.vtk import DISPLACEMENT, DISTANCE, RADIAL, displacement_mesh
 

@@ -8,7 +8,7 @@ import sys
 import numpy as np
 import pytest
 
-from oilfilm.postprocess.scene.rendering import (
+from oilfilm.postprocess.scene.render_process import (
     WINDOW_VARIABLE,
     RenderingError,
     rendering_environment,
@@ -180,7 +180,7 @@ def test_results_without_a_scene_are_reported(tmp_path):
 
 def test_a_drawing_process_ends_with_the_one_that_asked():
     """Also where that is killed: the pipe to its standard input ends."""
-    code = "from oilfilm.postprocess.scene.rendering import read_request\n"
+    code = "from oilfilm.postprocess.scene.render_process import read_request\n"
     code += "read_request('[\"results\", null, {}]'); print('up', flush=True); import time; time.sleep(60)"
     with subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdout.readline() == b"up\n"

@@ -7,7 +7,7 @@ from math import exp, log
 import numpy as np
 
 from oilfilm.ehl.oil.rheology import limited, shear_stress
-from oilfilm.ehl.traction.coefficients import RampedCoulomb
+from oilfilm.ehl.traction.friction_coefficients import RampedCoulomb
 from oilfilm.ehl.traction_table.compression import whole_numbers
 from oilfilm.ehl.traction_table.splines import spline_weights
 from oilfilm.ehl.traction_table.table import (

@@ -14,13 +14,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from oilfilm import ehl
 from oilfilm.ehl.conditions import ContactKinematics, contact_kinematics
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.solid.heat import SolidThermal
 from oilfilm.ehl.traction import normal_response
-from oilfilm.ehl.traction.coefficients import FourConstants, RampedCoulomb, coefficient
 from oilfilm.ehl.traction.film_quadrature import film_quadrature, sliding_forces
+from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb, coefficient
 from oilfilm.ehl.traction.linear_response import NormalResponse, ResponseValue
 from oilfilm.ehl.traction.rolling_moment import rolling_moment
 from oilfilm.ehl.traction.shear import ContactShape, EllipseLaw, integrate_traction
@@ -30,6 +29,7 @@ from oilfilm.ehl.traction_table.compression import VALUE_STEP, compressed, decom
 from oilfilm.ehl.traction_table.splines import node_values, spline_coefficients, spline_weights
 from oilfilm.ehl.traction_table.storage import inputs_digest, load_table, save_table
 from oilfilm.ehl.traction_table.table import FullSolve, TableContact, TableRange, load_coordinate
+from oilfilm.oilfilm import ehl
 
 from ....reference.ehl import traction as reference
 

@@ -31,9 +31,9 @@ from ..format.case import Case
 from ..format.operation import SlipTable
 from ..format.rules import CaseError
 from ..version import version
+from .equilibrium import equilibrium_solver
 from .films import Progress
 from .processes import end_workers, prepare_worker
-from .traction_films import equilibrium_solver
 
 # centrifugal force a source evidently used, over the true one [-]
 PRINTED_FORCE = {"half centrifugal force": 0.5}

@@ -6,8 +6,9 @@ motion k = (S_x, S_y, Omega, omega) of ball against race (`contacts.motion`). Th
 contact is an `ehl.traction.law.TractionLaw`. A `FrictionSource` is prepared about an equilibrium
 (`refresh`: only films have to be solved) and bound to its contacts (`at`), which gives their
 `ContactFriction`. A coefficient by the local sliding is added in
-`oilfilm.ehl.traction.coefficients`, for the equations of motion too; any other source is one class
-like those in `laws`.
+`ehl.traction.friction_coefficients`, for the equations of motion too; any other source is one
+class
+like those in `friction_sources`.
 """
 
 from abc import ABC, abstractmethod

@@ -21,8 +21,8 @@ from oilfilm.bearing.films.film import (
     FilmThickness,
     solved_with_heat,
 )
-from oilfilm.bearing.films.formula import too_thick
 from oilfilm.bearing.films.operating import film_heat
+from oilfilm.bearing.films.unsolved_films import too_thick
 from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
@@ -32,7 +32,7 @@ from oilfilm.ehl.units import from_si, to_si
 
 from ..contact.summary import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
 from ..quantities import by_key, quantities, values_of
-from .quantities import CONTACT_CONDUCTANCE
+from .bearing_quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
 
 NO_FILM = "no film was computed"

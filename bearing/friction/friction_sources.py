@@ -11,7 +11,7 @@ import numpy as np
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.solution import ContactSolution
-from oilfilm.ehl.traction.coefficients import Coefficient
+from oilfilm.ehl.traction.friction_coefficients import Coefficient
 from oilfilm.ehl.traction.law import TractionLaw
 from oilfilm.ehl.traction.shear import EllipseLaw
 from oilfilm.ehl.traction_table.table import TractionTable
@@ -22,9 +22,9 @@ from ..films.film import ContactFilm
 from ..films.operating import operating_films, solved_films, with_formulas
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
+from .contact_friction import ContactFriction, FrictionSource, Refreshed
 from .coulomb import coulomb_law
-from .films import film_law
-from .law import ContactFriction, FrictionSource, Refreshed
+from .film_friction import film_law
 from .tables import contact_law
 
 SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolution | None]]

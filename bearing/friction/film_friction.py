@@ -21,9 +21,9 @@ from .balance import (
     may_be_driven,
     sliding_ratio,
 )
+from .contact_friction import REFERENCE_TRACTION, ContactFriction, Dissipation
 from .coulomb import contact_ellipses, ellipse_sums
 from .film_nodes import FilmNodes, film_nodes
-from .law import REFERENCE_TRACTION, ContactFriction, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
 
 MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to it

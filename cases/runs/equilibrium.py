@@ -12,9 +12,9 @@ import numpy as np
 
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.motion import ContactTraction, bearing_kinematics, contact_traction
+from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.friction.equilibrium import solve_traction_equilibrium
-from oilfilm.bearing.friction.law import BallTraction
-from oilfilm.bearing.friction.laws import FilmTraction, LawTraction
+from oilfilm.bearing.friction.friction_sources import FilmTraction, LawTraction
 from oilfilm.bearing.geometry import SINGLE, Bearing, Row
 from oilfilm.bearing.operation import BallKinematics, Operation, QuasistaticModel
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
