@@ -10,7 +10,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.limits import BOX_CONTACTS, BOX_SCALES, box_film
+from verification.limits import BOX_CONTACTS, BOX_SCALES, box_film
 
 
 def main():

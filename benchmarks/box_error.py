@@ -19,7 +19,7 @@ from oilfilm.ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.draws import draws
+from verification.draws import draws
 
 NUMBER, SEED = 90, 778
 POINTS = 257

@@ -14,8 +14,8 @@ from oilfilm.ehl import SolverOptions, solve_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
-from oilfilm.verification.costs import deflection_time
+from verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
+from verification.costs import deflection_time
 
 CONTACTS = (
     CIRCULAR_20_10,

@@ -19,8 +19,8 @@ from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.contacts import OIL, Named, moes
-from oilfilm.verification.elements import CONTACTS, RACES
+from verification.contacts import OIL, Named, moes
+from verification.elements import CONTACTS, RACES
 
 POINTS = (65, 129, 257)
 GRIDS = (33, 65, 129, 257, 513)

@@ -9,9 +9,9 @@ import time
 
 import numpy as np
 
+from oilfilm import ehl
 from oilfilm.ehl.atlas.films import RANGE
 from oilfilm.ehl.closed_form.hertz import hertz_coefficients
-from oilfilm.oilfilm import ehl
 
 NUMBER = 200_000
 SINGLE = 500

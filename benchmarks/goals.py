@@ -18,7 +18,7 @@ from oilfilm.ehl import SolverOptions, solve_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.contacts import moes
+from verification.contacts import moes
 
 SECONDS = {257: 0.07, 513: 0.2, 1025: 0.6}  # goals
 PAIRS = 13.0  # goal, mean of `HARD`

@@ -15,8 +15,8 @@ from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.contacts import BALL_ON_DISC
-from oilfilm.verification.mass_balance import cycle_on, film_centre, mass_drift, reversed_nodes, solve_film
+from verification.contacts import BALL_ON_DISC
+from verification.mass_balance import cycle_on, film_centre, mass_drift, reversed_nodes, solve_film
 
 LAWS = {
     "Newtonian": Rheology(),

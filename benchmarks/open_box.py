@@ -14,7 +14,7 @@ from oilfilm.ehl.multigrid import full_multigrid
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.contacts import OIL
+from verification.contacts import OIL
 
 CONTACTS = (  # M, L, Rx/Ry, angle of the entrainment
     (5, 0.5, 1, 0),

@@ -11,10 +11,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.page import markdown
-from oilfilm.verification.robustness import sweep
-from oilfilm.verification.robustness_page import robustness_section
-from oilfilm.verification.sections import SWEEP
+from verification.page import markdown
+from verification.robustness import sweep
+from verification.robustness_page import robustness_section
+from verification.sections import SWEEP
 
 
 def progress(done, total, state):

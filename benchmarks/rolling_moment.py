@@ -22,7 +22,7 @@ from oilfilm.ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.contacts import race_6208
+from verification.contacts import race_6208
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=18e-9)
 

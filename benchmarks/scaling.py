@@ -12,8 +12,8 @@ from oilfilm.cases import load_case, run_case
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.costs import BEARING, costs
-from oilfilm.verification.page import markdown
+from verification.costs import BEARING, costs
+from verification.page import markdown
 
 
 def main(quick):

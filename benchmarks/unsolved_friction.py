@@ -29,7 +29,7 @@ from oilfilm.ehl.traction.film_quadrature import film_quadrature, sliding_forces
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.draws import draws
+from verification.draws import draws
 
 SHEAR = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=0.047, limiting_coefficient=0.047, limiting_minimum=5e6)
 RATIOS = (1e-3, 1e-2, 0.1)

@@ -24,7 +24,7 @@ from oilfilm.ehl.solid.deformation import deflect, deflection_kernel, unit_defle
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
+from verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 
 CONTACTS = (CIRCULAR_20_10, CIRCULAR_200_10, Named(name="6208 outer", conditions=race_6208(1611.8, outer=True)))
 REPEATS = 5

@@ -170,7 +170,7 @@ def test_links_of_the_change_log_exist_on_its_page():
 def test_the_page_of_commands_names_every_command_and_option():
     from typer.main import get_command
 
-    from oilfilm.cases.cli.terminal import app
+    from oilfilm.cases.cli.main import app
 
     page = (DOCS / "reference" / "commands.md").read_text(encoding="utf-8")
     for name, command in get_command(app).commands.items():

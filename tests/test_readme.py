@@ -47,7 +47,7 @@ def test_links_and_pictures_exist():
 def test_the_commands_of_the_tour_exist():
     from typer.main import get_command
 
-    from oilfilm.cases.cli.terminal import app
+    from oilfilm.cases.cli.main import app
 
     commands = get_command(app).commands
     lines = [line for block in blocks("console") for line in block.splitlines() if line.startswith("oilfilm ")]
@@ -72,7 +72,7 @@ def test_the_error_shown_is_the_one_printed(tmp_path, monkeypatch):
     """The case of the tour with the mistake that it shows, validated."""
     from typer.testing import CliRunner
 
-    from oilfilm.cases.cli.terminal import app
+    from oilfilm.cases.cli.main import app
 
     monkeypatch.chdir(tmp_path)
     assert CliRunner().invoke(app, ["init", "motor6205", "--bearing", "6205"]).exit_code == 0

@@ -7,8 +7,7 @@ contact is an `ehl.traction.law.TractionLaw`. A `FrictionSource` is prepared abo
 (`refresh`: only films have to be solved) and bound to its contacts (`at`), which gives their
 `ContactFriction`. A coefficient by the local sliding is added in
 `ehl.traction.friction_coefficients`, for the equations of motion too; any other source is one
-class
-like those in `friction_sources`.
+class like those in `friction_sources`.
 """
 
 from abc import ABC, abstractmethod

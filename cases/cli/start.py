@@ -21,7 +21,8 @@ def main() -> None:
     from ..runs.processes import COLLECTED
 
     gc.set_threshold(COLLECTED)
-    from .terminal import app, exit_code, output_is_written, prepare_streams
+    from .main import app
+    from .terminal import exit_code, output_is_written, prepare_streams
 
     prepare_streams()
     came = end_after_signal(INTERRUPTED)

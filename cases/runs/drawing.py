@@ -13,8 +13,8 @@ from shutil import copytree
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from oilfilm import postprocess
 from oilfilm.ehl.multigrid.threads import cores
-from oilfilm.oilfilm import postprocess
 from oilfilm.postprocess.files import attempt
 from oilfilm.postprocess.quantities import FILMS, OTHERS, PARAVIEW
 

@@ -40,15 +40,29 @@ class Limit:
         return number <= self.most <= max(self.aim, (1.0 + SLACK) * number)
 
 
-CODE_LINES = Limit(most=59_900, aim=45_000)
-IMPORT_SHARE = Limit(most=0.0722, aim=0.04)  # of all lines
+CODE_LINES = Limit(most=58_700, aim=45_000)
+IMPORT_SHARE = Limit(most=0.051, aim=0.04)  # of all lines
 WITHOUT_PARAMETER_LIST = Limit(most=0, aim=0)  # public functions and methods
 FRAGMENTS = Limit(most=0, aim=0)  # docstrings, comments and messages whose first sentence is none
 SMALL = 60  # code lines; a module with fewer is part of its reader
 FILM_LAYER = "bearing"
 
 # modules below `SMALL` code lines that are neither an `__init__`, nor a `__main__`, nor types alone, by their reason
-SMALL_MODULES: dict[str, tuple[str, ...]] = {}
+SMALL_MODULES: dict[str, tuple[str, ...]] = {
+    "loaded before anything that takes time": (
+        "cases/cli/start.py",
+        "cases/cli/main.py",
+        "cases/version.py",
+        "ehl/kernel_sources.py",
+        "ehl/multigrid/threads.py",
+    ),
+    "without the heavy imports of its readers": ("cases/runs/export.py",),
+    "the only place of a library": ("ehl/compiled.py", "ehl/solid/_kernels.py"),
+    "read from everywhere": ("ehl/arrays.py", "bearing/files.py", "postprocess/writer.py"),
+    "one command": ("cases/cli/verify.py",),
+    "formula of a page, written by a tool": ("ehl/atlas/film_formula.py",),
+    "mathematics of several tables": ("ehl/traction_table/splines.py",),
+}
 
 
 def named(name, module):

@@ -15,7 +15,7 @@ from types import ModuleType
 import pytest
 
 import oilfilm
-from oilfilm.oilfilm import bearing, cases, ehl, postprocess
+from oilfilm import bearing, cases, ehl, postprocess
 
 from .import_graph import LAYERS, ROOT, module_files
 from .sources import nothing

@@ -8,9 +8,9 @@ import subprocess
 import sys
 from pathlib import Path
 
+from oilfilm import ehl
 from oilfilm.ehl.compiled import forget_old_kernels
 from oilfilm.ehl.kernel_sources import kernel_digest, kernel_sources
-from oilfilm.oilfilm import ehl
 
 ROOT = Path(ehl.__file__).parents[1]  # of the packages that are tested, installed or not
 CALLER = """

@@ -16,6 +16,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from oilfilm import ehl
 from oilfilm.cases import load_case
 from oilfilm.ehl.conditions import ContactKinematics
 from oilfilm.ehl.generalized.solver import solve_generalized
@@ -23,7 +24,6 @@ from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.solid.heat import SolidThermal
 from oilfilm.ehl.traction.heated_film import heated_film, heated_forces
 from oilfilm.ehl.traction.shear import integrate_traction
-from oilfilm.oilfilm import ehl
 
 CARREAU = Rheology(
     law=ShearLaw.CARREAU_YASUDA, carreau_modulus=6.94e6, carreau_exponent=0.463, limiting_coefficient=0.05

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
+from verification.contacts import BALL_ON_DISC
 
 from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from oilfilm.ehl.generalized.film_heat import FilmHeat
@@ -24,7 +25,6 @@ from oilfilm.ehl.oil.lubricant import ThermalProperties, log_viscosity_ratio
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, divide_stresses, shear_stress
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solid.heat import SolidThermal
-from oilfilm.verification.contacts import BALL_ON_DISC
 
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.04, expansion=7e-4)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8, temperature=333.0, thermal=HEAT)

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from verification.contacts import BALL_ON_DISC
+from verification.mass_balance import cycle_on, film_centre, mass_drift, reversed_nodes, solve_film
 
 from oilfilm.ehl.multigrid.history import FILM_TOLERANCE
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
-from oilfilm.verification.contacts import BALL_ON_DISC
-from oilfilm.verification.mass_balance import cycle_on, film_centre, mass_drift, reversed_nodes, solve_film
 
 CARREAU = Rheology(law=ShearLaw.CARREAU_YASUDA, carreau_modulus=5e5, carreau_exponent=0.46)
 

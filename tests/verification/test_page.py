@@ -14,21 +14,21 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from typer.testing import CliRunner
+from verification.asymptotes import asymptotes
+from verification.contacts import NAMED, from_groups, moes
+from verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
+from verification.limits import approach_formula
+from verification.names import SectionName
+from verification.page import Check, ForeignFileError, Section, Table, markdown
+from verification.rigid import half_kapitza, reynolds_over_sommerfeld
+from verification.robustness import QUICK_OPTIONS, Finished, read_finished, strongest, sweep
+from verification.robustness_page import robustness_section
+from verification.run import app
+from verification.sections import MAKERS, document
 
 from oilfilm.ehl.closed_form.film import moes_film_nijenbanning
 from oilfilm.ehl.conditions import moes_groups
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.verification.asymptotes import asymptotes
-from oilfilm.verification.contacts import NAMED, from_groups, moes
-from oilfilm.verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
-from oilfilm.verification.limits import approach_formula
-from oilfilm.verification.names import SectionName
-from oilfilm.verification.page import Check, ForeignFileError, Section, Table, markdown
-from oilfilm.verification.rigid import half_kapitza, reynolds_over_sommerfeld
-from oilfilm.verification.robustness import QUICK_OPTIONS, Finished, read_finished, strongest, sweep
-from oilfilm.verification.robustness_page import robustness_section
-from oilfilm.verification.run import app
-from oilfilm.verification.sections import MAKERS, document
 
 ROOT = Path(__file__).parents[2]
 PAGES = ROOT / "docs" / "validation"
@@ -209,7 +209,7 @@ def test_sweep_refuses_the_file_of_another(tmp_path):
 
 
 def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
-    from oilfilm.verification import robustness
+    from verification import robustness
 
     solve, count = robustness.solve_draw, []
 
@@ -372,7 +372,7 @@ def test_an_interrupted_page_keeps_its_finished_sections(tmp_path, monkeypatch):
 @pytest.mark.parametrize("name", [name for name in SectionName if name is not SectionName.COST])
 def test_the_page_in_the_docs_is_up_to_date(name, monkeypatch):
     """Also on another day than that of the page, whose random contacts are drawn again."""
-    from oilfilm.verification.sections import run_sections
+    from verification.sections import run_sections
 
     text = (PAGES / "verification.md").read_text(encoding="utf-8")
     (seed,) = re.findall(r"drawn by seed (\d+):", text)

@@ -10,14 +10,14 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
+from verification.contacts import from_groups
+from verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
 
 from oilfilm.ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, solve_contact
 from oilfilm.ehl.grid import Grid
 from oilfilm.ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 from oilfilm.ehl.solid.deformation import deflect, deflection_kernel
 from oilfilm.ehl.traction.rolling_moment import scaled_as_solved
-from oilfilm.verification.contacts import from_groups
-from oilfilm.verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
 
 from ..reference.ehl.reynolds import flow_properties, reynolds_operator
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from verification.starvation.cells import Deflection, cells_of
+from verification.starvation.comparison import CONTACTS, shares_by_multigrid, shares_by_newton
+from verification.starvation.newton import Fields, _Problem, hertz_start, solve
 
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.verification.starvation.cells import Deflection, cells_of
-from oilfilm.verification.starvation.comparison import CONTACTS, shares_by_multigrid, shares_by_newton
-from oilfilm.verification.starvation.newton import Fields, _Problem, hertz_start, solve
 
 SMALL = (replace(CONTACTS[0], cells=(76, 36)), replace(CONTACTS[3], cells=(82, 36)))
 

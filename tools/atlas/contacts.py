@@ -16,7 +16,7 @@ from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.contacts import OIL, from_groups, moes
+from verification.contacts import OIL, from_groups, moes
 
 # E' so large that contacts are small beside their radii, and circles parabolas
 MODULUS = 226e11

@@ -56,7 +56,7 @@ from oilfilm.ehl.traction.shear import bounded_viscosity, with_outlet
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.contacts import OIL, from_groups, moes
+from verification.contacts import OIL, from_groups, moes
 
 KEPT = Path(__file__).parents[2] / "build" / "atlas_fields"
 COUNTS = {"fields": 480, "fields oil": 240, "fields held": 120, "fields judge": 120}

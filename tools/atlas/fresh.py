@@ -19,8 +19,8 @@ from fit import label, limit, table
 from scipy.stats import binom
 from solves import rounded, solved
 
+from oilfilm import ehl
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.oilfilm import ehl
 
 UNLIKELY = 0.01
 BUILD = Path(__file__).parents[2] / "build"

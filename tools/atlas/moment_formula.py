@@ -21,7 +21,7 @@ from oilfilm.ehl.traction.rolling_moment import kapitza_moment
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.contacts import from_groups, moes
+from verification.contacts import from_groups, moes
 
 LAYERS = (50e-6, 100e-6, 400e-6)  # [m]
 ROBUST = 0.02  # error beyond which one counts less [-]

@@ -28,7 +28,7 @@ from oilfilm.ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.contacts import from_groups, moes
+from verification.contacts import from_groups, moes
 
 SOLVES = Path(__file__).parents[2] / "build" / "atlas_other_laws.jsonl"
 MODULUS = 226e11  # as in `contacts`

@@ -14,16 +14,16 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.style import context
 
+from oilfilm import ehl
 from oilfilm.ehl.atlas.film_formula import RANGE
 from oilfilm.ehl.closed_form import film
 from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.oilfilm import ehl
 from oilfilm.postprocess.plot_style import INNER_COLOUR, RC, REFERENCE
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.contacts import OIL, from_groups, moes
+from verification.contacts import OIL, from_groups, moes
 
 LABELS = Path(__file__).with_name("labels.csv.gz")
 PICTURE = Path(__file__).parents[2] / "docs" / "images" / "film_atlas.png"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from pathlib import Path
 
-from oilfilm.oilfilm import cases
+from oilfilm import cases
 
 REFERENCE = Path(cases.__file__).parent / "library" / "reference"
 

@@ -8,8 +8,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.sections import STARVATION_PAGE, check_page, document, write_page
-from oilfilm.verification.starvation.comparison import starvation
+from verification.sections import STARVATION_PAGE, check_page, document, write_page
+from verification.starvation.comparison import starvation
 
 DIRECTORY = Path(__file__).parents[2] / "docs" / "validation"
 

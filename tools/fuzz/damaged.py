@@ -72,7 +72,8 @@ def run(words: list[str], writer: int) -> int:
 
 def answer(words: list[str]) -> tuple[int, str]:
     """Exit code and messages of a command in this process."""
-    from oilfilm.cases.cli.terminal import app, exit_code
+    from oilfilm.cases.cli.main import app
+    from oilfilm.cases.cli.terminal import exit_code
 
     errors = io.StringIO()
     with redirect_stderr(errors), redirect_stdout(io.StringIO()):

@@ -23,7 +23,7 @@ from oilfilm.ehl.traction.linear_response import linear_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.contacts import from_groups, moes
+from verification.contacts import from_groups, moes
 
 DAMPING = Path(__file__).with_name("damping.jsonl")
 FAST = 0.3  # omega a/u_m

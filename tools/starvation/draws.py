@@ -26,7 +26,7 @@ from oilfilm.ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.draws import Draw, draws
+from verification.draws import Draw, draws
 
 POINTS = 129
 RATIO = (0.1, 5.0)  # r, layer over the oil of the flooded film

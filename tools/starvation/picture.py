@@ -17,7 +17,7 @@ from oilfilm.ehl.scaling import scale_contact
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.contacts import moes
+from verification.contacts import moes
 
 PICTURE = Path(__file__).parents[2] / "docs" / "images" / "starvation_law.png"
 THICK = 0.9  # Hc above which contacts are light

@@ -25,7 +25,7 @@ from oilfilm.ehl.traction.rolling_moment import scaled_as_solved
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
 
-from oilfilm.verification.contacts import from_groups, moes
+from verification.contacts import from_groups, moes
 
 SOLVES = Path(__file__).with_name("solves.jsonl")
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=18e-9, roelands_z=0.6)

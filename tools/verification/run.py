@@ -38,14 +38,14 @@ from oilfilm.cases.cli.terminal import (
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.runs.interrupt import end_after_signal, end_now, finish_first, interrupt, print_message
 from oilfilm.postprocess.bearing.results import BearingResults
-from oilfilm.verification import robustness as random_contacts
-from oilfilm.verification import sections as page_sections
-from oilfilm.verification.costs import BEARING
-from oilfilm.verification.names import SectionName
-from oilfilm.verification.page import ForeignFileError, Section
-from oilfilm.verification.robustness import QUICK_OPTIONS, seed_of
-from oilfilm.verification.robustness_page import robustness_section
-from oilfilm.verification.sections import PAGE, SWEEP, SWEEP_PAGE, check_page, document, write_page
+from verification import robustness as random_contacts
+from verification import sections as page_sections
+from verification.costs import BEARING
+from verification.names import SectionName
+from verification.page import ForeignFileError, Section
+from verification.robustness import QUICK_OPTIONS, seed_of
+from verification.robustness_page import robustness_section
+from verification.sections import PAGE, SWEEP, SWEEP_PAGE, check_page, document, write_page
 
 # on two cores, the mean of the sections: of the page in docs/validation, and with --quick [s]
 SECTION_SECONDS = {False: 67.0, True: 6.0}

@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from oilfilm.cases import load_case
 from oilfilm.cases.batch.sweep import sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.rules import CaseError
 
 FIT = '\n[fit]\nshaft_tolerance = "k5"\nhousing_tolerance = "H7"\nhousing_outside_diameter_mm = 90.0\n'

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from oilfilm import postprocess
 from oilfilm.bearing import contact_conditions, solve_quasistatic
 from oilfilm.cases import CaseError, load_case
 from oilfilm.cases.batch import shared_tables
@@ -28,10 +29,9 @@ from oilfilm.cases.batch.results import load_results, write_batch
 from oilfilm.cases.batch.shared_tables import ContactCache
 from oilfilm.cases.batch.store import finished_points, open_folder
 from oilfilm.cases.batch.sweep import read_sweep, sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.film_model import NEWTONIAN
 from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
-from oilfilm.oilfilm import postprocess
 from oilfilm.postprocess.batch.store import PointStore, Record, StoredPoints, store_files
 
 HEAD = 'case = "6208_full_ceramic"\n'
@@ -446,7 +446,7 @@ def test_a_folder_in_the_place_of_a_file_is_refused_before_anything_is_computed(
 
 
 def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch):
-    from oilfilm.oilfilm import ehl
+    from oilfilm import ehl
 
     text = HEAD + (
         '[sweep]\n"surface.ball_roughness_um" = [0.05, 0.1]\n"surface.inner_ring_roughness_um" = [0.1]\n'
@@ -474,7 +474,7 @@ def with_cache(folder, films=NEWTONIAN):
 
 def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, monkeypatch):
     """Values that repeat, and points that are all different, where nothing is looked for."""
-    from oilfilm.oilfilm import ehl
+    from oilfilm import ehl
 
     points = '"ehl.points" = [33]\n"ehl.film_maps" = ["all"]\n'
     text = HEAD + f'[sweep]\n"operation.radial_load_N" = [900.0, 1000.0]\n{points}'

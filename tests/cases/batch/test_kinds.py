@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 from typer.testing import CliRunner
 
+from oilfilm import postprocess
 from oilfilm.bearing import Race
 from oilfilm.bearing.friction.tables import load_tables
 from oilfilm.bearing.operation import BallKinematics
@@ -20,9 +21,8 @@ from oilfilm.cases.batch.points import Task
 from oilfilm.cases.batch.pools import ClusterPool, LocalPool
 from oilfilm.cases.batch.results import load_results, write_batch
 from oilfilm.cases.batch.sweep import sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
-from oilfilm.oilfilm import postprocess
 from oilfilm.postprocess import summary
 from oilfilm.postprocess.batch.plots import quantities
 from oilfilm.postprocess.batch.results import main_results, varied_keys

@@ -14,7 +14,7 @@ from typer.testing import CliRunner
 from oilfilm.cases.batch.engine import run_batch
 from oilfilm.cases.batch.results import load_results
 from oilfilm.cases.batch.sweep import read_sweep, sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.shipped import shipped_sweeps
 from oilfilm.postprocess.batch.packed_columns import InMemory, columns_of
 from oilfilm.postprocess.batch.plots import draw_batch, draw_together, quantities, write_diagram

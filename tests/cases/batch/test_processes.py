@@ -17,12 +17,12 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from oilfilm import postprocess
 from oilfilm.cases.batch.engine import run_batch
 from oilfilm.cases.batch.pools import ClusterPool, LocalPool
 from oilfilm.cases.batch.results import load_results, write_batch
 from oilfilm.cases.batch.sweep import sweep_from_text
-from oilfilm.cases.cli.terminal import app
-from oilfilm.oilfilm import postprocess
+from oilfilm.cases.cli.main import app
 
 from .test_batch import HerePool
 

@@ -21,7 +21,7 @@ from oilfilm.cases.batch.points import Limits
 from oilfilm.cases.batch.pools import Pool, executor_factory
 from oilfilm.cases.batch.results import collect_results, load_results, write_batch
 from oilfilm.cases.batch.sweep import Shard, shard_of, sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.runs.output_directory import one_writer
 from oilfilm.postprocess.batch.packed_columns import InMemory, columns_of
 from oilfilm.postprocess.batch.store import FAILED, read_batch, stored_summaries

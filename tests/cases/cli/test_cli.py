@@ -22,7 +22,7 @@ from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.torque.skf import viscous_factor
 from oilfilm.cases import load_case
 from oilfilm.cases.cli import compute, output, terminal
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.shipped import find_case, shipped_cases
 from oilfilm.cases.runs import interrupt
 

@@ -7,12 +7,12 @@ from math import nan
 
 import pytest
 from typer.testing import CliRunner
+from verification.contacts import race_6208
+from verification.elements import CONTACTS as COMPARED
 
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.runs import verification
 from oilfilm.cases.runs.verification import CONTACTS, Check, checks, film_checks
-from oilfilm.verification.contacts import race_6208
-from oilfilm.verification.elements import CONTACTS as COMPARED
 
 
 def call(*arguments):

@@ -7,7 +7,7 @@ from typer.testing import CliRunner
 
 from oilfilm.cases import CaseError
 from oilfilm.cases.batch.sweep import sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.document import validate_text
 

@@ -7,8 +7,8 @@ import pytest
 from typer.testing import CliRunner
 
 from oilfilm.cases import CaseError
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.cli.optimise import optimisation_table
-from oilfilm.cases.cli.terminal import app
 from oilfilm.cases.optimise.results import write_optimisation
 from oilfilm.cases.optimise.search import (
     Observations,

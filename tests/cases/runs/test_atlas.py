@@ -8,10 +8,10 @@ from dataclasses import replace
 import pytest
 from typer.testing import CliRunner
 
-from oilfilm.cases.cli.terminal import app
+from oilfilm import ehl
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import load_case
 from oilfilm.cases.runs import atlas
-from oilfilm.oilfilm import ehl
 
 
 def call(*arguments):

@@ -23,8 +23,8 @@ from oilfilm.bearing.dynamics.statistics import states
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.cases import load_case, run_case
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.cli.over_time import _write
-from oilfilm.cases.cli.terminal import app
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.format.shipped import find_case
 from oilfilm.cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics

@@ -10,7 +10,7 @@ from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.material import load_material
 from oilfilm.cases.batch.shared_tables import tables_once
 from oilfilm.cases.batch.sweep import sweep_from_text
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.format.shipped import find_case

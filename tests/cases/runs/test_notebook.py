@@ -7,13 +7,13 @@ import sys
 from dataclasses import replace
 from xml.etree import ElementTree
 
+from oilfilm import ehl
 from oilfilm.cases import load_case, run_case
 from oilfilm.cases.batch.engine import run_batch
 from oilfilm.cases.batch.results import load_results
 from oilfilm.cases.batch.sweep import sweep_from_text
 from oilfilm.cases.runs.contact import run_contact
 from oilfilm.ehl.units import from_si, notebook_html, value_with_error
-from oilfilm.oilfilm import ehl
 
 from ..batch.test_batch import HerePool
 

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from oilfilm.cases.cli.terminal import app
+from oilfilm import postprocess
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.document import read_text
 from oilfilm.cases.format.shipped import find_case
-from oilfilm.oilfilm import postprocess
 
 CHANGES = {
     "slip": ("hirano_7000C", (("points = 51\n", "points = 3\ncritical_points = 2\n"),)),

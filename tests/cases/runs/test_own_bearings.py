@@ -13,7 +13,7 @@ from math import isfinite
 import pytest
 from typer.testing import CliRunner
 
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 
 pytestmark = pytest.mark.slow
 QUICK = {"ehl.tolerance": "0.02"}

@@ -9,13 +9,13 @@ from types import SimpleNamespace
 
 import pytest
 
+from oilfilm import ehl
 from oilfilm.bearing import solve_quasistatic
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases import load_case, run_case, run_contact
 from oilfilm.cases.runs.bearing import Interrupted
 from oilfilm.cases.runs.films import equal_contacts
 from oilfilm.ehl.conditions import moes_groups
-from oilfilm.oilfilm import ehl
 from oilfilm.postprocess import summary
 
 CASE = "6208_full_ceramic"

@@ -7,7 +7,7 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ import pytest
 from typer.testing import CliRunner
 
 from oilfilm.cases import load_case, run_case
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.document import read_text
 from oilfilm.cases.format.shipped import find_case
 from oilfilm.postprocess import summary

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from oilfilm.bearing import solve_quasistatic
 from oilfilm.cases import load_case
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 
 CASE = "7008_back_to_back"
 

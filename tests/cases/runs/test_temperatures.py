@@ -7,8 +7,8 @@ import json
 import pytest
 from typer.testing import CliRunner
 
-from oilfilm.cases.cli.terminal import app
-from oilfilm.oilfilm import postprocess
+from oilfilm import postprocess
+from oilfilm.cases.cli.main import app
 
 CASE = """
 schema_version = 1

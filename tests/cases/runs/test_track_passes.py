@@ -7,11 +7,11 @@ from itertools import pairwise
 
 import pytest
 
+from oilfilm import postprocess
 from oilfilm.cases.format.case import case_from_text, load_case
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.runs.contact import run_contact
 from oilfilm.ehl import solve_contact
-from oilfilm.oilfilm import postprocess
 from oilfilm.postprocess import summary
 from oilfilm.postprocess.contact.plots import write_contact_plots
 from oilfilm.postprocess.contact.write import write_contact_netcdf

@@ -17,7 +17,7 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from oilfilm.cases import load_case
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.format.shipped import shipped_cases
 from oilfilm.cases.runs.transient import run_transient

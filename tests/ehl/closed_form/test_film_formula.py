@@ -8,11 +8,11 @@ from math import exp, isnan, log, log10, sqrt
 import numpy as np
 import pytest
 from atlas.picture import formula_errors, held_out
+from verification.contacts import from_groups, moes
 
+from oilfilm import ehl
 from oilfilm.ehl.atlas.film_formula import FILE, RANGE
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.oilfilm import ehl
-from oilfilm.verification.contacts import from_groups, moes
 
 
 def by_hand(film, A, L, D, alpha, z):

@@ -6,6 +6,8 @@ from dataclasses import replace
 from math import inf
 
 import pytest
+from verification.contacts import from_groups, moes
+from verification.draws import draws
 
 from oilfilm.ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
 from oilfilm.ehl.closed_form.film import moes_film_nijenbanning
@@ -13,8 +15,6 @@ from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 from oilfilm.ehl.multigrid.full_multigrid import ATTEMPTS, DIVERGED, guarded_cycle
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solver import solve_attempts
-from oilfilm.verification.contacts import from_groups, moes
-from oilfilm.verification.draws import draws
 
 SEED = 20261124  # of an earlier sweep of 1000
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=20e-9)

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from scipy import sparse
+from verification.contacts import DEGREE, OIL, SKEWED, TURNING
+from verification.contacts import moes as groups
 
 from oilfilm.ehl import SolverOptions, solve_contact
 from oilfilm.ehl.multigrid.cycle import load_error, relative_residual
@@ -17,8 +19,6 @@ from oilfilm.ehl.multigrid.history import film_values
 from oilfilm.ehl.multigrid.jacobian import TAPER, deflected, linearise, load_row, near_field, product
 from oilfilm.ehl.multigrid.newton import TOLERANCE, Border, certify, factor_bordered, nested_dissection, solve_bordered
 from oilfilm.ehl.solver import solve_attempts
-from oilfilm.verification.contacts import DEGREE, OIL, SKEWED, TURNING
-from oilfilm.verification.contacts import moes as groups
 
 from ..oil.test_lubricant import SQUALANE
 

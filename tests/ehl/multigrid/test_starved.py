@@ -8,6 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from verification.contacts import OIL, from_groups, moes
 
 from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
 from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
@@ -22,7 +23,6 @@ from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solver import solve_attempts
 from oilfilm.ehl.traction.rolling_moment import rolling_moment
-from oilfilm.verification.contacts import OIL, from_groups, moes
 
 BOX = SolverOptions(points=129, domain=(-6.0, 1.6, 3.5))
 CIRCULAR = moes(20.0, 10.0, oil=OIL)

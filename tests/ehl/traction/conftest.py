@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from oilfilm.oilfilm import ehl
+from oilfilm import ehl
 
 OIL = ehl.Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 INNER_6208 = ehl.ContactConditions(

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from oilfilm import ehl
 from oilfilm.ehl.oil.lubricant import DensityLaw
 from oilfilm.ehl.traction import instruments
 from oilfilm.ehl.traction.instruments import VACUUM_PERMITTIVITY, film_instruments
-from oilfilm.oilfilm import ehl
 
 OIL = ehl.Lubricant(viscosity=0.04, pressure_viscosity=18e-9, density_law=DensityLaw.INCOMPRESSIBLE)
 CIRCLE = ehl.ContactConditions(

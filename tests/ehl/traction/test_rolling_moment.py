@@ -14,6 +14,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
+from oilfilm import ehl
 from oilfilm.ehl.conditions import contact_kinematics
 from oilfilm.ehl.generalized.solver import solve_generalized
 from oilfilm.ehl.multigrid.far_field import far_field
@@ -23,7 +24,6 @@ from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solution import FilmValue
 from oilfilm.ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 from oilfilm.ehl.traction.shear import integrate_traction
-from oilfilm.oilfilm import ehl
 
 BALL = 6e-3  # radius [m]
 # box in semi-axes and points, on one mesh along x

@@ -15,10 +15,10 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
+from oilfilm import ehl
 from oilfilm.ehl.conditions import ContactKinematics, contact_kinematics
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.traction.shear import Cavitation, integrate_traction, shear_fields, sheared_width
-from oilfilm.oilfilm import ehl
 
 NEWTON = Rheology()
 MU = 0.05

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from verification.contacts import from_groups, moes
 
 from oilfilm.ehl import Lubricant, MoesConditions, ViscosityLaw
 from oilfilm.ehl.grid import grid_hierarchy
@@ -17,7 +18,6 @@ from oilfilm.ehl.oil.lubricant import DensityLaw
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions, advected, weights
 from oilfilm.ehl.transient.run import SWITCH, transient_run
-from oilfilm.verification.contacts import from_groups, moes
 
 OIL = Lubricant(
     viscosity=0.05,

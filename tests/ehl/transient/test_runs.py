@@ -8,6 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
+from verification.contacts import from_groups, moes
 
 from oilfilm.ehl import Lubricant, SolverOptions
 from oilfilm.ehl.closed_form.film import FlatFilm, waviness_amplitude_ratio, waviness_moving_with_body
@@ -29,7 +30,6 @@ from oilfilm.ehl.transient.inputs import (
 from oilfilm.ehl.transient.record import QUANTITIES
 from oilfilm.ehl.transient.run import impact_time, transient_run
 from oilfilm.ehl.transient.waves import wave_results
-from oilfilm.verification.contacts import from_groups, moes
 
 SMALL = (-2.5, 1.5, 2.0)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)

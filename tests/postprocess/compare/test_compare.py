@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from typer.testing import CliRunner
 
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.postprocess import open_results, summary
 from oilfilm.postprocess.bearing.write import write_bearing_netcdf
 from oilfilm.postprocess.compare import compare, comparison_table, relative

@@ -8,7 +8,7 @@ from zipfile import ZipFile
 import pytest
 from typer.testing import CliRunner
 
-from oilfilm.cases.cli.terminal import app
+from oilfilm.cases.cli.main import app
 from oilfilm.postprocess.files import read_summary
 from oilfilm.postprocess.report.pdf_and_workbook import sheets, write_pdf, write_workbook
 

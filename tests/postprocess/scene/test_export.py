@@ -182,7 +182,7 @@ def test_the_coating_is_that_of_the_case(contact_results, tmp_path):
 def test_the_command(bearing_folder, tmp_path, monkeypatch):
     from typer.testing import CliRunner
 
-    from oilfilm.cases.cli.terminal import app
+    from oilfilm.cases.cli.main import app
 
     def oilfilm(*words):
         return CliRunner().invoke(app, ["export", *map(str, words)])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from oilfilm.oilfilm import ehl
+from oilfilm import ehl
 
 NAMES = (
     *("load", "radius_x", "radius_y", "reduced_modulus", "entrainment_speed"),

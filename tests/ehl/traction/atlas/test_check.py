@@ -6,12 +6,12 @@ from dataclasses import replace
 from functools import cache
 
 import pytest
+from verification.contacts import OIL, from_groups, moes
 
+from oilfilm import ehl
 from oilfilm.ehl.atlas.films import atlas_disagreements
 from oilfilm.ehl.oil.lubricant import InletLayer
-from oilfilm.oilfilm import ehl
 from oilfilm.postprocess.contact.summary import solution_messages
-from oilfilm.verification.contacts import OIL, from_groups, moes
 
 GROUPS = moes(200.0, 10.0, 0.4, oil=OIL)
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from oilfilm import ehl
 from oilfilm.ehl.atlas.fields import contact_fields
 from oilfilm.ehl.atlas.films import NotInAtlasError, atlas_load
 from oilfilm.ehl.oil.lubricant import ViscosityLaw
@@ -15,7 +16,6 @@ from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.traction_table.build import TableOptions, atlas_sample, atlas_sampler, build_traction_table
 from oilfilm.ehl.traction_table.film import film_sample, relative_forces
 from oilfilm.ehl.traction_table.table import TableContact, TableRange
-from oilfilm.oilfilm import ehl
 
 SHEAR = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=0.047, limiting_coefficient=0.047)
 OIL = ehl.Lubricant(viscosity=0.012, pressure_viscosity=19e-9, roelands_z=0.6)

@@ -8,6 +8,7 @@ from math import pi
 import numpy as np
 import pytest
 
+from oilfilm import ehl
 from oilfilm.bearing.films.unsolved_films import formula_values_of, hertz_size, plain_film
 from oilfilm.bearing.friction._kernels import film_frictions
 from oilfilm.bearing.friction.film_friction import MIN_SLIDING
@@ -17,7 +18,6 @@ from oilfilm.ehl.atlas.films import atlas_films
 from oilfilm.ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
 from oilfilm.ehl.traction.film_quadrature import film_quadrature, sliding_forces, zone_quadrature
-from oilfilm.oilfilm import ehl
 
 SHEAR = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=0.047, limiting_coefficient=0.047, limiting_minimum=5e6)
 OIL = ehl.Lubricant(viscosity=0.012, pressure_viscosity=19e-9, roelands_z=0.6)

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from verification.contacts import OIL, from_groups, moes
 
+from oilfilm import ehl
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl import DensityLaw, ViscosityLaw
 from oilfilm.ehl.atlas.oils import density_correction, inlet_oil, with_inlet_oil
 from oilfilm.ehl.oil.lubricant import log_viscosity_ratio
-from oilfilm.oilfilm import ehl
-from oilfilm.verification.contacts import OIL, from_groups, moes
 
 
 def test_moments_of_barus():

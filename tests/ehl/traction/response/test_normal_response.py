@@ -7,6 +7,8 @@ from math import pi
 
 import pytest
 from numpy.testing import assert_allclose
+from verification.contacts import DEGREE, from_groups
+from verification.contacts import moes as groups
 
 from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw
 from oilfilm.ehl.multigrid.cycle import cycle, start_level
@@ -14,8 +16,6 @@ from oilfilm.ehl.multigrid.newton import LinearSolverError, certify
 from oilfilm.ehl.solver import solve_attempts
 from oilfilm.ehl.traction import linear_response, normal_response
 from oilfilm.ehl.traction.linear_response import _Right, linear_contact
-from oilfilm.verification.contacts import DEGREE, from_groups
-from oilfilm.verification.contacts import moes as groups
 
 OPEN = None
 BOXES = {"M 20": (-6.0, 1.6, 3.5), "M 200": (-4.5, 1.5, 3.0), "M 500": (-4.0, 1.5, 1.22)}

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
+from verification.contacts import moes as groups
 
 from oilfilm.ehl import SolverOptions
 from oilfilm.ehl.grid import Grid
@@ -18,7 +19,6 @@ from oilfilm.ehl.oil.lubricant import InletLayer
 from oilfilm.ehl.solver import solve_attempts, solve_with_inlet_film
 from oilfilm.ehl.traction import normal_response
 from oilfilm.ehl.traction.linear_response import _Right, linear_contact
-from oilfilm.verification.contacts import moes as groups
 
 from .test_normal_response import STEEL, on_two_meshes
 

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from oilfilm import ehl
 from oilfilm.ehl.conditions import ContactKinematics, contact_kinematics
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.solid.heat import SolidThermal
@@ -29,7 +30,6 @@ from oilfilm.ehl.traction_table.compression import VALUE_STEP, compressed, decom
 from oilfilm.ehl.traction_table.splines import node_values, spline_coefficients, spline_weights
 from oilfilm.ehl.traction_table.storage import inputs_digest, load_table, save_table
 from oilfilm.ehl.traction_table.table import FullSolve, TableContact, TableRange, load_coordinate
-from oilfilm.oilfilm import ehl
 
 from ....reference.ehl import traction as reference
 
