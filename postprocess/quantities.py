@@ -3,8 +3,8 @@
 A quantity is declared once, by its key, its title and the attribute that has its value. The last
 words of the key are the unit (`ehl.units`); summary, CSV, netCDF attributes, tables and labels of
 pictures read the same declaration. To add an output quantity, add a row to the `quantities(...)`
-of its kind: `bearing/bearing_quantities.py`, `bearing/contact_quantities.py`, `contact/summary.py`, and
-`results.py` of the other kinds.
+of its kind: `bearing/bearing_quantities.py`, `bearing/contact_quantities.py`,
+`contact/summary.py`, and `results.py` of the other kinds.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
