@@ -380,8 +380,10 @@ def contact(
         Load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-].
     """
     if table.moes_M is not None and table.moes_L is not None:
-        groups = {"load_parameter": table.moes_M, "lubricant_parameter": table.moes_L}
-        return table.build(MoesConditions, lubricant=oil, **groups)
+        load, viscosity = table.moes_M, table.moes_L
+        return table.build(
+            MoesConditions, lubricant=oil, load_parameter=load, lubricant_parameter=viscosity
+        )
     modulus = table.si()["reduced_modulus"]
     if modulus is None:
         assert table.material_1 and table.material_2  # checked before

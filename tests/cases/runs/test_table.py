@@ -18,7 +18,7 @@ from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases.batch.shared_tables import bodies_and_oil
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_of_document, load_case
-from oilfilm.cases.format.friction import tables_of_file
+from oilfilm.cases.format.traction import tables_of_file
 from oilfilm.cases.runs.traction_table import run_table
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.traction_table.build import TableOptions
