@@ -30,10 +30,10 @@ from .shown_part import half_extents, shown_part
 NOT_CONVERGED = "the film of this pass did not converge"
 PASS_QUANTITIES = quantities(
     ("inlet_ratio", "layer over the oil of the flooded film", "ratio"),
-    ("film_share", "central film over the flooded one", "share"),
+    ("film_share", "central film over the flooded one", "film_fraction"),
     ("film_central_um", "central film", "solution.film_central"),
     ("film_minimum_um", "minimum film", "solution.film_minimum"),
-    ("oil_kept", "oil that leaves over oil that enters", "kept"),
+    ("oil_kept", "oil that leaves over oil that enters", "remaining"),
     ("ridge_ratio", "thickest part of the layer that leaves over its middle", "ridge_ratio"),
     null=NOT_CONVERGED,
 )

@@ -63,9 +63,9 @@ def test_friction_takes_the_film_with_heat():
     films = [contact for contact in summary(results)["contacts"] if contact["film_central_um"] is not None]
     assert len(running) == len(films)
     for film, contact in zip(running, films, strict=True):
-        assert 1e6 * film.central == pytest.approx(contact["film_central_um"])
+        assert 1e6 * film.central.value == pytest.approx(contact["film_central_um"])
         assert 1e6 * film.flooded_central == pytest.approx(contact["isothermal_film_central_um"])
-        assert film.asperity_share > film.flooded_share
+        assert film.asperity_load > film.flooded_asperity_load
 
 
 def test_a_slow_bearing_keeps_its_films():
