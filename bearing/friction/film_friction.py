@@ -38,8 +38,7 @@ def film_balance(
     initial_guess: BalancedFriction | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in which the shear of their films balances itself, at given loads; the
-    forces
-    contain the hydrodynamic rolling moment.
+    forces contain the hydrodynamic rolling moment.
 
     Parameters
     ----------

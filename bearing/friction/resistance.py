@@ -98,8 +98,7 @@ class Resistance:
 
     def land_torque(self, slip: float, cage_speed: float) -> float:
         """Torque on the cage, against its slip over the land: oil by Petroff, and dry by Coulomb
-        under the
-        weight of the cage and the centrifugal force of a cage that lies on its land.
+        under the weight of the cage and the centrifugal force of a cage that lies on its land.
 
         Parameters
         ----------
@@ -167,8 +166,7 @@ def resistance_of(
     oil_fraction: float | None,
 ) -> Resistance:
     """Resistance of the balls' drag as `churning_power` has it, of the land as `land_power`, and
-    of the
-    friction in the pockets.
+    of the friction in the pockets.
 
     Parameters
     ----------
@@ -251,8 +249,7 @@ def land_drag(cage: Cage, viscosity: float) -> float:
 
 def land_rub(cage: Cage) -> float:
     """Torque of a land that oil fills to the fraction s, over the acceleration that presses the
-    cage on
-    it, mu (1 - s) r m.
+    cage on it, mu (1 - s) r m.
 
     Parameters
     ----------

@@ -116,8 +116,7 @@ class FrictionHeat:
 
 def loaded_half(solution: QuasistaticSolution) -> Array:
     """Fraction of each ball in the half of the outer ring about the direction of its load; a half
-    where
-    the load has none.
+    where the load has none.
 
     Parameters
     ----------
@@ -142,8 +141,7 @@ def heat_of_torque(
     parts: Mapping[str, float], solution: QuasistaticSolution, conductance: Array
 ) -> FrictionHeat:
     """Heat of a torque that has no parts by contact: drag, cage and seal where they are given, the
-    rest
-    on the contacts by their loads.
+    rest on the contacts by their loads.
 
     Parameters
     ----------

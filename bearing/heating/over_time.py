@@ -9,10 +9,10 @@ within minutes. A step solves
 .. math:: \dot T = A T + N_0 + N_1 t, \qquad A = C^{-1} (Q' - G)
 
 exactly by the exponential of a matrix, A that of its beginning with the slope of the heat over the
-film temperature that the last steps show, N_1 by the step before
-(exponential time differencing of second order, Cox and Matthews, 2002): one state of the bearing a
-step, however fast the oil in the cavity warms. (SciPy's BDF took several hundred: its steps shrink
-with what the iterations of the friction leave.)
+film temperature that the last steps show, N_1 by the step before (exponential time differencing of
+second order, Cox and Matthews, 2002): one state of the bearing a step, however fast the oil in the
+cavity warms. (SciPy's BDF took several hundred: its steps shrink with what the iterations of the
+friction leave.)
 
 Near a balance Q' = dQ/dT of the friction falls with the viscosity of warmer oil and rises with the
 preload of a warmer inner ring. The largest eigenvalue of A is the rate at which the slowest

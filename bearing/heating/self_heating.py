@@ -119,8 +119,7 @@ def solve_self_heating(
     problem: SelfHeatingProblem, model: str, *, judged: bool = True
 ) -> SelfHeatingSolution:
     """Temperatures at which friction equals what surroundings and oil remove, or the reason why
-    there
-    are none.
+    there are none.
 
     Parameters
     ----------

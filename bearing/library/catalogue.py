@@ -98,9 +98,9 @@ def typical_geometry(
     """Ball diameter, pitch diameter and number of balls from the boundary dimensions: a rough
     guess.
 
-    D = 0.30 (D_o - d), or 0.80 of a smaller width, the nearest standard size;
-    Z = fill pi/asin(D/d_m), with the part of the pitch circle that the balls of the catalogue's
-    bearings fill, linear in the contact angle between deep groove, 15 and 40 degrees.
+    D = 0.30 (D_o - d), or 0.80 of a smaller width, the nearest standard size; Z = fill
+    pi/asin(D/d_m), with the part of the pitch circle that the balls of the catalogue's bearings
+    fill, linear in the contact angle between deep groove, 15 and 40 degrees.
 
     Parameters
     ----------

@@ -2,10 +2,9 @@ r"""Balls between the races: loads, motion, forces and equilibrium at a position
 
 In the axial plane of a ball (x axial, r radial) let u point from the outer groove's centre of
 curvature to the ball's centre and w from there to the inner groove's centre, u + w = V. Then the
-approaches are
-:math:`\delta_o = |u| - (r_o - D/2)` and :math:`\delta_i = |w| - (r_i - D/2)`, the contact angles
-are the directions of u and w from the radial one, and a ball is in equilibrium when (Harris and
-Kotzalas, in the signs of docs/theory/bearing.md)::
+approaches are :math:`\delta_o = |u| - (r_o - D/2)` and :math:`\delta_i = |w| - (r_i - D/2)`, the
+contact angles are the directions of u and w from the radial one, and a ball is in equilibrium when
+(Harris and Kotzalas, in the signs of docs/theory/bearing.md)::
 
     Qi sin ai - Qo sin ao + (Mg/D) (li cos ai - lo cos ao)      = 0
     Qi cos ai - Qo cos ao - (Mg/D) (li sin ai - lo sin ao) + Fc = 0

@@ -144,8 +144,7 @@ def stress_limit(rated: LifeRating) -> float | None:
 
 def missing_films(solution: QuasistaticSolution, kappa: ContactKappa) -> str:
     """Message on the loaded contacts without kappa; but for those whose load is negligible and
-    whose
-    film therefore may be outside the model.
+    whose film therefore may be outside the model.
 
     Parameters
     ----------

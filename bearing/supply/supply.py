@@ -107,8 +107,7 @@ def side_flow_integral(hertz_pressure: float, lubricant: Lubricant) -> float:
 
 def barus_integral(pressure_number: float) -> float:
     """Nearly I of Barus' law: pi [(pi alpha p_h/2)^(3/2) + 1]^(-2/3), in error by 1 % at alpha p_h
-    of 20,
-    2 % at 10, 8 % at 5, 17 % at 2.
+    of 20, 2 % at 10, 8 % at 5, 17 % at 2.
 
     Parameters
     ----------
@@ -261,8 +260,7 @@ def contact_track(
     contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet | None = None
 ) -> tuple[Track, float]:
     """Change of the layer that a contact finds in one pass, and the layer that counts as 1 there,
-    the
-    oil of its flooded film rho_c h_cff.
+    the oil of its flooded film rho_c h_cff.
 
     Parameters
     ----------
@@ -313,8 +311,7 @@ def starvation_law(
     conditions: ContactConditions, unit: float
 ) -> Callable[[float], StarvationFactors]:
     """Law of starvation of a contact: fractions over r, the layer over the oil of the flooded
-    film. The
-    layer of a flooded inlet leaves all.
+    film. The layer of a flooded inlet leaves all.
 
     Parameters
     ----------
@@ -528,8 +525,7 @@ def retained_time(best_flow: float, roughness: float, area: float) -> float:
 
 def groove_area(bearing: Bearing) -> float:
     """Area of both grooves of a row, from shoulder to shoulder; the height of a shoulder whose
-    diameter
-    is not given is a sixth of the ball's diameter.
+    diameter is not given is a sixth of the ball's diameter.
 
     Parameters
     ----------

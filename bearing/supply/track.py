@@ -15,8 +15,8 @@ is lost, and the supply adds D. In the steady state
 
     r - (1 - l) r_left(r) = D.
 
-For d = 0, r_n = (r_0^-g + n)^(-1/g); where the side flow leads, r_n =
-(r_0^-2 + n d)^(-1/2), and the steady r is (2 D/d)^(1/3) without loss.
+For d = 0, r_n = (r_0^-g + n)^(-1/g); where the side flow leads, r_n = (r_0^-2 + n d)^(-1/2), and
+the steady r is (2 D/d)^(1/3) without loss.
 
 **Assumed**: every contact is fed by others like itself; layers do not flow between two balls
 (capillary levelling and centrifugal flow of a micrometre take seconds, two balls follow each other
@@ -141,8 +141,7 @@ def after_passes(track: Track, layer: float, number: int, added: float = 0.0) ->
 
 def steady_layer(track: Track, added: float) -> float:
     """Layer r at every inlet in the steady state; without supply all oil is pressed out in the
-    end, or
-    lost.
+    end, or lost.
 
     Parameters
     ----------

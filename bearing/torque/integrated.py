@@ -679,8 +679,7 @@ def rolling_extent(
     moments: Sequence[RollingMoment | None] | None = None,
 ) -> RollingExtent | None:
     """Rolling torque by where the oil ends: the power of the moment at the motion of the tractions
-    over
-    the speed of the shaft.
+    over the speed of the shaft.
 
     Parameters
     ----------

@@ -218,8 +218,7 @@ def coulomb_coefficient(
 
 def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
     """Radial and axial load of the ring; none where it is round-off of the other, for SKF's
-    formulas
-    jump there.
+    formulas jump there.
 
     Parameters
     ----------
@@ -488,8 +487,7 @@ def model_remarks(
     name: str, solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> tuple[str, ...]:
     """Remarks where speed, viscosity or load lie beyond the range of a model, and on the bearings
-    that
-    it was made for.
+    that it was made for.
 
     Parameters
     ----------

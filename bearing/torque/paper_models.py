@@ -298,8 +298,7 @@ def kakuta_torque(
     contacts: Sequence[SlidingContact], speed: float, friction: float
 ) -> SlidingTorque:
     """Kakuta's torque: spin on the inner race alone and as on a plane, 3/8 mu Q a E(k) sin(alpha);
-    lines
-    as without spin.
+    lines as without spin.
 
     Parameters
     ----------
@@ -348,8 +347,7 @@ def houpert_torque(
     contacts: Sequence[SlidingContact], speed: float, friction: float
 ) -> SlidingTorque:
     """Houpert's (1999) fits of curvature and spin moment over the spin ratio, at Hertz's exact
-    ellipse:
-    M_C = 0.0806 mu Q a^2/R f_c(E), M_P = 3/8 mu Q a f_p(E).
+    ellipse: M_C = 0.0806 mu Q a^2/R f_c(E), M_P = 3/8 mu Q a f_p(E).
 
     Parameters
     ----------

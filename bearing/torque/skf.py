@@ -269,8 +269,7 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
 
 def inlet_shear_factor(speed: float, viscosity: float, mean_diameter: float) -> float:
     """phi_ish = 1/(1 + 1.84e-9 (n d_m)^1.28 nu^0.64), which the heat of the shear in the inlets
-    leaves
-    of the rolling moment.
+    leaves of the rolling moment.
 
     Parameters
     ----------
@@ -295,8 +294,7 @@ def replenishment_factor(
     geometry: float, lubrication: Lubrication, product: float, diameters: tuple[float, float]
 ) -> float:
     """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/(2 (D - d)))), which displaced oil that is not yet
-    back
-    leaves of the rolling moment.
+    back leaves of the rolling moment.
 
     Parameters
     ----------
@@ -390,8 +388,7 @@ def sliding_friction(
 
 def sliding_as_printed(bearing: SkfBearing, operation: SkfOperation) -> float:
     """M_sl of a deep groove bearing with a slip of a paper: half of the radial part, added to the
-    axial
-    one.
+    axial one.
 
     For comparison with its tables alone. The formula combines the loads under one root and takes
     the whole radial part.

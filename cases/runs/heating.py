@@ -109,8 +109,7 @@ def without_heat_balance(
     case: Case, heating: SelfHeatingSolution | None, warmed: Case
 ) -> Case | None:
     """The case at `operation.temperature_C`, with a warning, where films without a solve had a
-    balance
-    and the torque reported, with seals say, has none.
+    balance and the torque reported, with seals say, has none.
 
     Parameters
     ----------
@@ -257,8 +256,7 @@ def with_heat_balance(
     heating: SelfHeatingSolution, case: Case, reported: ReportedTorque
 ) -> SelfHeatingSolution:
     """The balance with the torque reported at the temperature of the case and the temperatures
-    that
-    follow from its heat.
+    that follow from its heat.
 
     Parameters
     ----------

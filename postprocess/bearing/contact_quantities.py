@@ -244,8 +244,7 @@ class ContactRecord(FilmRecord):
 
     def kappa_at(self, end: float) -> float | None:
         """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a part of
-        its
-        uncertainty, and starved where a supply is given that it was not solved behind.
+        its uncertainty, and starved where a supply is given that it was not solved behind.
 
         Parameters
         ----------

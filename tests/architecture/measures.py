@@ -239,6 +239,7 @@ NUMBA = {  # what its documentation names; https://numba.readthedocs.io, referen
     "numba.typed": {"Dict", "List"},
     "numba.experimental": {"jitclass"},
     "numba.types": None,  # any type
+    "numba.core": {"event"},
     "numba.core.event": {"Event", "Listener", "register", "unregister"},  # Numba manual, "Event API"
     "numba.core.errors": {"NumbaError", "NumbaPerformanceWarning", "NumbaWarning", "TypingError"},
 }  # fmt: skip
