@@ -31,15 +31,9 @@ from .quasistatic.solution import (
 from .quasistatic.solver import solve_quasistatic
 from .rating.geometry_estimate import CatalogueData, estimate_bearing, estimate_geometry
 from .rating.life import LifeRating, bearing_life
-from .studies.preload import (
-    Arrangement,
-    StiffnessOverSpeed,
-    duplex,
-    preload_offset,
-    preloaded_row,
-    stiffness_over_speed,
-)
+from .studies.preload import Arrangement, duplex, preload_offset, preloaded_row
 from .studies.slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
+from .studies.stiffness import StiffnessOverSpeed, stiffness_over_speed
 from .torque.breakdown import TorqueBreakdown, friction_torque
 
 __all__ = [

@@ -13,6 +13,7 @@ CONSTANTS = (  # modules of which kernels take constants, types, formulas and ho
     "bearing/vibration/assembly.py",
     "ehl/arrays.py",
     "ehl/compiled.py",
+    "ehl/oil/_laws.py",
     "ehl/traction/friction_coefficients.py",
 )
 

@@ -5,5 +5,6 @@ contacts      - the contacts of a solved bearing as lubricated contacts
 electrical    - capacitance and breakdown voltage of a bearing between its rings
 finite_bodies - difference of ring, ball and groove to half-spaces, radii of films with it
 motion        - kinematics of ball on race (rolling, sliding, spin), traction there
+shape         - shape of a contact between ball and race
 stress        - stress in and below a contact, sliding in it, shoulders
 """

@@ -26,7 +26,8 @@ from oilfilm.ehl.traction.shear import TractionResult, integrate_traction
 
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
-from .contact import BearingContact, groove_curvature_radius
+from .contact import BearingContact
+from .shape import groove_curvature_radius
 
 # along x of the films whose shear is summed, at most, in the balance of the balls and in the
 # torque: with the nodes of one and of the other the rings' power misses the heat by what the mesh

@@ -51,8 +51,9 @@ from oilfilm.ehl.traction.shear import shear_fields
 
 from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..quasistatic.solution import QuasistaticSolution
-from .contact import BearingContact, groove_curvature_radius, groove_radius
+from .contact import BearingContact
 from .motion import ContactTraction, ball_speeds, motion_map
+from .shape import groove_curvature_radius, groove_radius
 
 HERTZ_LOAD = 4.0 / 3.0  # integral of 1 - t^2 over the whole ellipse [-]
 

@@ -10,6 +10,7 @@ _state_kernels       - places in the state vector, vectors, loads of bodies, com
 arrays               - arrays of the compiled equations of motion, names of their columns
 assembly             - from bearing, operation and model to the arrays of the compiled equations
 bodies               - masses and inertias of ring and cage, and the equations their loads need
+choices              - choices of a simulation
 friction             - friction of balls on races for the compiled equations of motion
 initial              - the state from which a simulation starts: the quasi-static equilibrium
 inputs               - inputs of a time simulation: cage, laws, loads over time, options

@@ -37,9 +37,10 @@ from .arrays import (
     equation_data,
 )
 from .bodies import free_coordinates
+from .choices import Guidance, LoadType, NormalLaw, RaceStiffness
 from .friction import check_film
 from .initial import StartingPoint
-from .inputs import CageBody, DynamicsModel, Guidance, LoadType, NormalLaw, RaceStiffness
+from .inputs import CageBody, DynamicsModel
 from .reduction import solved_indices
 
 HERTZ_EXPONENT = 1.5

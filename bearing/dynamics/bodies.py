@@ -11,7 +11,8 @@ from ..geometry import Bearing
 from ..material import Material, reduced_modulus
 from ..operation import Operation
 from .arrays import PRESCRIBED_FORCE, PRESCRIBED_MOMENT, RING_TILT
-from .inputs import CageBody, DynamicsModel, Guidance, LoadType, RingBody
+from .choices import Guidance, LoadType
+from .inputs import CageBody, DynamicsModel, RingBody
 
 # estimated cage over the ball's diameter [-]; pockets: 0.2 mm at balls of 7 mm, Ma et al.
 # (2023). Thickness and web make a light cage: half or twice of each takes the shipped 7008 under

@@ -28,7 +28,8 @@ from .arrays import (
     Layout,
 )
 from .bodies import free_coordinates, load_type
-from .inputs import DynamicsModel, LoadType, Start
+from .choices import LoadType, Start
+from .inputs import DynamicsModel
 
 # share of the speed at which an equilibrium is sought for a start at rest [-]
 SMALLEST_SPEED_SHARE = 1.0e-3

@@ -4,7 +4,6 @@ are enumerations in the words of case files.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from enum import Enum
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator
@@ -14,63 +13,8 @@ from oilfilm.ehl.options import require_positive
 
 from ..operation import Operation
 from .arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
+from .choices import Guidance, LoadType, NormalLaw, Start
 from .friction import RaceFriction
-
-
-class NormalLaw(Enum):
-    """Normal force of a contact, K d^n (1 + chi v/v_0), by the restitution e that fixes chi; never
-    adhesive.
-
-    HERTZ: elastic; LANKARANI_NIKRAVESH (1990): 3 (1 - e^2)/4; HUNT_CROSSLEY (1975): 3 (1 - e)/2;
-    FLORES (2011): 8 (1 - e)/(5 e); LUBRICATED: film and elastic bodies in series, the film and its
-    squeeze damping from the traction table (`contact._film_kernels`).
-    """
-
-    HERTZ = "hertz"
-    LANKARANI_NIKRAVESH = "lankarani-nikravesh"
-    HUNT_CROSSLEY = "hunt-crossley"
-    FLORES = "flores"
-    LUBRICATED = "lubricated"
-
-
-class Guidance(Enum):
-    """Guidance of the cage."""
-
-    BALLS = "balls"
-    INNER_RING = "inner ring"
-    OUTER_RING = "outer ring"
-
-
-class Start(Enum):
-    """Start of the simulation: equilibrium, rolling on the outer race, or at rest on it."""
-
-    QUASI_STATIC = "quasi-static"
-    ROLLING = "rolling"
-    REST = "rest"
-
-
-class RaceStiffness(Enum):
-    """Stiffness of a ball on a race: Hertz' of the grooved race, or that of spheres of Shan et al.
-    (2023), whose Eq. (12) prints the outer race with the sign of the inner one.
-    """
-
-    HERTZ = "hertz"
-    PLANAR = "planar"
-    PLANAR_AS_PRINTED = "planar as printed"
-
-
-class LoadType(Enum):
-    """Equations of motion after Ma et al. (2023), by the load.
-
-    PLANAR: everything that moves across the axis, as Shan et al. (2023); GENERAL: every degree of
-    freedom.
-    """
-
-    RADIAL = "radial"
-    AXIAL = "axial"
-    COMBINED = "combined"
-    PLANAR = "planar"
-    GENERAL = "general"
 
 
 def prescribed_values(operation: Operation) -> tuple[float, ...]:

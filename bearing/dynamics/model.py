@@ -20,9 +20,10 @@ from .arrays import (
 )
 from .assembly import cage_drag_of_torque, drag_of_force, drag_of_mixture
 from .bodies import cage_body
+from .choices import Guidance
 from .friction import race_friction
 from .initial import starting_point
-from .inputs import CageBody, DynamicsModel, Guidance, RotatingLoad, Schedule
+from .inputs import CageBody, DynamicsModel, RotatingLoad, Schedule
 
 CAGE_MATERIAL = "pa66"  # where none is known
 # error of a viscosity that is linear between rows of a temperature over time [-]

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from oilfilm.ehl.arrays import Array
 
 from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Layout
-from .inputs import LoadType
+from .choices import LoadType
 
 
 class Record(NamedTuple):

@@ -28,7 +28,7 @@ from .arrays import (
     Layout,
     changed_data,
 )
-from .inputs import LoadType
+from .choices import LoadType
 from .record import ContactHistory, Record, SimulationState
 
 MIRRORED = (LoadType.RADIAL, LoadType.PLANAR)

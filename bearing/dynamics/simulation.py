@@ -32,8 +32,9 @@ from .arrays import (
 )
 from .assembly import assemble, scales, vibration_frequency, with_equations
 from .bodies import equation_counts, symmetric_until
+from .choices import LoadType
 from .initial import StartingPoint, initial_state, starting_point
-from .inputs import DynamicsModel, LoadType
+from .inputs import DynamicsModel
 from .integrators import advance_explicit, advance_implicit
 from .record import Record, SimulationState, StepControl, empty_record, join
 from .reduction import SYMMETRIC, SolvedMotion, derivative, solved_motion, symmetric_part

@@ -13,7 +13,7 @@ from oilfilm.ehl.arrays import Array
 
 from ..quasistatic.solution import kinematic_cage_speed
 from .arrays import CAGE_ROTATION, CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Layout
-from .inputs import Start
+from .choices import Start
 from .record import Record
 from .simulation import Simulation, from_state, simulation
 

@@ -27,11 +27,10 @@ f fitted to the film atlas (`SLOPE`, `START`, `WIDTH`).
 
 from collections.abc import Sequence
 from dataclasses import replace
-from math import inf, log, pi, sqrt
+from math import inf, log
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.atlas.films import (
@@ -58,7 +57,7 @@ from oilfilm.ehl.closed_form.hertz import (
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.scaling import ScaledContact, scale_contact
 from oilfilm.ehl.solution import ContactSolution, FilmValue
-from oilfilm.ehl.traction.rolling_moment import kapitza_moment, rolling_moment
+from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from .film import (
@@ -70,13 +69,7 @@ from .film import (
     first_same,
     solved_with_heat,
 )
-
-# s and t over Rx/Ry, linear [-]: fitted to the film atlas at 400 contacts, M 1 to 3000, L 5 to 29,
-# Rx/Ry 0.02 to 1, layers of 50, 100 and 400 um (`tools/atlas/moment_formula.py`); w to solved
-# contacts before
-SLOPE = (0.843, -0.250)
-START = (0.884, -0.330)
-WIDTH = 0.06
+from .moment import flooded_moment
 
 # factor of Nijenbanning's formula, fitted to solved films of wide ellipses, M = 1 to 6 (R_x/R_y
 # 0.02 to 0.1: 0.823 to 0.846) [-]
@@ -98,84 +91,6 @@ BOX = 5.0  # length of a box of such a film, about [semi-axes]
 SEARCH = 60  # halvings of the logarithm of the speed
 FASTEST = 1.0e9  # factor that is searched [-]
 THICKEST = 0.017  # film over R_x above which none is solved: with the formula's error, 2 % [-]
-
-
-def flooded_moment(
-    conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float, film: float
-) -> float:
-    """Moment that resists rolling, of a central film.
-
-    Parameters
-    ----------
-    conditions : ContactConditions
-        Of the contact.
-    semi_axis_y, semi_axis_x : float
-        Hertz' semi-axes across and along rolling [m].
-    film : float
-        Central film [m].
-
-    Returns
-    -------
-    float
-        Moment [N m].
-    """
-    kapitza = kapitza_moment(conditions, film)
-    unit = moment_unit(conditions)
-    heavy = heavy_moment(conditions, semi_axis_y, semi_axis_x) / unit
-    return kapitza + unit * _moment_beyond(heavy, conditions.radius_x / conditions.radius_y)
-
-
-def _moment_beyond(heavy: float, ratio: float) -> float:
-    """f of M_Biboulet/M_0, Rx/Ry `ratio` [-]."""
-    z = (SLOPE[0] + SLOPE[1] * ratio) * heavy - (START[0] + START[1] * ratio)
-    return 0.5 * (z + sqrt(z**2 + WIDTH**2))
-
-
-def moment_unit(conditions: ContactConditions) -> float:
-    """M_0 of a contact.
-
-    Parameters
-    ----------
-    conditions : ContactConditions
-        Of the contact.
-
-    Returns
-    -------
-    float
-        Moment [N m].
-    """
-    c = conditions
-    ratio = c.radius_x / c.radius_y
-    shape = (3.0 + 2.0 * ratio) * sqrt(ratio)
-    return 24.0 * pi * c.lubricant.viscosity * c.entrainment_speed * c.radius_x**2 / shape
-
-
-def heavy_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
-    """Moment that resists rolling in a heavily loaded contact, Biboulet and Houpert (2010),
-    elastohydrodynamic limit; its power is the moment times the rolling speed u_m/Rx.
-
-    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1
-    - (a_x/a_y)^2. t is Rx times the force that the pressure flow pulls one body with; both are
-    pulled (checked against solved contacts).
-
-    Parameters
-    ----------
-    conditions : ContactConditions
-        Of the contact.
-    semi_axis_y, semi_axis_x : float
-        Hertz' semi-axes across and along rolling [m].
-
-    Returns
-    -------
-    float
-        Moment [N m].
-    """
-    c = conditions
-    speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
-    shape = min(semi_axis_x, semi_axis_y) / max(semi_axis_x, semi_axis_y)
-    beta = 4.0 / pi * float(scipy.special.ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
-    width = 2.0 * semi_axis_y / c.radius_x
-    return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
 
 
 class FormulaValues(NamedTuple):
@@ -332,18 +247,6 @@ def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> F
     stretch = (near.load / conditions.load) ** (1.0 / 3.0)
     there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))
     return _beyond(_as_numbers(known, distance), own, there)
-
-
-def _beyond(atlas: FormulaValues, here: FormulaValues, there: FormulaValues) -> FormulaValues:
-    """Values of the atlas at the nearest contact times the change of the formulas from there."""
-    ratio = atlas.ratio
-    if ratio is not None and here.ratio is not None and there.ratio is not None:
-        ratio *= here.ratio / there.ratio
-    moment = here.moment
-    if atlas.moment:
-        moment *= atlas.moment / there.moment
-    central = atlas.central * here.central / there.central
-    return atlas._replace(central=central, ratio=ratio, moment=moment)
 
 
 def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FormulaValues:
@@ -702,3 +605,15 @@ def resolvable(conditions: ContactConditions, points: int, cells: float) -> Cont
         middle = (low * high) ** 0.5
         low, high = (low, middle) if fine(middle) else (middle, high)
     return replace(conditions, entrainment_speed=high * conditions.entrainment_speed)
+
+
+def _beyond(atlas: FormulaValues, here: FormulaValues, there: FormulaValues) -> FormulaValues:
+    """Values of the atlas at the nearest contact times the change of the formulas from there."""
+    ratio = atlas.ratio
+    if ratio is not None and here.ratio is not None and there.ratio is not None:
+        ratio *= here.ratio / there.ratio
+    moment = here.moment
+    if atlas.moment:
+        moment *= atlas.moment / there.moment
+    central = atlas.central * here.central / there.central
+    return atlas._replace(central=central, ratio=ratio, moment=moment)

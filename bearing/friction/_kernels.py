@@ -11,14 +11,13 @@ import numpy as np
 from oilfilm.ehl.compiled import compiled, summing
 from oilfilm.ehl.oil._kernels import (
     FAR_BELOW,
-    NEWTONIAN,
-    REE_EYRING,
     copy,
     copy_rows,
     eyring_slope,
     limited_slope,
     shear_stress_slope,
 )
+from oilfilm.ehl.oil._laws import NEWTONIAN, REE_EYRING
 from oilfilm.ehl.traction._kernels import hertz_friction, table_lookup
 
 # error of the stress of oil at ambient pressure, up to which it counts as proportional [-]:

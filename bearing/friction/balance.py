@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array, unique_rows
 
-from ..contacts.contact import BearingContact, dry_contacts
+from ..contacts.contact import BearingContact
 from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map
+from ..contacts.shape import dry_contacts
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from .cage import (

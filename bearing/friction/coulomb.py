@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.traction.shear import EllipseRule, ellipse_nodes
 
-from ..contacts.contact import BearingContact, dry_contacts
+from ..contacts.contact import BearingContact
+from ..contacts.shape import dry_contacts
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
 from .balance import BalancedFriction, balance_balls, curvature_slip

@@ -33,8 +33,9 @@ from oilfilm.ehl.traction.shear import (
     with_outlet,
 )
 
-from ..contacts.contact import BearingContact, groove_curvature_radius
+from ..contacts.contact import BearingContact
 from ..contacts.motion import TRACTION_POINTS
+from ..contacts.shape import groove_curvature_radius
 from ..films.film import ContactFilm, Films, first_same
 from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution

@@ -16,7 +16,8 @@ from oilfilm.ehl.traction.law import TractionLaw
 from oilfilm.ehl.traction.shear import EllipseLaw
 from oilfilm.ehl.traction_table.table import TractionTable
 
-from ..contacts.contact import BearingContact, contact_shape
+from ..contacts.contact import BearingContact
+from ..contacts.shape import contact_shape
 from ..films.asperities import Asperities
 from ..films.film import ContactFilm
 from ..films.operating import operating_films, solved_films, with_formulas

@@ -11,7 +11,7 @@ import numpy as np
 from oilfilm.ehl.arrays import Array
 
 from ..contacts.contact import BearingContact
-from ..films.unsolved_films import heavy_moment
+from ..films.heavy_moment import heavy_moment
 from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution
 

@@ -13,13 +13,13 @@ from oilfilm.ehl.arrays import Array, unique_rows
 from oilfilm.ehl.closed_form.hertz import HertzContact
 from oilfilm.ehl.oil.lubricant import Lubricant, heat_properties
 from oilfilm.ehl.oil.rheology import Rheology
-from oilfilm.ehl.solid.heat import (
-    SolidThermal,
+from oilfilm.ehl.solid.film_conductance import (
     history_rate,
     marched_conductance,
     marched_flux,
     moving_speed,
 )
+from oilfilm.ehl.solid.heat import SolidThermal
 from oilfilm.ehl.traction.shear import dimensional_conditions, dimensional_grid
 
 from ..contacts.contact import BearingContact
@@ -33,8 +33,8 @@ from ..geometry import SINGLE, Bearing, Race, Row
 from ..operation import Operation, QuasistaticModel
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
+from ..torque.inputs import FrictionInput
 from ..torque.integrated import bearing_films, no_balance_message
-from ..torque.models import FrictionInput
 from ..torque.skf import InletFactors
 from .friction_heat import (
     FrictionHeat,
@@ -43,6 +43,7 @@ from .friction_heat import (
     loaded_half,
     solid_thermal,
 )
+from .limits import HIGHEST_TEMPERATURE
 from .network import AMBIENT, NODES, OIL_SUPPLY, HeatNetwork, HeatPath
 from .paths import Surroundings, solid_paths, state_paths
 
@@ -55,9 +56,6 @@ ELLIPSE_POINTS = 33  # along and across the ellipse [-]; 129 conduct 0.9 % more 
 
 Ends = tuple[float, float, float]  # value, low and high end [W/K]
 
-# highest film temperature of a balance [K]: 150 C, where mineral oils near their flash points
-# (about 150 C for light ones) and the oils' data end; assumed
-HIGHEST_TEMPERATURE = 423.15
 
 OUTER = ("outer_ring_loaded", "outer_ring_unloaded")
 
@@ -321,19 +319,6 @@ def formula_conductances(
         Value, low and high end [W/K].
     """
     return film_conductances(solution, contacts, formula_films(contacts))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class HeatBalance:
-    """Temperature at which friction and cooling agree."""
-
-    temperature: float  # [K]
-    torque: float  # [N m]
-    power: float  # friction power [W]
-    evaluations: int  # of the torque
-    residual: float  # friction less cooling, over the friction [-]
-    converged: bool
-    message: str
 
 
 FrictionModel = Callable[[QuasistaticSolution, Sequence[BearingContact], Lubricant], FrictionHeat]

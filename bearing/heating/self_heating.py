@@ -18,7 +18,8 @@ from oilfilm.ehl.arrays import Array, lagrange_weights
 from oilfilm.ehl.units import ZERO_CELSIUS
 
 from .friction_heat import UndrivenBallsError
-from .heat_state import HeatBalance, HeatState, SelfHeatingProblem, broyden, heat_state
+from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
+from .limits import HeatBalance
 from .network import NODES
 from .over_time import Slopes, Stability, heat_capacities, stability
 from .paths import Surroundings

@@ -7,6 +7,7 @@ ring       - balance of the inner ring on its balls: Newton's method
 solution   - result of the equilibrium, and its characteristic frequencies
 solver     - quasi-static equilibrium of a ball bearing in five degrees of freedom
 symmetric  - the same by the balls that differ under the loads
+thrust     - balls under a thrust
 """
 
 import lazy_loader

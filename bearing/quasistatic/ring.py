@@ -14,13 +14,12 @@ the same load at the same angle (Harris and Kotzalas, Rolling Bearing Analysis, 
 Elastic rings move on their seats under all balls of an equilibrium.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from math import asin, atan2, cos, hypot, sin, sqrt
+from math import asin, atan2, cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
@@ -37,12 +36,9 @@ from .balls import (
     solve_balls,
     solve_between_elastic_rings,
 )
-from .kinematics import EDGE_COSINE, ROUND_OFF, stiffness_at
+from .kinematics import ROUND_OFF, stiffness_at
 from .solution import QuasistaticSolution
-
-X_XTOL = 1e-300  # [m]: with interference a small thrust stands at an angle as small
-X_STEPS = 2000  # halvings down to that
-X_RTOL = 4.0 * 2.0**-52  # the least that `brentq` takes [-]
+from .thrust import thrust_position
 
 # The next constants, and those of `balls`, were measured on 60 random bearings at 0.3
 # to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
@@ -62,44 +58,6 @@ SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec
 SECANT_CUTS = (0.1, 0.7)
 PLAIN_CUT = 0.4
 MAX_STALLED_STEPS = 30  # without a new best residual
-
-
-def thrust_position(
-    thrust: float, distance: float, facing: float, compliance: Callable[[float], float]
-) -> float | None:
-    """Axial distance x of the grooves' middles at which a ball carries a thrust.
-
-    Parameters
-    ----------
-    thrust : float
-        thrust of each ball, above zero [N]
-    distance : float
-        A, distance of the grooves' centres at first touch [m]
-    facing : float
-        distance of the centres of facing grooves [m]
-    compliance : Callable[[float], float]
-        K_i^(-2/3) + K_o^(-2/3) at a cosine of the contact angle [m/N^(2/3)]
-
-    Returns
-    -------
-    float | None
-        distance [m]; None if the ball would climb beyond 80 degrees, or carries the thrust at no
-        angle to the last digit
-    """
-
-    def surplus(x: float) -> float:
-        length = hypot(x, facing)
-        approach = max(length - distance, 0.0)
-        return (approach / compliance(facing / length)) ** 1.5 * x / length - thrust
-
-    touch = sqrt(max(distance**2 - facing**2, 0.0))
-    edge = facing * sqrt(1.0 / EDGE_COSINE**2 - 1.0)
-    if not (touch < edge and surplus(edge) > 0.0):
-        return None
-    if surplus(touch) >= 0.0:  # a thrust below what rounding leaves of the approach
-        return touch
-    root = scipy.optimize.brentq(surplus, touch, edge, xtol=X_XTOL, rtol=X_RTOL, maxiter=X_STEPS)
-    return float(root) or None
 
 
 class Ring(NamedTuple):

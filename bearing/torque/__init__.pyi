@@ -1,6 +1,7 @@
 from .breakdown import TorqueBreakdown, friction_torque
+from .inputs import FrictionInput
 from .integrated import IntegratedTorque, SolvedShear, law_torque, solved_shear
-from .models import FrictionInput, ModelTorque
+from .models import ModelTorque
 from .starved import StarvedTorque
 
 __all__ = [

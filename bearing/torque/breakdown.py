@@ -13,10 +13,10 @@ from ..films.operating import OilAtInlets, supplied_films
 from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import Supply
+from .inputs import FrictionInput
 from .integrated import SolvedShear
 from .models import (
     ROUND_OFF,
-    FrictionInput,
     ModelTorque,
     coulomb_coefficient,
     coulomb_model,

@@ -37,7 +37,7 @@ from ..friction.film_nodes import film_nodes
 from ..friction.resistance import NO_RESISTANCE, NOTHING_RESISTED, Resistance, ResistedPower
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
-from .models import FrictionInput
+from .inputs import FrictionInput
 from .skf import InletFactors
 
 # rings' power less heat and drag over the heat up to which balls count as balanced [-]

@@ -13,151 +13,20 @@ from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.units import MILLIMETRE, MILLION, RPM, from_si
 
 from ..contacts.contact import BearingContact
-from ..films.asperities import Asperities, LoadSharing, Spectrum
 from ..friction.balance import BalancedFriction
 from ..friction.coulomb import balanced_friction
-from ..friction.resistance import (
-    Cage,
-    Resistance,
-    churning_power,
-    land_power,
-    pocket_power,
-    resistance_of,
-)
+from ..friction.resistance import churning_power, land_power, pocket_power
 from ..geometry import Bearing, Race, shoulder_diameter
 from ..material import MaterialKind, load_material
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.load_rating import dynamic_rating, static_equivalent_load, static_rating
-from ..supply.supply import PrescribedInlet, Supply, cavity_volume, oil_fraction
 from . import skf
+from .inputs import FrictionInput
 from .skf import bearing_kind, mean_diameter
 
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
 AS_PRINTED = "skf_as_printed"
 COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FrictionInput:
-    """Input of the friction models beyond the loads, SI; None leaves out what needs it, or is
-    filled in as said.
-    """
-
-    # Coulomb's mu of the sliding models [-]; None: SKF's, from speed and viscosity
-    coefficient: float | None = None
-    lubrication: skf.Lubrication = skf.Lubrication.LOW_OIL_BATH
-    oil: str = "mineral"  # kind of base oil, of SKF's mu_EHL
-    oil_level: float = 0.0  # above the lowest contact point of the outer raceway [m]
-    boundary: float = skf.BOUNDARY_FRICTION  # mu_b of asperities, SKF's mu_bl [-]
-    full_film: float | None = None  # SKF's mu_EHL [-]; None: by the kind of oil
-    drag_factor: float | None = None  # SKF's V_M [-]; None: from the digitised diagram
-    viscous_factor: float | None = None  # Palmgren's f_0 [-]; None: by bearing and lubrication
-    load_factor: float | None = None  # Palmgren's f_1 [-]; None: by the load
-    sealed: bool = False  # contact seals on both sides
-    seal_diameter: float | None = None  # [m]; None: of the inner shoulder
-    series: str | None = None  # of SKF's constants; None: no SKF model
-    # ratings of one row; None: from the geometry, as of a bearing of steel
-    static_rating: float | None = None  # C_0 [N]
-    dynamic_rating: float | None = None  # C [N]
-    nominal_contact_angle: float = 0.0  # alpha of the rating formulas [rad]
-    hysteresis: float | None = None  # share of the elastic energy lost in rolling, beta_a [-]
-    cage: Cage | None = None
-    oil_fraction: float | None = None  # share of the cavity filled with oil [-]
-    # rms of inner race and balls, outer race and balls [m]
-    roughness: tuple[float, float] | None = None
-    sharing: LoadSharing = LoadSharing.ZHOU_HOEPRICH  # of asperities and film
-    spectrum: Spectrum | None = None  # of the roughness [m]; None: no wave is flattened
-    # flow of oil and what is assumed of it, or the layer at the inlets
-    supply: Supply | PrescribedInlet | None = None
-    flooded: bool = False  # the total stays that of flooded films although a supply is given
-    # supply of films that were solved behind layers; None: `supply`
-    solved_supply: Supply | PrescribedInlet | None = None
-    # SKF's sliding moment also with the slip of the sliding friction paper
-    as_printed: bool = False
-    # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
-    all_models: bool = False
-
-    @property
-    def film_friction(self) -> float:
-        """mu_EHL [-]."""
-        return skf.FULL_FILM_FRICTION[self.oil] if self.full_film is None else self.full_film
-
-    @property
-    def asperities(self) -> Asperities | None:
-        """Input of asperities that touch [m], [-]; None without a roughness."""
-        if self.roughness is None:
-            return None
-        inner, outer = self.roughness
-        return Asperities(
-            inner_roughness=inner,
-            outer_roughness=outer,
-            boundary=self.boundary,
-            sharing=self.sharing,
-            spectrum=self.spectrum,
-        )
-
-    def oil_share(self, bearing: Bearing) -> float | None:
-        """Fraction of the cavity of a bearing that oil fills: by the flow, else as given.
-
-        Parameters
-        ----------
-        bearing : Bearing
-            the bearing
-
-        Returns
-        -------
-        float | None
-            fraction [-]; None: without churning
-        """
-        if isinstance(self.scarce, Supply) and bearing.width is not None:
-            return oil_fraction(self.scarce, cavity_volume(bearing))
-        return self.oil_fraction
-
-    def resistance(self, bearing: Bearing, oil: Lubricant) -> Resistance:
-        """Resistance of balls and cage of a bearing: drag, land and pockets.
-
-        Parameters
-        ----------
-        bearing : Bearing
-            the bearing
-        oil : Lubricant
-            the oil
-
-        Returns
-        -------
-        Resistance
-            what holds the balls back beside the races
-        """
-        share = self.oil_share(bearing)
-        return resistance_of(self.cage, bearing, oil.viscosity, oil.density, share)
-
-    def at_supply(self, supply: Supply | PrescribedInlet, bearing: Bearing) -> "FrictionInput":
-        """The same of a bearing at another supply, with the oil that stands in its cavity.
-
-        Parameters
-        ----------
-        supply : Supply | PrescribedInlet
-            flow [m^3/s] or layer [m]
-        bearing : Bearing
-            the bearing
-
-        Returns
-        -------
-        FrictionInput
-            for the films that were solved at the present supply
-        """
-        return replace(
-            self,
-            supply=supply,
-            flooded=False,
-            oil_fraction=self.oil_share(bearing),
-            solved_supply=self.supply,
-        )
-
-    @property
-    def scarce(self) -> Supply | PrescribedInlet | None:
-        """The supply that the torque is wanted at [m^3/s], [m]; None where it is flooded."""
-        return None if self.flooded else self.supply
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

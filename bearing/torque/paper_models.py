@@ -28,14 +28,16 @@ from scipy.special import ellipe
 
 from oilfilm.ehl import Lubricant
 
-from ..contacts.contact import BearingContact, groove_curvature_radius
+from ..contacts.contact import BearingContact
 from ..contacts.motion import ball_speeds, motion_map
+from ..contacts.shape import groove_curvature_radius
 from ..friction.balance import BalancedFriction
 from ..friction.coulomb import balanced_friction
 from ..friction.resistance import contact_rolling_power, hysteresis_torque
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
-from .models import FrictionInput, ModelTorque, cage_and_drag, summed
+from .inputs import FrictionInput
+from .models import ModelTorque, cage_and_drag, summed
 
 # coefficient of Jones (1959), as quoted in the comparison of sliding friction torques [-]
 CONSTANT_COULOMB = 0.07

@@ -30,7 +30,8 @@ from ..films.operating import (
 from ..friction.resistance import churning_power, contact_rolling_power
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import PrescribedInlet, Supply, cavity_volume, oil_fraction
-from .models import FrictionInput, cage_and_drag
+from .inputs import FrictionInput
+from .models import cage_and_drag
 from .paper_models import pure_rolling_line_torque, sliding_contacts
 
 

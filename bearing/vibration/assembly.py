@@ -25,18 +25,8 @@ from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import AMPLE, PrescribedInlet, Supply
 from .form import FormBody, heights, hollow, rolled
-from .inputs import (
-    ContactLaw,
-    Direction,
-    Sensor,
-    Support,
-    Transmission,
-    VibrationModel,
-    WaveFilter,
-    dry_transmission,
-    film_transmission,
-    filtered,
-)
+from .inputs import ContactLaw, Direction, Sensor, Support, VibrationModel, WaveFilter
+from .transmission import Transmission, dry_transmission, film_transmission, filtered
 
 # first index of a body's coordinates in the state
 INNER = 0  # x, y, z, tilt y, tilt z of the inner ring

@@ -17,7 +17,7 @@ from oilfilm.bearing.operation import BallKinematics, Operation, QuasistaticMode
 from oilfilm.bearing.rating.load_rating import capacity
 from oilfilm.bearing.supply.supply import Supply
 from oilfilm.bearing.supply.track import TrackPasses
-from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import NO_LOSS, InletFactors, inlet_factors
 from oilfilm.ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
 from oilfilm.ehl.oil.rheology import Rheology

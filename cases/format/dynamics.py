@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
-from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, NormalLaw, RaceStiffness, Start
+from oilfilm.bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
 from oilfilm.bearing.friction.resistance import Cage
 from oilfilm.bearing.geometry import Race
 from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS

@@ -16,7 +16,7 @@ from oilfilm.bearing.fits.clearance import (
     clearance_budget,
 )
 from oilfilm.bearing.geometry import Bearing, Race, shoulder_diameter
-from oilfilm.bearing.heating.heat_state import HIGHEST_TEMPERATURE
+from oilfilm.bearing.heating.limits import HIGHEST_TEMPERATURE
 from oilfilm.bearing.heating.paths import PUMPED_TO_OIL, Surroundings
 from oilfilm.bearing.library.bearings import (
     TOLERANCE_CLASSES,

@@ -14,7 +14,7 @@ from oilfilm.bearing.library.catalogue import nearest_series
 from oilfilm.bearing.library.lubricants import limiting_coefficient, lubricant_data
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.supply.supply import CAPTURED, PrescribedInlet, Supply
-from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import Lubrication, series_of
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw

@@ -15,7 +15,7 @@ from oilfilm.bearing.friction.friction_sources import (
 )
 from oilfilm.bearing.friction.tables import Solids, Tables, load_tables
 from oilfilm.bearing.geometry import Bearing, contact_modulus, reduced_radii
-from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import InletFactors
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.oil.rheology import Rheology

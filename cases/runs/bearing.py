@@ -24,7 +24,8 @@ from oilfilm.bearing.quasistatic.solution import QuasistaticSolution, bearing_fr
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from oilfilm.bearing.rating.life import bearing_life
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
-from oilfilm.bearing.supply.supply import AMPLE, GrooveOil, PrescribedInlet, Supply, groove_oil
+from oilfilm.bearing.supply.oil_balance import GrooveOil, groove_oil
+from oilfilm.bearing.supply.supply import AMPLE, PrescribedInlet, Supply
 from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, friction_torque
 from oilfilm.bearing.torque.integrated import (
     SolvedShear,

@@ -13,17 +13,9 @@ from typing import Any
 
 from oilfilm.bearing.dynamics.assembly import race_stiffnesses
 from oilfilm.bearing.dynamics.bodies import cage_body, ring_body
+from oilfilm.bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness
 from oilfilm.bearing.dynamics.friction import RaceFriction
-from oilfilm.bearing.dynamics.inputs import (
-    CageBody,
-    DynamicsModel,
-    DynamicsOptions,
-    Guidance,
-    LoadType,
-    NormalContact,
-    NormalLaw,
-    RaceStiffness,
-)
+from oilfilm.bearing.dynamics.inputs import CageBody, DynamicsModel, DynamicsOptions, NormalContact
 from oilfilm.bearing.dynamics.model import (
     CAGE_MATERIAL,
     ball_drag,

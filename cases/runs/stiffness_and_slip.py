@@ -13,7 +13,6 @@ import numpy as np
 from oilfilm.bearing.geometry import SINGLE
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
-from oilfilm.bearing.studies.preload import stiffness_over_speed
 from oilfilm.bearing.studies.slip import (
     Mapper,
     SlipStudy,
@@ -23,6 +22,7 @@ from oilfilm.bearing.studies.slip import (
     minimum_radial_load_skf,
     slip_surface,
 )
+from oilfilm.bearing.studies.stiffness import stiffness_over_speed
 from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.postprocess.slip.results import MinimumLoads, SlipResults
 from oilfilm.postprocess.stiffness.results import StiffnessResults

@@ -15,8 +15,8 @@ from oilfilm.bearing.dynamics._cage_kernels import cage_land, pocket_forces
 from oilfilm.bearing.dynamics._implicit_kernels import implicit_friction
 from oilfilm.bearing.dynamics._integration_kernels import renew_friction, renew_pockets
 from oilfilm.bearing.dynamics.assembly import assemble
+from oilfilm.bearing.dynamics.choices import LoadType
 from oilfilm.bearing.dynamics.initial import StartingPoint
-from oilfilm.bearing.dynamics.inputs import LoadType
 from oilfilm.bearing.friction.contact_friction import ContactFriction, Dissipation
 from oilfilm.bearing.friction.newton import MotionProblem, minimise
 from oilfilm.ehl.arrays import Array

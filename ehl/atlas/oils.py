@@ -20,7 +20,7 @@ from scipy.optimize import brentq
 
 from ..arrays import Array
 from ..conditions import ContactConditions, MoesConditions
-from ..oil._kernels import roelands_rise
+from ..oil._laws import roelands_rise
 from ..oil.lubricant import (
     ROELANDS_PRESSURE,
     DensityLaw,

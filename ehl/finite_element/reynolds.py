@@ -25,7 +25,7 @@ from scipy import sparse
 from scipy.interpolate import make_interp_spline
 
 from ..arrays import Array
-from ..oil import _kernels
+from ..oil import _laws
 from ..oil.lubricant import Lubricant, density, log_viscosity_ratio
 from ..scaling import ScaledContact
 
@@ -169,9 +169,9 @@ def _closed_forms(contact: ScaledContact, P: Array) -> Laws:
     Barus z = 1, isoviscous s = 0.
     """
     constants = contact.density_numerator, contact.density_denominator
-    rho = _kernels.dowson_higginson(P, *constants)
-    rho_P = _kernels.dowson_higginson_slope(P, *constants)
-    rise = _kernels.roelands_rise(contact.viscosity_pressure * P, contact.viscosity_exponent)
+    rho = _laws.dowson_higginson(P, *constants)
+    rho_P = _laws.dowson_higginson_slope(P, *constants)
+    rise = _laws.roelands_rise(contact.viscosity_pressure * P, contact.viscosity_exponent)
     return rho, rho_P, contact.viscosity_slope * (rise - 1.0)
 
 

@@ -29,13 +29,8 @@ contact.
 import numpy as np
 
 from ..compiled import compiled, inlined, summing
-from ..oil._kernels import (
-    capacity_ratio,
-    column_softening,
-    conductivity_ratio,
-    copy,
-    thermal_expansion,
-)
+from ..oil._kernels import column_softening, copy, thermal_expansion
+from ..oil._laws import capacity_ratio, conductivity_ratio
 from ._kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 
 # Measured on 65 points at 2.3 GPa and slide-roll ratios up to 1.8: half and double of each of the

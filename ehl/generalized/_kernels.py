@@ -14,20 +14,22 @@ import numpy as np
 
 from ..compiled import compiled, summing
 from ..oil._kernels import (
-    CARREAU_YASUDA,
-    LARGEST_ARGUMENT,
     LIMIT_POWER,
-    NEWTONIAN,
-    REE_EYRING,
     column_density,
     column_log_viscosity,
-    density_ratio,
     exponential,
     exponential_of,
-    limiting_stress,
     shear_rate,
     shear_stress,
     unlimited,
+)
+from ..oil._laws import (
+    CARREAU_YASUDA,
+    LARGEST_ARGUMENT,
+    NEWTONIAN,
+    REE_EYRING,
+    density_ratio,
+    limiting_stress,
     viscosity,
 )
 

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from ..arrays import Array
 from ..grid import Grid, full_weighting, inject, interpolate_cubic, interpolate_linear
 from ..oil import _kernels as oil_kernels
+from ..oil import _laws
 from ..oil.lubricant import log_viscosity_ratio, oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import deflect
@@ -190,7 +191,7 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
     if c.oil is not None:
         return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
     ratio = c.viscosity_pressure * np.maximum(P, 0.0)
-    return c.viscosity_slope * (oil_kernels.roelands_rise(ratio, c.viscosity_exponent) - 1.0)
+    return c.viscosity_slope * (_laws.roelands_rise(ratio, c.viscosity_exponent) - 1.0)
 
 
 def relax(state: Multigrid, index: int) -> None:

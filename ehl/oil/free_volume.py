@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..options import require_finite, require_positive
-from . import _kernels
+from . import _laws
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,7 +94,7 @@ def relative_volume(p: ArrayLike, temperature: ArrayLike, tait: TaitVolume) -> A
     """
     pressure = np.asarray(p, dtype=np.float64)
     t = np.asarray(temperature, dtype=np.float64)
-    volume: Array = _kernels.relative_volume(pressure, t, *astuple(tait))
+    volume: Array = _laws.relative_volume(pressure, t, *astuple(tait))
     return volume
 
 
@@ -120,7 +120,7 @@ def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: Yasutomi
     pressure = np.asarray(p, dtype=np.float64)
     constants = yasutomi_constants(glass)
     t = np.asarray(temperature, dtype=np.float64)
-    ratio: Array = _kernels.log_yasutomi(pressure, t, *constants)
+    ratio: Array = _laws.log_yasutomi(pressure, t, *constants)
     return ratio
 
 

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..options import require_finite, require_not_negative, require_positive
-from . import _kernels
+from . import _laws
 from .free_volume import (
     DoolittleFreeVolume,
     TaitVolume,
@@ -48,9 +48,9 @@ PRESSURE_VISCOSITY_TOLERANCE = 0.01
 
 # laws whose ln(eta) counts from another viscosity: column of its value at ambient pressure
 AMBIENT_COLUMNS = {
-    _kernels.TAIT_DOOLITTLE: _kernels.V + 4,
-    _kernels.YASUTOMI: _kernels.V + 8,
-    _kernels.SCALED: _kernels.V + 3,
+    _laws.TAIT_DOOLITTLE: _laws.V + 4,
+    _laws.YASUTOMI: _laws.V + 8,
+    _laws.SCALED: _laws.V + 3,
 }
 
 
@@ -195,7 +195,7 @@ def volume_heat(
     """
     volume = relative_volume(p, temperature, tait)
     warm = np.asarray(temperature) / tait.reference_temperature
-    k = _kernels.volume_conductivity(
+    k = _laws.volume_conductivity(
         volume,
         warm,
         law.conductivity_base,
@@ -205,7 +205,7 @@ def volume_heat(
         law.scaling_exponent,
     )
     base, scale = law.capacity_base, law.capacity_scale
-    capacity = _kernels.volume_capacity(volume, warm, base, scale, CAPACITY_POWER)
+    capacity = _laws.volume_capacity(volume, warm, base, scale, CAPACITY_POWER)
     return np.asarray(k), np.asarray(capacity)
 
 
@@ -268,7 +268,7 @@ def log_viscosity_scaled(
     volume = relative_volume(p, t, tait)
     warm = t / tait.reference_temperature
     with np.errstate(divide="ignore"):
-        ratio = _kernels.log_scaled(volume, warm, law.factor, law.limit, law.exponent)
+        ratio = _laws.log_scaled(volume, warm, law.factor, law.limit, law.exponent)
     return np.asarray(ratio)
 
 
@@ -412,18 +412,18 @@ class Lubricant:
 
 
 VISCOSITY_CODES = {
-    ViscosityLaw.ISOVISCOUS: _kernels.ISOVISCOUS,
-    ViscosityLaw.BARUS: _kernels.BARUS,
-    ViscosityLaw.ROELANDS: _kernels.ROELANDS,
-    ViscosityLaw.TAIT_DOOLITTLE: _kernels.TAIT_DOOLITTLE,
-    ViscosityLaw.YASUTOMI: _kernels.YASUTOMI,
-    ViscosityLaw.MODULUS: _kernels.MODULUS,
-    ViscosityLaw.SCALED: _kernels.SCALED,
+    ViscosityLaw.ISOVISCOUS: _laws.ISOVISCOUS,
+    ViscosityLaw.BARUS: _laws.BARUS,
+    ViscosityLaw.ROELANDS: _laws.ROELANDS,
+    ViscosityLaw.TAIT_DOOLITTLE: _laws.TAIT_DOOLITTLE,
+    ViscosityLaw.YASUTOMI: _laws.YASUTOMI,
+    ViscosityLaw.MODULUS: _laws.MODULUS,
+    ViscosityLaw.SCALED: _laws.SCALED,
 }
 DENSITY_CODES = {
-    DensityLaw.INCOMPRESSIBLE: _kernels.INCOMPRESSIBLE,
-    DensityLaw.DOWSON_HIGGINSON: _kernels.DOWSON_HIGGINSON,
-    DensityLaw.TAIT: _kernels.TAIT,
+    DensityLaw.INCOMPRESSIBLE: _laws.INCOMPRESSIBLE,
+    DensityLaw.DOWSON_HIGGINSON: _laws.DOWSON_HIGGINSON,
+    DensityLaw.TAIT: _laws.TAIT,
 }
 NEEDED_BY_LAW = {  # fields in addition to viscosity and coefficient
     ViscosityLaw.TAIT_DOOLITTLE: ("tait", "doolittle", "temperature"),
@@ -510,9 +510,9 @@ def log_viscosity_ratio(
     numbers = oil_numbers(oil)
     if temperature is not None:
         _require_temperature_law(oil)
-    now = numbers[_kernels.OPERATION] if temperature is None else np.asarray(temperature)
+    now = numbers[_laws.OPERATION] if temperature is None else np.asarray(temperature)
     with np.errstate(divide="ignore", over="ignore"):
-        ratio: Array = _kernels.log_viscosity_ratio(_pressure(p), now, numbers)
+        ratio: Array = _laws.log_viscosity_ratio(_pressure(p), now, numbers)
     return ratio
 
 
@@ -624,8 +624,8 @@ def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = 
     by_temperature = oil.thermal is not None or oil.density_law is DensityLaw.TAIT
     if temperature is not None and by_temperature:
         _operation(oil)
-    now = numbers[_kernels.OPERATION] if temperature is None else np.asarray(temperature)
-    ratio: Array = _kernels.density_ratio(_pressure(p), now, numbers)
+    now = numbers[_laws.OPERATION] if temperature is None else np.asarray(temperature)
+    ratio: Array = _laws.density_ratio(_pressure(p), now, numbers)
     return oil.density * ratio
 
 
@@ -664,10 +664,10 @@ def heat_properties(
     _operation(oil)
     numbers = oil_numbers(oil)
     pressure, t = np.broadcast_arrays(_pressure(p), np.asarray(temperature, dtype=np.float64))
-    ratio = _kernels.density_ratio(pressure, t, numbers)
-    k = oil.thermal.conductivity * _kernels.conductivity_ratio(pressure, t, numbers)
+    ratio = _laws.density_ratio(pressure, t, numbers)
+    k = oil.thermal.conductivity * _laws.conductivity_ratio(pressure, t, numbers)
     ambient = oil.density * oil.thermal.specific_heat
-    capacity = ambient * _kernels.capacity_ratio(pressure, t, ratio, numbers)
+    capacity = ambient * _laws.capacity_ratio(pressure, t, ratio, numbers)
     return k, capacity
 
 
@@ -691,20 +691,20 @@ def oil_numbers(lubricant: Lubricant) -> Array:
     oil = lubricant
     temperature = UNNAMED_TEMPERATURE if oil.temperature is None else oil.temperature
     codes = (VISCOSITY_CODES[oil.viscosity_law], DENSITY_CODES[oil.density_law])
-    numbers = np.zeros(_kernels.SIZE)
+    numbers = np.zeros(_laws.SIZE)
     numbers[:5] = (*codes, oil.viscosity, oil.density, temperature)
     if oil.viscosity_law is ViscosityLaw.ROELANDS and oil.pressure_viscosity == 0.0:
-        numbers[_kernels.VISCOSITY_LAW] = _kernels.ISOVISCOUS
+        numbers[_laws.VISCOSITY_LAW] = _laws.ISOVISCOUS
     if oil.thermal is not None:
         numbers[5:7] = oil.thermal.viscosity_temperature, oil.thermal.expansion
     if oil.tait is not None:
-        numbers[_kernels.T : _kernels.H] = astuple(oil.tait)
+        numbers[_laws.T : _laws.H] = astuple(oil.tait)
     if oil.density_law is DensityLaw.DOWSON_HIGGINSON:
-        numbers[_kernels.D :] = DOWSON_HIGGINSON_NUMERATOR, DOWSON_HIGGINSON_DENOMINATOR
+        numbers[_laws.D :] = DOWSON_HIGGINSON_NUMERATOR, DOWSON_HIGGINSON_DENOMINATOR
     constants = _viscosity_constants(oil, temperature)
-    numbers[_kernels.V : _kernels.V + len(constants)] = constants
+    numbers[_laws.V : _laws.V + len(constants)] = constants
     heat = _heat_constants(oil, temperature)
-    numbers[_kernels.H : _kernels.H + len(heat)] = heat
+    numbers[_laws.H : _laws.H + len(heat)] = heat
     _subtract_ambient(numbers)
     return numbers
 
@@ -738,10 +738,10 @@ def _subtract_ambient(numbers: Array) -> None:
     """ln(eta) at ambient pressure and the temperature of operation, for the laws that count from
     another viscosity.
     """
-    column = AMBIENT_COLUMNS.get(int(numbers[_kernels.VISCOSITY_LAW]))
+    column = AMBIENT_COLUMNS.get(int(numbers[_laws.VISCOSITY_LAW]))
     if column is not None:
-        operation = numbers[_kernels.OPERATION]
-        numbers[column] = _kernels.log_viscosity_ratio(0.0, operation, numbers)
+        operation = numbers[_laws.OPERATION]
+        numbers[column] = _laws.log_viscosity_ratio(0.0, operation, numbers)
 
 
 def _heat_constants(oil: Lubricant, temperature: float) -> tuple[float, ...]:
@@ -752,9 +752,9 @@ def _heat_constants(oil: Lubricant, temperature: float) -> tuple[float, ...]:
     if isinstance(law, FittedHeat):
         start = min(temperature, law.largest_temperature)
         ambient = 1.0 + law.temperature_0 * (start - law.reference_temperature)
-        return (float(_kernels.FITTED_HEAT), *astuple(law), ambient)
+        return (float(_laws.FITTED_HEAT), *astuple(law), ambient)
     if isinstance(law, VolumeHeat) and oil.tait is not None:
         k, capacity = volume_heat(0.0, temperature, oil.tait, law)
         constants = (*astuple(law), CAPACITY_POWER)
-        return (float(_kernels.VOLUME_HEAT), *constants, float(k), float(capacity))
+        return (float(_laws.VOLUME_HEAT), *constants, float(k), float(capacity))
     return ()

@@ -3,6 +3,7 @@ same transforms as matrices.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy import fft
@@ -110,6 +111,8 @@ def _matrices(grid: Grid, length: int) -> tuple[Array, Array, Array, Array]:
     length_x = 2 * (grid.nx - 1)
     parts = np.eye(2 * grid.nx).view(np.complex128)
     lines = np.eye(grid.ny)
+    across: Any
+    back_across: Any
     if grid.symmetric:
         across = fft.dct(lines, type=3, n=length, axis=0)
         back_across = fft.dct(np.eye(length), type=2, axis=0)

@@ -39,7 +39,8 @@ import numpy as np
 
 from ..arrays import Array
 from ..compiled import compiled
-from ..oil._kernels import limiting_stress, shear_stress
+from ..oil._kernels import shear_stress
+from ..oil._laws import limiting_stress
 from ._kernels import AREA as COLD_AREA
 from ._kernels import BLOCK, F_X, F_Y, M_N, M_Y, ROOM, SQUARES, TINY, block_sums, load_block
 

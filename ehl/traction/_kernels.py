@@ -9,14 +9,8 @@ from numba import types
 from numba.extending import intrinsic, overload
 
 from ..compiled import compiled
-from ..oil._kernels import (
-    LIMIT_POWER,
-    LIMIT_ROOTS,
-    REE_EYRING,
-    SMALL_SINE,
-    inverse_sine,
-    shear_stress,
-)
+from ..oil._kernels import LIMIT_POWER, LIMIT_ROOTS, SMALL_SINE, inverse_sine, shear_stress
+from ..oil._laws import REE_EYRING
 from ._spline_kernels import inner_weights, spline_sum, spline_weights
 from .friction_coefficients import coefficient as coefficient_law
 

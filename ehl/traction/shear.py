@@ -58,7 +58,8 @@ import numpy as np
 from ..arrays import Array
 from ..conditions import ContactConditions, ContactKinematics
 from ..oil.lubricant import Lubricant, viscosity
-from ..oil.rheology import FilmState, Rheology, ShearLaw, contact_rheology, shear_stress_vector
+from ..oil.rheology import FilmState, Rheology, ShearLaw, contact_rheology
+from ..oil.shear_stress import shear_stress_vector
 from ..solution import ContactSolution
 from . import _kernels
 from .friction_coefficients import Coefficient

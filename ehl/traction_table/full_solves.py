@@ -14,7 +14,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..generalized.solver import solve_generalized
-from ..oil.rheology import limited, limiting_stress
+from ..oil.rheology import limiting_stress
+from ..oil.shear_stress import limited
 from ..options import SolverOptions
 from ..traction.shear import dimensional_grid
 from .film import table_film

@@ -30,7 +30,8 @@ from ..options import SolverOptions
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
 from ..solver import solve_attempts
-from .inputs import Feature, Impact, Scheme, TransientConditions, TransientOptions, steady_content
+from .content import steady_content
+from .inputs import Feature, Impact, Scheme, TransientConditions, TransientOptions
 from .record import QUANTITIES, Frame, MeshError, StepRecord, TransientSolution
 from .step import Diverged, Past, StepConditions, Stepper, StepReport, far_fields_by_direction
 

@@ -10,7 +10,7 @@ from ..multigrid.far_field import FarField, far_field, transient_far_field
 from ..multigrid.full_multigrid import PRESSURE_LIMIT, snapshot
 from ..multigrid.levels import Level, Multigrid, TimeStep
 from ..scaling import ScaledContact
-from .inputs import advected, weights
+from .content import advected, weights
 
 HALVINGS = 3  # of the damping in one step before the run is given up
 # over the load of the scales, that cycles may leave unbalanced

@@ -19,7 +19,7 @@ from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.quasistatic.solution import Frequencies, QuasistaticSolution
 from oilfilm.bearing.rating.duty_cycle import DutyCycle
 from oilfilm.bearing.rating.life import LifeRating
-from oilfilm.bearing.supply.supply import GrooveOil
+from oilfilm.bearing.supply.oil_balance import GrooveOil
 from oilfilm.bearing.torque.breakdown import TorqueBreakdown
 from oilfilm.bearing.torque.integrated import RollingExtent, rolling_extent, rolling_moments
 from oilfilm.bearing.torque.starved import SupplyBand, SupplyTorque

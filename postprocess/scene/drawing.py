@@ -24,19 +24,18 @@ from ..open_results import open_results
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, RULING_PRESSURE, common_film_range
 from . import parts
 from .geometry import Placement, about_axis
-from .parts import ColourScale, Label
-from .patch import Patch
-from .render_process import (
+from .overlay import (
     NUMBERS,
     Spot,
     add_controls,
     add_flat_labels,
     add_overlay,
     patch_numbers,
-    read_request,
-    require_rendering,
     write_movie,
 )
+from .parts import ColourScale, Label
+from .patch import Patch
+from .render_process import read_request, require_rendering
 from .scene import LABELS, SceneOptions, check_scene
 from .vtk import DISPLACEMENT, DISTANCE, ring_files
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from oilfilm.bearing.studies.preload import StiffnessOverSpeed
+from oilfilm.bearing.studies.stiffness import StiffnessOverSpeed
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si
 

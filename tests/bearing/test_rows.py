@@ -25,7 +25,8 @@ from oilfilm.bearing import (
 )
 from oilfilm.bearing.geometry import SINGLE
 from oilfilm.bearing.operation import HYPOTHESES
-from oilfilm.bearing.torque.models import FrictionInput, skf_model
+from oilfilm.bearing.torque.inputs import FrictionInput
+from oilfilm.bearing.torque.models import skf_model
 from oilfilm.ehl import Lubricant
 
 WIDTH = 16e-3  # [m]

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from oilfilm.ehl.oil.rheology import Rheology, shear_stress
+from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.oil.shear_stress import shear_stress
 
 STEP = 1e-5  # relative change of the rate for a difference quotient [-]
 

@@ -13,7 +13,7 @@ from math import isfinite
 
 import scipy
 
-from oilfilm.bearing.heating.heat_state import HIGHEST_TEMPERATURE, HeatBalance
+from oilfilm.bearing.heating.limits import HIGHEST_TEMPERATURE, HeatBalance
 from oilfilm.ehl.units import ZERO_CELSIUS
 
 FIRST_RISE = 10.0  # of the search; doubled until the cooling exceeds the friction [K]

@@ -27,7 +27,8 @@ from oilfilm.ehl import ContactConditions, SolverOptions, solve_contact
 from oilfilm.ehl.closed_form.hertz import hertz_contact
 from oilfilm.ehl.conditions import contact_kinematics
 from oilfilm.ehl.oil.lubricant import viscosity
-from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, contact_rheology, shear_stress
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
+from oilfilm.ehl.oil.shear_stress import shear_stress
 from oilfilm.ehl.traction.shear import dimensional_grid, integrate_traction
 
 TEMPERATURE = 333.15

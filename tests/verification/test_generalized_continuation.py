@@ -22,7 +22,8 @@ from oilfilm.ehl.generalized.solver import (
 )
 from oilfilm.ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid
 from oilfilm.ehl.oil.lubricant import ThermalProperties, log_viscosity_ratio
-from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, divide_stresses, shear_stress
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, divide_stresses
+from oilfilm.ehl.oil.shear_stress import shear_stress
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solid.heat import SolidThermal
 

@@ -13,18 +13,9 @@ import pytest
 
 from oilfilm.bearing import Bearing, Material, Operation, contact_angle_to_clearance
 from oilfilm.bearing.dynamics.bodies import cage_body, ring_body
+from oilfilm.bearing.dynamics.choices import Guidance, LoadType, NormalLaw, Start
 from oilfilm.bearing.dynamics.friction import RaceFriction, race_friction
-from oilfilm.bearing.dynamics.inputs import (
-    CageBody,
-    DynamicsModel,
-    DynamicsOptions,
-    Guidance,
-    LoadType,
-    NormalContact,
-    NormalLaw,
-    Schedule,
-    Start,
-)
+from oilfilm.bearing.dynamics.inputs import CageBody, DynamicsModel, DynamicsOptions, NormalContact, Schedule
 from oilfilm.bearing.dynamics.record import Record
 from oilfilm.bearing.dynamics.simulation import Simulation, from_state, simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics

@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 from scipy.optimize import least_squares
 
-from oilfilm.bearing.films.unsolved_films import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
+from oilfilm.bearing.films.heavy_moment import heavy_moment, moment_unit
+from oilfilm.bearing.films.moment import SLOPE, START, WIDTH, flooded_moment
 from oilfilm.ehl import Lubricant, atlas_films
 from oilfilm.ehl.atlas.films import NotInAtlasError
 from oilfilm.ehl.scaling import scale_contact

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from dynamics_runs import changed
 
-from oilfilm.bearing.dynamics.inputs import LoadType
+from oilfilm.bearing.dynamics.choices import LoadType
 from oilfilm.bearing.dynamics.simulation import from_state, simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
 from oilfilm.cases import Case, load_case

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from dynamics_runs import RPM, changed
 
-from oilfilm.bearing.dynamics.inputs import LoadType
+from oilfilm.bearing.dynamics.choices import LoadType
 from oilfilm.bearing.dynamics.simulation import Simulation, simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from oilfilm.cases import Case, load_case

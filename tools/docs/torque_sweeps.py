@@ -11,7 +11,7 @@ from oilfilm.bearing.geometry import Bearing
 from oilfilm.bearing.operation import Operation, QuasistaticModel
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.bearing.torque.breakdown import NAMES, friction_torque
-from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.oil.lubricant import Lubricant
 

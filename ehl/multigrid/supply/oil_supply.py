@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...grid import unfolded
-from ...oil._kernels import dowson_higginson
+from ...oil._laws import dowson_higginson
 from ...oil.lubricant import density
 from ...scaling import ScaledContact, contact_starvation_factors, scale_contact
 from ...solution import ContactSolution, OilSupply

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from oilfilm.bearing.contacts.contact import hertz_contacts
-from oilfilm.bearing.films.unsolved_films import flooded_moment, formula_central
+from oilfilm.bearing.films.moment import flooded_moment
+from oilfilm.bearing.films.unsolved_films import formula_central
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl import SolverOptions, ViscosityLaw, solve_contact
 from oilfilm.ehl.conditions import ContactConditions

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from oilfilm.bearing import Operation, Race, contact_conditions, contact_stress, solve_quasistatic
-from oilfilm.bearing.contacts.contact import groove_radius
+from oilfilm.bearing.contacts.shape import groove_radius
 from oilfilm.bearing.contacts.stress import cut_approach, shoulder_angle, truncation
 from oilfilm.bearing.geometry import shoulder_diameter
 from oilfilm.ehl import Lubricant

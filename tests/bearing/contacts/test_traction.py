@@ -8,9 +8,9 @@ from numpy.testing import assert_allclose
 
 from oilfilm import ehl
 from oilfilm.bearing import Operation, solve_quasistatic
-from oilfilm.bearing.contacts.contact import groove_curvature_radius
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.motion import BallMotion, ball_speeds, bearing_kinematics, contact_frames, motion_map
+from oilfilm.bearing.contacts.shape import groove_curvature_radius
 from oilfilm.bearing.geometry import Race
 
 from ...reference.rolling import rolling_and_spin

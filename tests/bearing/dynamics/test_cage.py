@@ -11,8 +11,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from oilfilm.bearing.dynamics.bodies import require_web
+from oilfilm.bearing.dynamics.choices import LoadType, Start
 from oilfilm.bearing.dynamics.friction import race_friction
-from oilfilm.bearing.dynamics.inputs import LoadType, Start
 from oilfilm.bearing.dynamics.simulation import from_state, simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, _cage_orbit, simulation_statistics
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction

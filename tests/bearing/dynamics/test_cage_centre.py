@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from oilfilm.bearing.dynamics.arrays import CAGE_LOAD
-from oilfilm.bearing.dynamics.inputs import Guidance, LoadType
+from oilfilm.bearing.dynamics.choices import Guidance, LoadType
 from oilfilm.bearing.dynamics.reduction import derivative
 from oilfilm.bearing.dynamics.simulation import simulation
 

@@ -10,8 +10,9 @@ from numpy.testing import assert_allclose
 
 from oilfilm.bearing import Race
 from oilfilm.bearing.dynamics import _race_kernels as film_kernels
+from oilfilm.bearing.dynamics.choices import LoadType, NormalLaw
 from oilfilm.bearing.dynamics.friction import RaceFriction, check_film
-from oilfilm.bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
+from oilfilm.bearing.dynamics.inputs import NormalContact, Schedule
 from oilfilm.bearing.dynamics.integrators import advance_implicit
 from oilfilm.bearing.dynamics.reduction import derivative
 from oilfilm.bearing.dynamics.simulation import simulation

@@ -12,8 +12,9 @@ from oilfilm.bearing import Race
 from oilfilm.bearing.dynamics import _motion_kernels
 from oilfilm.bearing.dynamics._integration_kernels import duration, jacobian
 from oilfilm.bearing.dynamics._state_kernels import ring_angle
+from oilfilm.bearing.dynamics.choices import Guidance, LoadType
 from oilfilm.bearing.dynamics.friction import race_friction
-from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, Schedule
+from oilfilm.bearing.dynamics.inputs import Schedule
 from oilfilm.bearing.dynamics.reduction import derivative, solved_motion
 from oilfilm.bearing.dynamics.simulation import simulation
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction, LawTraction

@@ -20,7 +20,8 @@ from oilfilm.bearing.dynamics.assembly import (
     planar_stiffness,
     vibration_frequency,
 )
-from oilfilm.bearing.dynamics.inputs import NormalContact, NormalLaw, Schedule
+from oilfilm.bearing.dynamics.choices import NormalLaw
+from oilfilm.bearing.dynamics.inputs import NormalContact, Schedule
 
 from ...reference.dynamics import normal_force
 from ...reference.impact import restitution_returned

@@ -11,8 +11,9 @@ from numpy.testing import assert_allclose
 
 from oilfilm.bearing.dynamics._integration_kernels import TOO_SMALL
 from oilfilm.bearing.dynamics.assembly import damping_factor
+from oilfilm.bearing.dynamics.choices import Guidance, LoadType, NormalLaw, Start
 from oilfilm.bearing.dynamics.friction import race_friction
-from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
+from oilfilm.bearing.dynamics.inputs import NormalContact, Schedule
 from oilfilm.bearing.dynamics.integrators import advance_implicit
 from oilfilm.bearing.dynamics.record import empty_record
 from oilfilm.bearing.dynamics.simulation import from_state, simulation

@@ -14,8 +14,9 @@ from oilfilm.bearing import Operation
 from oilfilm.bearing.dynamics import _motion_kernels
 from oilfilm.bearing.dynamics.arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
 from oilfilm.bearing.dynamics.bodies import load_type, symmetric_until
+from oilfilm.bearing.dynamics.choices import Guidance, LoadType, Start
 from oilfilm.bearing.dynamics.friction import race_friction
-from oilfilm.bearing.dynamics.inputs import Guidance, LoadType, Schedule, Start, prescribed_values
+from oilfilm.bearing.dynamics.inputs import Schedule, prescribed_values
 from oilfilm.bearing.dynamics.reduction import derivative
 from oilfilm.bearing.dynamics.simulation import simulation
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction

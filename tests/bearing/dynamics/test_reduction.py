@@ -12,8 +12,9 @@ from numpy.testing import assert_allclose
 from oilfilm.bearing import Operation, solve_quasistatic
 from oilfilm.bearing.dynamics.arrays import Constants, changed_data
 from oilfilm.bearing.dynamics.bodies import load_type
+from oilfilm.bearing.dynamics.choices import LoadType
 from oilfilm.bearing.dynamics.friction import race_friction
-from oilfilm.bearing.dynamics.inputs import LoadType, RotatingLoad, Schedule
+from oilfilm.bearing.dynamics.inputs import RotatingLoad, Schedule
 from oilfilm.bearing.dynamics.reduction import derivative
 from oilfilm.bearing.dynamics.simulation import simulation
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction

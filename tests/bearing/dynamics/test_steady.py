@@ -11,8 +11,9 @@ from printed import printed
 
 from oilfilm.bearing import BallKinematics, Operation, QuasistaticModel, solve_quasistatic
 from oilfilm.bearing.dynamics.bodies import equation_counts, load_type
+from oilfilm.bearing.dynamics.choices import LoadType
 from oilfilm.bearing.dynamics.friction import race_friction
-from oilfilm.bearing.dynamics.inputs import LoadType, NormalContact, Schedule
+from oilfilm.bearing.dynamics.inputs import NormalContact, Schedule
 from oilfilm.bearing.dynamics.simulation import simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction

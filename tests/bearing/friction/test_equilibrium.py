@@ -19,8 +19,8 @@ from oilfilm.bearing import (
     solve_quasistatic,
     solve_traction_equilibrium,
 )
-from oilfilm.bearing.contacts.contact import contact_shape
 from oilfilm.bearing.contacts.motion import bearing_kinematics, motion_map
+from oilfilm.bearing.contacts.shape import contact_shape
 from oilfilm.bearing.friction.balance import balance_driven_balls, curvature_slip
 from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction, CoulombTraction, LawTraction

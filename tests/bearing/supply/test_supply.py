@@ -20,7 +20,7 @@ from oilfilm.bearing.films.operating import (
     supplied_films,
 )
 from oilfilm.bearing.films.unsolved_films import formula_values
-from oilfilm.bearing.heating.heat_state import HIGHEST_TEMPERATURE
+from oilfilm.bearing.heating.limits import HIGHEST_TEMPERATURE
 from oilfilm.bearing.supply.supply import (
     PrescribedInlet,
     Supply,

@@ -8,8 +8,8 @@ import pytest
 from oilfilm.bearing import BallKinematics, Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.friction.resistance import Cage
 from oilfilm.bearing.operation import QuasistaticModel
+from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.integrated import films_torque
-from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.bearing.torque.skf import InletFactors, Lubrication, inlet_factors
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw

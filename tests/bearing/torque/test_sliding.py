@@ -17,7 +17,7 @@ from oilfilm.bearing import (
     contact_conditions,
     solve_quasistatic,
 )
-from oilfilm.bearing.films.unsolved_films import heavy_moment
+from oilfilm.bearing.films.heavy_moment import heavy_moment
 from oilfilm.bearing.friction.resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power
 from oilfilm.bearing.torque.models import spent_powers
 from oilfilm.bearing.torque.paper_models import (

@@ -10,7 +10,7 @@ from torque_sweeps import TorqueStudy, torque_sweep
 
 from oilfilm.bearing import Operation, QuasistaticModel, contact_conditions, load_lubricant, solve_quasistatic
 from oilfilm.bearing.torque.breakdown import NAMES, friction_torque
-from oilfilm.bearing.torque.models import FrictionInput
+from oilfilm.bearing.torque.inputs import FrictionInput
 
 RPM = pi / 30.0
 

@@ -15,8 +15,8 @@ from oilfilm.bearing.friction.friction_sources import LawTraction
 from oilfilm.bearing.friction.tables import contact_law, law_gradient
 from oilfilm.bearing.geometry import contact_modulus
 from oilfilm.bearing.torque.breakdown import friction_torque
+from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.integrated import law_torque
-from oilfilm.bearing.torque.models import FrictionInput
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.closed_form.hertz import hertz_contact
 from oilfilm.ehl.oil.rheology import Rheology

@@ -17,7 +17,7 @@ from oilfilm.bearing.vibration.form import (
     hollow,
     rolled,
 )
-from oilfilm.bearing.vibration.inputs import dry_transmission, filtered
+from oilfilm.bearing.vibration.transmission import dry_transmission, filtered
 
 RADIUS, REDUCED = 0.0235, 0.0048  # of a track and of ball and race [m]
 CELL = 2.0 * np.pi * RADIUS / POINTS

@@ -14,7 +14,7 @@ from numba import njit
 from numpy.testing import assert_allclose
 
 from oilfilm.ehl.multigrid.levels import NOTHING
-from oilfilm.ehl.oil import _kernels
+from oilfilm.ehl.oil import _kernels, _laws
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     ExpansivityForm,
@@ -190,8 +190,8 @@ def test_general_form_is_the_isothermal_one():
 @njit(error_model="numpy")
 def compiled_laws(p, t, numbers):
     """ln(eta/eta_0), eta and rho/rho_0 as kernels have them."""
-    log_ratio = _kernels.log_viscosity_ratio(p, t, numbers)
-    return log_ratio, _kernels.viscosity(p, t, numbers), _kernels.density_ratio(p, t, numbers)
+    log_ratio = _laws.log_viscosity_ratio(p, t, numbers)
+    return log_ratio, _laws.viscosity(p, t, numbers), _laws.density_ratio(p, t, numbers)
 
 
 def test_laws_agree_with_their_twins(oil):
@@ -241,12 +241,12 @@ def test_density_slope(oil):
     numbers = oil_numbers(oil)
     for p in (1e5, 3e8, 2e9):
         slope = (density(p + 1e4, oil) - density(p - 1e4, oil)) / 2e4 / oil.density
-        assert_allclose(_kernels.density_slope(p, numbers), slope, rtol=1e-5, atol=1e-18)
+        assert_allclose(_laws.density_slope(p, numbers), slope, rtol=1e-5, atol=1e-18)
 
 
 def test_the_glass_is_thick_beyond_numbers_and_warns_nobody():
     """ln(eta/eta_0) is 600 at most, where the occupied volume fills the whole too."""
-    assert log_viscosity_ratio(np.array([0.0, 1e11]), SQUALANE).tolist() == [0.0, _kernels.EXPONENT_LIMIT]
+    assert log_viscosity_ratio(np.array([0.0, 1e11]), SQUALANE).tolist() == [0.0, _laws.EXPONENT_LIMIT]
 
 
 def test_flow_properties(oil):

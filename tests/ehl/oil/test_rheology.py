@@ -9,18 +9,11 @@ import pytest
 from numba import njit
 from numpy.testing import assert_allclose
 
-from oilfilm.ehl.oil import _kernels
+from oilfilm.ehl.oil import _kernels, _laws
 from oilfilm.ehl.oil.lubricant import Lubricant, ViscosityLaw
 from oilfilm.ehl.oil.lubricant import viscosity as lubricant_viscosity
-from oilfilm.ehl.oil.rheology import (
-    Rheology,
-    ShearLaw,
-    contact_rheology,
-    kernel_rheology,
-    limiting_stress,
-    shear_stress,
-    shear_stress_vector,
-)
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, contact_rheology, kernel_rheology, limiting_stress
+from oilfilm.ehl.oil.shear_stress import shear_stress, shear_stress_vector
 
 from ...reference.ehl.rheology import limiting, shear_rate, shear_rate_vector, stress
 
@@ -187,7 +180,7 @@ def test_laws_agree_with_their_twins(rheology, states):
 
 @njit(error_model="numpy")
 def compiled_limit(pressure, temperature, coefficient, stress, slope, reference, minimum):
-    return _kernels.limiting_stress(pressure, temperature, coefficient, stress, slope, reference, minimum)
+    return _laws.limiting_stress(pressure, temperature, coefficient, stress, slope, reference, minimum)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from oilfilm.ehl.solid.heat import BETA, SolidThermal, marched_conductance, marched_flux, moving_speed, spot_conductance
+from oilfilm.ehl.solid.film_conductance import BETA, marched_conductance, marched_flux, moving_speed, spot_conductance
+from oilfilm.ehl.solid.heat import SolidThermal
 
 from ...reference.ehl.even_film import bare_conductance, exchanged_heat, film_conductance
 from ...reference.ehl.marched import marched_flux_twin

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from oilfilm.ehl.transient.inputs import advected, steady_content, weights
+from oilfilm.ehl.transient.content import advected, steady_content, weights
 
 
 def parabolas():

@@ -16,7 +16,8 @@ from oilfilm.ehl.multigrid.far_field import far_field
 from oilfilm.ehl.multigrid.levels import Damping, TimeStep, make_multigrid
 from oilfilm.ehl.oil.lubricant import DensityLaw
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions, advected, weights
+from oilfilm.ehl.transient.content import advected, weights
+from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions
 from oilfilm.ehl.transient.run import SWITCH, transient_run
 
 OIL = Lubricant(

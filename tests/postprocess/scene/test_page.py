@@ -120,8 +120,8 @@ def test_wrong_names_and_missing_packages_are_reported(tmp_path, monkeypatch):
 
 def test_the_colour_scale_of_the_page():
     """Logarithmic where the scene's colours are: equal ratios take equal heights."""
+    from oilfilm.postprocess.scene.overlay import overlay_html
     from oilfilm.postprocess.scene.parts import ColourScale
-    from oilfilm.postprocess.scene.render_process import overlay_html
 
     bar = ColourScale(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
     assert [bar.height(h) for h in (0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.5, 1.0])
@@ -138,7 +138,7 @@ def test_letters_face_the_camera():
     """Flat, across x, upright where the picture's top is; read from the side of +x."""
     import numpy as np
 
-    from oilfilm.postprocess.scene.render_process import flat_text
+    from oilfilm.postprocess.scene.overlay import flat_text
 
     up = np.array([0.0, 1.0, 0.0])
     body = flat_text("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)

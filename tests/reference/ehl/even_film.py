@@ -19,7 +19,7 @@ from math import pi
 import numpy as np
 from scipy.special import erfcx
 
-from oilfilm.ehl.solid.heat import BETA, moving_speed
+from oilfilm.ehl.solid.film_conductance import BETA, moving_speed
 
 SERIES_BELOW = 1.0e-2  # of beta sqrt(t), where the closed form cancels [-]
 LINES = 32  # of Gauss and Legendre across the ellipse [-]; 64 change G by 1e-9

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from oilfilm.ehl.generalized.film_heat import Section
 from oilfilm.ehl.oil._kernels import LIMIT_POWER
-from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_stress
+from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, limiting_stress
+from oilfilm.ehl.oil.shear_stress import shear_stress
 
 from .rheology import shear_rate, unlimited
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from oilfilm.ehl.oil.rheology import shear_stress
+from oilfilm.ehl.oil.shear_stress import shear_stress
 from oilfilm.ehl.traction._heated_kernels import nahme
 from oilfilm.ehl.traction.film_quadrature import on_strips, strip_positions
 

@@ -5,7 +5,8 @@ from math import inf
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from oilfilm.ehl.oil._kernels import LARGEST_ARGUMENT, LIMIT_POWER
+from oilfilm.ehl.oil._kernels import LIMIT_POWER
+from oilfilm.ehl.oil._laws import LARGEST_ARGUMENT
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, limiting_stress
 
 Array = NDArray[np.float64]

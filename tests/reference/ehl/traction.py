@@ -6,7 +6,7 @@ from math import exp, log
 
 import numpy as np
 
-from oilfilm.ehl.oil.rheology import limited, shear_stress
+from oilfilm.ehl.oil.shear_stress import limited, shear_stress
 from oilfilm.ehl.traction.friction_coefficients import RampedCoulomb
 from oilfilm.ehl.traction_table.compression import whole_numbers
 from oilfilm.ehl.traction_table.splines import spline_weights
