@@ -260,7 +260,7 @@ def limiting_stress(
     return np.fmax(limit_stress + limit_coefficient * pressure / softening, limit_minimum)
 
 
-# what kernels compile
+# the laws that kernels compile
 LAWS = (
     relative_volume,
     dowson_higginson,
