@@ -15,6 +15,8 @@ from oilfilm.bearing.files import require_room, write_bytes
 from oilfilm.postprocess.files import attempt
 
 resource = pytest.importorskip("resource", reason="limits of POSIX")
+# Python renames what it wrote of a compiled module, also where the limit cut it short
+NO_BYTECODE = "import resource, sys; sys.dont_write_bytecode = True"
 OILFILM = [sys.executable, "-m", "oilfilm.cases.cli"]
 
 
@@ -88,9 +90,7 @@ def test_there_is_room_or_an_error(small_files, tmp_path):
 def test_hdf5_of_a_mesh_is_not_begun_without_room(bearing_folder, tmp_path):
     """It would end the program with a segmentation fault."""
     words = ["export", str(bearing_folder), "--format", "xdmf", "-o", str(tmp_path / "a.xdmf")]
-    code = (
-        f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000)); sys.argv[1:] = {words}"
-    )
+    code = f"{NO_BYTECODE}; resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000)); sys.argv[1:] = {words}"
     code += "; from oilfilm.cases.cli.start import main; main()"
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert answer.returncode == 4, answer.stderr
@@ -108,9 +108,7 @@ def test_hdf5_of_a_mesh_is_not_begun_without_room(bearing_folder, tmp_path):
 )
 def test_commands_end_with_one_line_and_code_4(words, tmp_path):
     (tmp_path / "s.toml").write_text('case = "209_radial_8900N"\n[sweep]\n"operation.radial_load_N" = [100.0, 200.0]\n')
-    limit = (
-        f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (6000, 6000)); sys.argv[1:] = {words.split()}"
-    )
+    limit = f"{NO_BYTECODE}; resource.setrlimit(resource.RLIMIT_FSIZE, (6000, 6000)); sys.argv[1:] = {words.split()}"
     code = f"{limit}; from oilfilm.cases.cli.start import main; main()"
     answer = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert answer.returncode == 4

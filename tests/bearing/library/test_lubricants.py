@@ -9,10 +9,11 @@ import pytest
 from numba import njit
 from numpy.testing import assert_allclose
 
+import oilfilm.ehl.oil._kernels  # noqa: F401  # registers the laws with numba
 from oilfilm.bearing import list_lubricants, load_lubricant
 from oilfilm.bearing.library.lubricants import LAWS, PROPERTIES, lubricant_data
 from oilfilm.ehl import DensityLaw, ViscosityLaw
-from oilfilm.ehl.oil import _kernels
+from oilfilm.ehl.oil import _laws
 from oilfilm.ehl.oil.lubricant import density, heat_properties, log_viscosity_ratio, oil_numbers, viscosity
 
 from ...reference.ehl import oil_laws as reference
@@ -270,10 +271,10 @@ def test_kernels_have_the_same_oil(name):
 
 @njit(error_model="numpy")
 def compiled_log_viscosity(p, t, numbers):
-    return _kernels.log_viscosity_ratio(p, t, numbers)
+    return _laws.log_viscosity_ratio(p, t, numbers)
 
 
 @njit(error_model="numpy")
 def compiled_heat(p, t, numbers):
-    rho = _kernels.density_ratio(p, t, numbers)
-    return _kernels.conductivity_ratio(p, t, numbers), _kernels.capacity_ratio(p, t, rho, numbers)
+    rho = _laws.density_ratio(p, t, numbers)
+    return _laws.conductivity_ratio(p, t, numbers), _laws.capacity_ratio(p, t, rho, numbers)

@@ -83,9 +83,9 @@ def test_slip(tmp_path, computed):
     gc.collect()
     np.testing.assert_array_equal(left.min("ball").values, least)
     left = postprocess.open_results(tmp_path / "out")
+    left.close()  # xarray opens the file again for what is read later
+    np.testing.assert_array_equal(left["slip_factor"].min("ball").values, least)
     left.close()
-    with pytest.raises(ValueError, match="Closed"):
-        left["slip_factor"].load()
 
 
 def test_stiffness(tmp_path, computed):
