@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ..format.rules import CaseError
 from ..runs.interrupt import finish_first
 from .batch import Workers
 from .output import lock_output_directory, report
@@ -44,6 +45,11 @@ def optimise(
     from ..optimise.study import read_study
 
     study = read_study(find_optimisation(file))
+    try:
+        import sklearn  # noqa: F401
+    except ImportError:
+        needed = "pip install 'oilfilm[optimise]'"
+        raise CaseError(f"optimise: needs the package scikit-learn: {needed}") from None
     keep = output is not None or resume or not as_json
     directory = (
         lock_output_directory(output or Path(f"{Path(file).stem}_results")) if keep else _scratch()

@@ -1,9 +1,9 @@
 """Designs computed by the batch until there are enough, the best ones confirmed by full solves.
 
-The surrogate is a Gaussian process of one number over the unit cube, with a known noise for each
-value: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), algorithm 2.1;
-Matern kernel of 5/2 with a length for each key, eq. 4.17; hyperparameters of the largest marginal
-likelihood, eq. 5.8.
+The surrogate is scikit-learn's Gaussian process of one number over the unit cube, with a known
+noise for each value (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006,
+algorithm 2.1): Matern kernel of 5/2 with a length for each key, eq. 4.17, and the lengths of the
+largest marginal likelihood, eq. 5.8.
 
 The next designs have the largest expected improvement where the constraints are likely met: Jones,
 Schonlau and Welch (1998) for one goal; Knowles (2006) for several, as one goal by random weights;
@@ -14,6 +14,7 @@ At the end the case and the best designs are computed with solved films, see [pr
 improvement, and its error.
 """
 
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import hypot
@@ -22,10 +23,10 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import cho_factor, cho_solve
-from scipy.optimize import minimize
-from scipy.spatial.distance import cdist
 from scipy.stats import norm, qmc
+from sklearn.exceptions import ConvergenceWarning
+from sklearn.gaussian_process import GaussianProcessRegressor
+from sklearn.gaussian_process.kernels import Matern
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.postprocess.batch.results import BatchPoint
@@ -59,14 +60,11 @@ COVERAGE = 2.0  # standard deviations of an error bar, which is to hold the numb
 
 @dataclass(frozen=True, slots=True)
 class Surrogate:
-    """A fitted process: `mean` and `scale` of the values, in their unit; lengths [-]."""
+    """A fitted process: `mean` and `scale` of the values, in their unit."""
 
-    positions: Array  # shape (n, keys)
+    process: GaussianProcessRegressor  # of the values less their mean over their scale
     mean: float
     scale: float
-    lengths: Array  # shape (keys,)
-    factor: Array  # of the covariance, lower
-    weights: Array  # shape (n,)
 
     def predict(self, positions: Array) -> tuple[Array, Array]:
         """Mean and standard deviation of the number itself, without noise.
@@ -83,11 +81,8 @@ class Surrogate:
         deviation
             Standard deviation, shape (m,), in the unit of the values.
         """
-        across = _matern(positions, self.positions, self.lengths)
-        mean = across @ self.weights
-        solved = cho_solve((self.factor, True), across.T)
-        variance = np.maximum(1.0 - np.einsum("ij,ji->i", across, solved), 0.0)
-        return self.mean + self.scale * mean, self.scale * np.sqrt(variance)
+        mean, deviation = self.process.predict(positions, return_std=True)
+        return self.mean + self.scale * mean, self.scale * deviation
 
 
 def fitted(positions: Array, values: Array, noise: Array) -> Surrogate:
@@ -109,35 +104,12 @@ def fitted(positions: Array, values: Array, noise: Array) -> Surrogate:
     """
     mean = float(values.mean())
     scale = float(values.std()) or 1.0
-    scaled = (values - mean) / scale
-    variances = (noise / scale) ** 2 + JITTER
-    low, high = np.log(LENGTHS).tolist()
-    bounds = [(low, high)] * positions.shape[1]
-    start = np.full(positions.shape[1], np.log(START))
-    found = minimize(_minus_likelihood, start, (positions, scaled, variances), bounds=bounds)
-    lengths = np.exp(found.x)
-    factor, _ = cho_factor(_covariance(positions, lengths, variances), lower=True)
-    weights = cho_solve((factor, True), scaled)
-    return Surrogate(positions, mean, scale, lengths, np.tril(factor), weights)
-
-
-def _matern(first: Array, second: Array, lengths: Array) -> Array:
-    """Matern kernel of 5/2, shape (n, m)."""
-    distance = np.sqrt(5.0) * cdist(first / lengths, second / lengths)
-    return (1.0 + distance + distance**2 / 3.0) * np.exp(-distance)
-
-
-def _covariance(positions: Array, lengths: Array, variances: Array) -> Array:
-    return _matern(positions, positions, lengths) + np.diag(variances)
-
-
-def _minus_likelihood(
-    logarithms: Array, positions: Array, values: Array, variances: Array
-) -> float:
-    """Minus the logarithm of the marginal likelihood but for a constant."""
-    factor, _ = cho_factor(_covariance(positions, np.exp(logarithms), variances), lower=True)
-    fit = 0.5 * values @ cho_solve((factor, True), values)
-    return float(fit + np.log(np.diag(factor)).sum())
+    kernel = Matern(np.full(positions.shape[1], START), LENGTHS, nu=2.5)
+    process = GaussianProcessRegressor(kernel, alpha=(noise / scale) ** 2 + JITTER)
+    with warnings.catch_warnings():  # a key without influence has the longest length
+        warnings.simplefilter("ignore", ConvergenceWarning)
+        process.fit(positions, (values - mean) / scale)
+    return Surrogate(process, mean, scale)
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,6 +34,7 @@ HOMES = {
     "markupsafe": ("postprocess/*/*.py",),
     "pyarrow": ("postprocess/batch/write.py", "cases/cli/batch.py"),
     "distributed": ("cases/batch/pools.py",),
+    "sklearn": ("cases/optimise/search.py", "cases/cli/optimise.py"),
 }
 PRINTS = ("cases/cli/", "cases/runs/interrupt.py")
 
