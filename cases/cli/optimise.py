@@ -41,7 +41,6 @@ def optimise(
 ) -> int:
     """Search the keys of a case for the best designs within limits."""
     from ..format.shipped import find_optimisation
-    from ..optimise.results import write_optimisation
     from ..optimise.study import read_study
 
     study = read_study(find_optimisation(file))
@@ -50,6 +49,8 @@ def optimise(
     except ImportError:
         needed = "pip install 'oilfilm[optimise]'"
         raise CaseError(f"optimise: needs the package scikit-learn: {needed}") from None
+    from ..optimise.results import write_optimisation
+
     keep = output is not None or resume or not as_json
     directory = (
         lock_output_directory(output or Path(f"{Path(file).stem}_results")) if keep else _scratch()
