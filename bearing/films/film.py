@@ -1,4 +1,6 @@
-"""Film of one contact: the one type that tables, torque, life, heat and pictures read.
+"""The type of the film of one contact; effects on a film are steps in `operating`.
+
+Tables, torque, life, heat and pictures read this type.
 
 A film is computed flooded or behind a layer of oil: solved, of the film atlas, or of a formula.
 The operating film (`operating`) is the same type with the fractions that the oil supply, the heat

@@ -14,6 +14,8 @@ which is linear in k. Friction mu p against the sliding is then the gradient of 
 so that the motion in which friction balances itself on the ball is the one of least power. Two
 laws: the full integral over the ellipse, and the one of narrow ellipses, which leaves out s_y
 (lines of pure rolling; Jones, 1959). Array axes: contacts first.
+
+A coefficient by the local sliding is added in `ehl.traction.friction_coefficients`.
 """
 
 from collections.abc import Sequence

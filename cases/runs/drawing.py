@@ -25,6 +25,7 @@ MOST_PROCESSES = 4
 
 
 EXTRAS = "VTK and plots"
+ENDED = f"{EXTRAS}: some not written, a process that drew them was ended"
 
 
 LOOK = 0.1  # from one look for an interrupt to the next [s]
@@ -114,7 +115,7 @@ class Drawing:
         """Have the parts of these kinds made; that they cannot be begun is a problem of them."""
         begun.problems = attempt(EXTRAS, lambda: self._submit(results, begun, kinds))
 
-    def _submit(self, results: Any, begun: "_Begun", kinds: Sequence[str]) -> None:
+    def _submit(self, results: Any, begun: "_Begun", kinds: Sequence[str]) -> tuple[str, ...]:
         if self._stopped:
             raise InterruptedError("interrupted")
         file = Path(begun.place.name) / "results"
@@ -122,8 +123,12 @@ class Drawing:
         counts = {PARAVIEW: 1, **results.pictures}
         # the longest first: pictures of contacts come last, files for ParaView are one part
         parts = [(kind, number) for kind in kinds for number in range(counts[kind])]
-        for part in reversed(parts):
-            begun.jobs.append(self._pool.submit(_make, file, begun.folder, part))
+        try:
+            for part in reversed(parts):
+                begun.jobs.append(self._pool.submit(_make, file, begun.folder, part))
+        except BrokenProcessPool:  # it was ended before all parts were handed on
+            return (ENDED,)
+        return ()
 
     def _extras(self, begun: Sequence["_Begun"], folder: Path) -> tuple[str, ...]:
         """Wait for all parts, or give up those under way once it was stopped."""
@@ -190,7 +195,7 @@ def _result(job: Future[tuple[str, ...]]) -> tuple[str, ...]:
     try:
         return job.result()
     except BrokenProcessPool:
-        return (f"{EXTRAS}: some not written, a process that drew them was ended",)
+        return (ENDED,)
 
 
 @lru_cache(maxsize=2)  # of the films alone, and of all
