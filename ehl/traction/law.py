@@ -2,8 +2,8 @@
 
 One protocol for all of them. Coefficients over the Hertz ellipse (`shear.EllipseLaw`) and tables
 of solved films (`traction_table.TractionTable`) satisfy it, and so does any object with the method
-`forces`. A coefficient by the local sliding is added in `friction_coefficients`, for the equations of
-motion too.
+`forces`. A coefficient by the local sliding is added in `friction_coefficients`, for the equations
+of motion too.
 """
 
 from typing import NamedTuple, Protocol
