@@ -3,7 +3,7 @@ from .contacts.contacts import contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
 from .dynamics.simulation import simulate
 from .films.film import ContactFilm
-from .films.operating import contact_films
+from .films.operating_film import contact_films
 from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
 from .friction.contact_friction import BallTraction
 from .friction.equilibrium import solve_traction_equilibrium

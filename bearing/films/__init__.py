@@ -5,7 +5,7 @@ decay          - film of a bearing over the time after its oil supply has stoppe
 film           - the film of one contact, its origin, values, errors and fractions
 heavy_moment   - moment that resists the rolling of heavily loaded contacts, by a formula
 moment         - moment that resists rolling, by formulas
-operating      - films as the bearing runs: oil supply, heat of the inlet, asperities
+operating_film - films as the bearing runs: oil supply, heat of the inlet, asperities
 unsolved_films - films and rolling moments of the film atlas and of formulas, for contacts whose
                  film is not solved
 """

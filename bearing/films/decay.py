@@ -34,7 +34,7 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import PrescribedInlet, Supply, contact_track, inlet_layer
 from ..supply.track import Track
 from .film import Films
-from .operating import of_driven_balls
+from .operating_film import of_driven_balls
 
 POINTS = 600  # layers from the start to the end [-]
 FIRST_TIME = 1e-4  # of results [s]

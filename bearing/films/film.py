@@ -1,10 +1,10 @@
-"""The type of the film of one contact; effects on a film are steps in `operating`.
+"""The type of the film of one contact; effects on a film are steps in `operating_film`.
 
 Tables, torque, life, heat and pictures read this type.
 
 A film is computed flooded or behind a layer of oil: solved, of the film atlas, or of a formula.
-The operating film (`operating`) is the same type with the fractions that the oil supply, the heat
-of the inlet and asperities leave of it.
+The operating film (`operating_film`) is the same type with the fractions that the oil supply, the
+heat of the inlet and asperities leave of it.
 """
 
 from collections.abc import Sequence

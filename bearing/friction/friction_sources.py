@@ -20,7 +20,7 @@ from ..contacts.contact import BearingContact
 from ..contacts.shape import contact_shape
 from ..films.asperities import Asperities
 from ..films.film import ContactFilm
-from ..films.operating import operating_films, solved_films, with_formulas
+from ..films.operating_film import operating_films, solved_films, with_formulas
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact_friction import ContactFriction, FrictionSource, Refreshed

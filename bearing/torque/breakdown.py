@@ -9,7 +9,7 @@ from oilfilm.ehl.units import from_si, notebook_html
 
 from ..contacts.contact import BearingContact
 from ..films.film import ContactFilm, Films
-from ..films.operating import OilAtInlets, supplied_films
+from ..films.operating_film import OilAtInlets, supplied_films
 from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import Supply

@@ -28,7 +28,7 @@ from oilfilm.ehl.traction.rolling_moment import RollingMoment, rolling_moment
 from ..contacts.contact import BearingContact
 from ..contacts.motion import ContactTraction, MotionMap, ball_speeds, contact_traction, motion_map
 from ..films.film import ContactFilm, FilmOrigin, Films, first_same
-from ..films.operating import OilAtInlets, operating_films, with_formulas
+from ..films.operating_film import OilAtInlets, operating_films, with_formulas
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
 from ..friction.contact_friction import ContactFriction

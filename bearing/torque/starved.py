@@ -19,7 +19,7 @@ from oilfilm.ehl.oil.lubricant import Lubricant
 from ..contacts.contact import BearingContact
 from ..films.asperities import Asperities, asperity_share
 from ..films.film import Films
-from ..films.operating import (
+from ..films.operating_film import (
     OilAtInlets,
     flooded_films,
     least_lambda,

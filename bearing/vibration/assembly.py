@@ -19,7 +19,7 @@ from oilfilm.ehl.traction.linear_response import NormalResponse, highest_frequen
 from ..contacts.contact import BearingContact
 from ..dynamics.bodies import ring_body
 from ..films.asperities import Asperities
-from ..films.operating import OilAtInlets, supplied_films
+from ..films.operating_film import OilAtInlets, supplied_films
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution

@@ -16,7 +16,7 @@ from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.film import ContactFilm, Films
-from oilfilm.bearing.films.operating import OilAtInlets, solved_films, supplied_films
+from oilfilm.bearing.films.operating_film import OilAtInlets, solved_films, supplied_films
 from oilfilm.bearing.films.unsolved_films import formula_film
 from oilfilm.bearing.friction.friction_sources import FilmTraction, LawTraction
 from oilfilm.bearing.operation import BallKinematics

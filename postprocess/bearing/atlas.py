@@ -9,7 +9,7 @@ from rich.text import Text
 
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.films.film import ContactFilm
-from oilfilm.bearing.films.operating import operating_films
+from oilfilm.bearing.films.operating_film import operating_films
 from oilfilm.bearing.films.unsolved_films import atlas_film
 from oilfilm.ehl.units import value_with_error
 

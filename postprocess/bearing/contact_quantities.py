@@ -21,7 +21,7 @@ from oilfilm.bearing.films.film import (
     FilmThickness,
     solved_with_heat,
 )
-from oilfilm.bearing.films.operating import film_heat
+from oilfilm.bearing.films.operating_film import film_heat
 from oilfilm.bearing.films.unsolved_films import too_thick
 from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from oilfilm.bearing.heating.network import Conductance

@@ -11,7 +11,7 @@ from oilfilm.bearing.contacts.motion import ContactTraction
 from oilfilm.bearing.contacts.stress import SurfaceTension
 from oilfilm.bearing.films.decay import FilmDecay
 from oilfilm.bearing.films.film import NO_HEAT, ContactFilm, first_same, heated_solution
-from oilfilm.bearing.films.operating import operating_films, solved_films
+from oilfilm.bearing.films.operating_film import operating_films, solved_films
 from oilfilm.bearing.fits.clearance import ClearanceBudget
 from oilfilm.bearing.fits.ring_strength import Strength
 from oilfilm.bearing.heating.network import Conductance

@@ -5,7 +5,7 @@ from math import isfinite
 from typing import Any
 
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
-from oilfilm.bearing.films.operating import of_driven_balls
+from oilfilm.bearing.films.operating_film import of_driven_balls
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.torque.breakdown import NAMES, TorqueBreakdown
 from oilfilm.bearing.torque.integrated import SolvedShear

@@ -30,7 +30,7 @@ from validation_002_torque import (
 )
 
 from oilfilm.bearing.films.decay import film_decay
-from oilfilm.bearing.films.operating import OilAtInlets, supplied_films
+from oilfilm.bearing.films.operating_film import OilAtInlets, supplied_films
 from oilfilm.bearing.supply.oil_balance import groove_area, retained_time
 from oilfilm.bearing.supply.supply import AMPLE, PrescribedInlet, Supply, cavity_volume, oil_fraction
 from oilfilm.cases.format.case import case_of_document

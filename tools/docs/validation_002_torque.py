@@ -17,7 +17,13 @@ from matplotlib.figure import Figure
 from printed import printed
 
 from oilfilm.bearing import contact_conditions, load_material, solve_quasistatic
-from oilfilm.bearing.films.operating import OilAtInlets, least_lambda, mean_fraction, of_driven_balls, supplied_films
+from oilfilm.bearing.films.operating_film import (
+    OilAtInlets,
+    least_lambda,
+    mean_fraction,
+    of_driven_balls,
+    supplied_films,
+)
 from oilfilm.bearing.films.unsolved_films import formula_films
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution

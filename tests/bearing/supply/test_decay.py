@@ -11,7 +11,7 @@ import pytest
 from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.decay import film_decay
-from oilfilm.bearing.films.operating import OilAtInlets, supplied_films
+from oilfilm.bearing.films.operating_film import OilAtInlets, supplied_films
 from oilfilm.bearing.supply.oil_balance import OilBalance, groove_area, retained_time
 from oilfilm.bearing.supply.supply import AMPLE, PrescribedInlet, Supply, side_flow_integral
 from oilfilm.ehl import Lubricant

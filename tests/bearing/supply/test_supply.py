@@ -11,7 +11,7 @@ import pytest
 
 from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities, asperity_share
-from oilfilm.bearing.films.operating import (
+from oilfilm.bearing.films.operating_film import (
     OilAtInlets,
     film_heat,
     least_lambda,

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.contacts.motion import ball_speeds, contact_traction, motion_map
 from oilfilm.bearing.films.film import NO_HEAT
-from oilfilm.bearing.films.operating import operating_films, solved_films
+from oilfilm.bearing.films.operating_film import operating_films, solved_films
 from oilfilm.bearing.friction.film_friction import film_law, sheared_films
 from oilfilm.bearing.torque.integrated import integrated_torque, rolling_extent, rolling_moments
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
@@ -83,7 +83,7 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
 @pytest.fixture
 def no_inlet_heat(monkeypatch):
     """Films of the friction as they were solved."""
-    monkeypatch.setattr("oilfilm.bearing.films.operating.film_heat", lambda contact: NO_HEAT)
+    monkeypatch.setattr("oilfilm.bearing.films.operating_film.film_heat", lambda contact: NO_HEAT)
 
 
 def test_twice_the_layer_adds_what_is_said(rolling):

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
-from oilfilm.bearing.films.operating import operating_films, solved_films, with_formulas
+from oilfilm.bearing.films.operating_film import operating_films, solved_films, with_formulas
 from oilfilm.bearing.friction import balance as balancing
 from oilfilm.bearing.friction import cage
 from oilfilm.bearing.friction.film_friction import film_balance, film_law

@@ -49,7 +49,7 @@ def test_an_angle_of_zero_has_no_sign(bearing_results):
 @pytest.fixture
 def bearing_results(bearing_results, monkeypatch):
     """Without the heat of the inlets, whose spread widens all bars."""
-    monkeypatch.setattr("oilfilm.bearing.films.operating.film_heat", lambda contact: NO_HEAT)
+    monkeypatch.setattr("oilfilm.bearing.films.operating_film.film_heat", lambda contact: NO_HEAT)
     return bearing_results
 
 
