@@ -22,18 +22,10 @@ from .processes import end_workers, prepare_worker, start_fork_server, worker_co
 
 # each holds all fields; the dozen pictures of a bearing, of 0.3 s each, gain little by more
 MOST_PROCESSES = 4
-
-
 EXTRAS = "VTK and plots"
 ENDED = f"{EXTRAS}: some not written, a process that drew them was ended"
-
-
 LOOK = 0.1  # from one look for an interrupt to the next [s]
-
-
 TERMINATION = 0.3  # for processes to end that were told to [s]
-
-
 LOADED = ["oilfilm.cases.runs.drawing", "oilfilm.postprocess.writer"]
 
 

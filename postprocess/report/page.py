@@ -9,7 +9,6 @@ from oilfilm.ehl.units import unit_symbol
 
 from ..files import read_summary, write_text
 from . import batch, bearing, html, simulations
-from . import html as headline
 from .simulations import VIBRATION_PICTURES, vibration_section
 
 REPORT_FILE = "report.html"
@@ -78,7 +77,7 @@ def report_page(folder: Path) -> str:
         sections = batch.sections(summary, folder)
     else:
         title = case.get("title") or folder.name
-        cards = headline.cards(summary)
+        cards = html.cards(summary)
         sections = _sections(summary, folder)
     return (
         html.environment()
