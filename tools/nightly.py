@@ -66,6 +66,7 @@ def steps(seed: int, folder: Path) -> tuple[Step, ...]:
         Step("pages", (str(Path(__file__).resolve()), "--pages"), "pages whose numbers take minutes"),
         Step("mutants", ("tools/fuzz/mutants.py",), "wrong signs, factors and terms: the tests notice"),
         Step("cases", ("tools/fuzz/case_files.py", "--seed", number), "mutated case files"),
+        Step("strangers", ("tools/fuzz/strangers.py", "--seed", number), "bearings drawn at random: no law is broken"),
         Step("damaged", ("tools/fuzz/damaged.py", "--seed", number), "damaged files of results"),
         Step("disk", ("tools/fuzz/full_disk.py", "-", "--seed", number, "--rounds", "4"), "full disk"),
         Step("kills", ("tools/fuzz/kills.py", "--seed", number), "commands killed at random moments"),

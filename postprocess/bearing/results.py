@@ -16,6 +16,7 @@ from oilfilm.bearing.fits.clearance import ClearanceBudget
 from oilfilm.bearing.fits.ring_strength import Strength
 from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
+from oilfilm.bearing.invariants import CheckedState, broken_laws
 from oilfilm.bearing.quasistatic.solution import Frequencies, QuasistaticSolution
 from oilfilm.bearing.rating.duty_cycle import DutyCycle
 from oilfilm.bearing.rating.life import LifeRating
@@ -141,10 +142,24 @@ class BearingResults(Results):
         """ISO 15312 [r/min]."""
         return from_si("speed_rpm", self.reference_speed)
 
+    @cached_property
+    def broken_laws(self) -> tuple[str, ...]:
+        """Laws of physics that the results break, a sentence each; none of a right result."""
+        return broken_laws(
+            CheckedState(
+                quasistatic=self.quasistatic,
+                contacts=self.contacts,
+                films=self.operating,
+                frequencies=self.frequencies,
+                torque=self.torque,
+                heating=self.heating,
+            )
+        )
+
     @property
     def converged(self) -> bool:
         """True if equilibrium, films, balance of the balls and heat balance converged, as far as
-        asked for.
+        asked for, and no law is broken.
         """
         films = all(s.converged for s in self.solutions if s is not None)
         shear = None if self.torque is None else self.torque.shear
@@ -154,6 +169,7 @@ class BearingResults(Results):
             and (shear is None or shear.balanced is not None)
             and (self.heating is None or self.heating.converged)
             and (self.duty_cycle is None or self.duty_cycle.converged)
+            and not self.broken_laws
         )
 
     def _repr_html_(self) -> str:

@@ -207,6 +207,7 @@ def _electrical_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _bearing_messages(results: BearingResults) -> Iterator[str]:
+    yield from results.broken_laws
     state = results.quasistatic
     if not state.converged or "arbitrary" in state.message:  # a free direction without stiffness
         yield f"equilibrium of ring and balls: {state.message}"

@@ -1,0 +1,178 @@
+"""Laws that every result of a bearing obeys, checked while it runs.
+
+A broken law is a fault of the program, or of a model outside its range: the result is then not
+converged, and a message names the law, the place and the amount.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from oilfilm.ehl.units import from_si
+
+from .contacts.contact import BearingContact
+from .films.film import ContactFilm
+from .heating.network import NODES
+from .heating.self_heating import SelfHeatingSolution
+from .quasistatic.solution import Frequencies, QuasistaticSolution
+from .torque.breakdown import TorqueBreakdown
+from .torque.integrated import SolvedShear
+
+FORCE_TOLERANCE = 1.0e-6  # of forces and moments in balance, over the largest [-]
+POWER_TOLERANCE = 1.0e-3  # of rings' power against torque times speed, balls in balance [-]
+# curvatures at the operating contact angle and centrifugal forces have no potential, so that the
+# stiffness is symmetric only nearly: to 0.029 of its diagonal in 60 draws [-]
+SYMMETRY_TOLERANCE = 0.1
+FILM_TOLERANCE = 1.0e-6  # of films that must be the same, and of the minimum over the centre [-]
+TEMPERATURE_TOLERANCE = 0.01  # [K]
+TORQUE_TOLERANCE = 1.0e-9  # of a part that must not be negative, over the total [-]
+FREQUENCY_TOLERANCE = 1.0e-9  # [-]
+# parts of the torque that can only resist; curvature and sliding exchange power with each other
+RESISTING = ("rolling", "spin", "asperity", "cage", "drag", "seal")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CheckedState:
+    """Results of one bearing that the laws connect."""
+
+    quasistatic: QuasistaticSolution
+    contacts: Sequence[BearingContact]
+    films: Sequence[ContactFilm | None]  # operating ones of the contacts, as results show them
+    frequencies: Frequencies
+    torque: TorqueBreakdown | None
+    heating: SelfHeatingSolution | None
+
+    @property
+    def shear(self) -> SolvedShear | None:
+        """Shear of the films in the torque, where there is one."""
+        return None if self.torque is None else self.torque.shear
+
+
+def broken_laws(results: CheckedState) -> tuple[str, ...]:
+    """Name the laws that a result breaks.
+
+    Parameters
+    ----------
+    results : CheckedState
+        Results of a bearing.
+
+    Returns
+    -------
+    tuple of str
+        A sentence each; empty where all hold, and without an equilibrium.
+    """
+    if not results.quasistatic.converged:
+        return ()
+    return tuple(f"check failed: {fault}" for check in CHECKS for fault in check(results))
+
+
+def _minimum_films(results: CheckedState) -> Iterator[str]:
+    """Check h_min <= h_c, both positive and finite."""
+    for contact, film in zip(results.contacts, results.films, strict=True):
+        if film is None:
+            continue
+        central = film.central.value
+        least = central if film.minimum is None else film.minimum.value
+        place = f"ball {contact.ball}, {contact.race.value} race"
+        if not (np.isfinite(central) and 0.0 < least):
+            yield f"{place}: the film is not a positive length"
+        elif least > central * (1.0 + FILM_TOLERANCE):
+            yield (
+                f"{place}: the minimum film, {from_si('film_um', least):.4g} um, exceeds the "
+                f"central one, {from_si('film_um', central):.4g} um"
+            )
+
+
+def _forces(results: CheckedState) -> Iterator[str]:
+    """Check forces and moments of ring and balls."""
+    residual = results.quasistatic.residual
+    if not residual <= FORCE_TOLERANCE:
+        yield f"forces and moments balance to {residual:.1e} only ({FORCE_TOLERANCE:g} allowed)"
+
+
+def _stiffness(results: CheckedState) -> Iterator[str]:
+    """Check the stiffness: nearly symmetric, over its diagonal."""
+    matrix = results.quasistatic.stiffness
+    scale = np.sqrt(np.abs(np.outer(np.diag(matrix), np.diag(matrix))))
+    apart = np.divide(abs(matrix - matrix.T), scale, out=np.zeros_like(scale), where=scale > 0.0)
+    if apart.max() > SYMMETRY_TOLERANCE:
+        yield f"the stiffness is not symmetric by {apart.max():.1e} of its diagonal"
+
+
+def _powers(results: CheckedState) -> Iterator[str]:
+    """Check torque times speed against the rings' power."""
+    shear = results.shear
+    if shear is None or not shear.closed:
+        return
+    error = shear.torque.relative_error
+    if not error <= POWER_TOLERANCE:
+        yield f"torque times speed and the power of the rings differ by {error:.1e}"
+
+
+def _torque_parts(results: CheckedState) -> Iterator[str]:
+    """Check that parts of the torque resist, and that they add up to the total."""
+    torque = results.torque
+    if torque is None or torque.chosen is None or torque.total is None:
+        return
+    if not np.isfinite(torque.total) or torque.total < 0.0:
+        yield f"the torque, {from_si('torque_N_mm', torque.total):.4g} N mm, drives the bearing"
+    parts = torque.models[torque.chosen].components
+    left = torque.total - sum(parts.values())
+    scale = sum(map(abs, parts.values()))
+    if abs(left) > TORQUE_TOLERANCE * scale:
+        yield f"the parts of the torque miss the total by {from_si('torque_N_mm', left):.3g} N mm"
+    for name, value in parts.items():
+        if name in RESISTING and value < -TORQUE_TOLERANCE * scale:
+            yield (
+                f"part '{name}' of the torque, {from_si('torque_N_mm', value):.3g} N mm, drives "
+                "the bearing"
+            )
+
+
+def _temperatures(results: CheckedState) -> Iterator[str]:
+    """Check that no node is colder than what cools the bearing."""
+    heating = results.heating
+    if heating is None or heating.state is None or not heating.converged:
+        return
+    state = heating.state
+    coldest = min(state.network.boundaries.values())
+    colder = [
+        f"{name} at {from_si('temperature_C', float(value)):.2f} C"
+        for name, value in zip(NODES, state.temperatures, strict=True)
+        if np.isfinite(value) and value < coldest - TEMPERATURE_TOLERANCE
+    ]
+    if colder:
+        yield (
+            f"colder than all surroundings ({from_si('temperature_C', coldest):.2f} C): "
+            f"{', '.join(colder)}"
+        )
+
+
+def _frequencies(results: CheckedState) -> Iterator[str]:
+    """Check BPFO + BPFI = Z |n_i - n_o| of a cage between the speeds of the rings."""
+    operation = results.quasistatic.operation
+    cage = results.quasistatic.cage_speed
+    low, high = sorted((operation.inner_speed, operation.outer_speed))
+    if not low <= cage <= high:
+        yield (
+            f"the cage turns at {from_si('speed_rpm', cage):.4g} r/min, outside the speeds of "
+            "the rings"
+        )
+        return
+    found = results.frequencies.ball_pass_outer + results.frequencies.ball_pass_inner
+    expected = results.quasistatic.bearing.balls * (high - low) / (2.0 * pi)
+    if abs(found - expected) > FREQUENCY_TOLERANCE * expected:
+        yield "the ball pass frequencies do not add up to balls times shaft speed"
+
+
+CHECKS: tuple[Callable[[CheckedState], Iterator[str]], ...] = (
+    _minimum_films,
+    _forces,
+    _stiffness,
+    _powers,
+    _torque_parts,
+    _temperatures,
+    _frequencies,
+)
