@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from oilfilm.bearing.files import atomic_path, is_disk_failure, write_bytes
+from oilfilm.ehl.foreign_files import read_json
 
 CsvTable = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
 # types whose values are of JSON as they are, as finite floats are; the paths of others are built
@@ -74,13 +75,11 @@ def read_summary(directory: Path) -> dict[str, Any]:
     """
     path = directory / SUMMARY_FILE
     try:
-        summary = json.loads(path.read_text(encoding="utf-8"))
+        summary = read_json(path)
     except OSError as error:
         raise ValueError(
             f"{directory} holds no results: {SUMMARY_FILE}: {error.strerror or error}"
         ) from error
-    except (ValueError, RecursionError) as error:
-        raise ValueError(f"{path} is damaged: {error}") from error
     required = {"oilfilm", "case", "converged", "messages"}
     if not isinstance(summary, dict) or not required <= summary.keys():
         raise ValueError(

@@ -1,10 +1,15 @@
 """One loader for the folders of all commands."""
 
 import json
+from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
+import h5py
 import numpy as np
 import xarray
+
+from oilfilm.ehl.foreign_files import DAMAGE, DamagedFileError, open_file, read_json
 
 from .dynamics.history import FORMAT as HISTORY_FORMAT
 from .dynamics.history import HISTORY_FILE
@@ -22,6 +27,13 @@ KINDS = (
     "transient",
     "vibration",
 )
+# filters of HDF5 that are read: deflate, shuffle, a checksum; deflate packs a thousand equal bytes
+# into one
+FILTERS = {h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLETCHER32}
+PACKED_ONCE = 1100
+MARGIN = 64  # of a variable without values [bytes]
+NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
+T = TypeVar("T")
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"
 
 
@@ -54,7 +66,7 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     ...     print(tree.attrs["kind"], list(tree.children))
     """
     path = _data_file(Path(directory))
-    tree = _open_tree(path)
+    tree = open_netcdf(path, xarray.open_datatree)
     problem = _foreign(tree)
     if problem:
         tree.close()
@@ -78,19 +90,66 @@ def _data_file(path: Path) -> Path:
     return path
 
 
-def _open_tree(path: Path) -> xarray.DataTree:
-    """The groups of a netCDF-4 file, read when they are used; ValueError if it is damaged."""
+def open_netcdf(path: Path, opened: Callable[..., T]) -> T:
+    """Open a netCDF-4 file, which holds all of its data itself.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    opened : Callable[..., T]
+        xarray's function that opens it.
+
+    Returns
+    -------
+    T
+        What it has opened, read when it is used.
+
+    Raises
+    ------
+    DamagedFileError
+        If the file is damaged, leads to other files, or declares more than it holds.
+    """
     try:
-        return xarray.open_datatree(path, engine="h5netcdf")
-    except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:
-        raise ValueError(f"{path} is damaged or not a netCDF-4 file: {error}") from error
+        with open_file(path), h5py.File(path) as file:
+            _require_own_data(file, set())
+        return opened(path, engine="h5netcdf")
+    except (OSError, *DAMAGE) as error:
+        fault = f"{path} is damaged or not a netCDF-4 file: {error}"
+        raise DamagedFileError(fault) from error
+
+
+def _require_own_data(group: h5py.Group, seen: set[int]) -> None:
+    """ValueError where a link leads elsewhere, or a variable is larger than what is stored."""
+    for name in group:
+        link, item = group.get(name, getlink=True), None
+        if isinstance(link, h5py.HardLink):
+            item = group[name]
+        place = None if item is None else h5py.h5o.get_info(item.id).addr
+        if item is None or place in seen:
+            raise ValueError(f"{name} leads elsewhere")
+        seen.add(place)
+        if isinstance(item, h5py.Group):
+            _require_own_data(item, seen)
+        elif isinstance(item, h5py.Dataset):
+            _require_own_values(name, item)
+
+
+def _require_own_values(name: str, data: h5py.Dataset) -> None:
+    layout = data.id.get_create_plist()
+    filters = {layout.get_filter(k)[0] for k in range(layout.get_nfilters())}
+    if data.is_virtual or layout.get_external_count() or not filters <= FILTERS:
+        raise ValueError(f"{name} is stored elsewhere")
+    is_variable = not bytes(data.attrs.get("NAME", b"")).startswith(NO_VARIABLE)
+    if is_variable and data.nbytes > PACKED_ONCE * (data.id.get_storage_size() + MARGIN):
+        raise ValueError(f"{name} declares more than it holds")
 
 
 def _with_summary(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
     """A history with what its summary says; without one the simulation was not finished."""
     tree.attrs["kind"] = "dynamics"
     try:
-        document = json.loads(path.with_name(SUMMARY_FILE).read_text(encoding="utf-8"))
+        document = read_json(path.with_name(SUMMARY_FILE))
         converged = int(document["converged"])
         messages = list(document["messages"])
     except (OSError, ValueError, KeyError, TypeError):

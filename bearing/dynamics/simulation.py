@@ -2,7 +2,6 @@
 goes on from a file of its state.
 """
 
-import io
 import json
 from collections.abc import Iterator
 from copy import deepcopy
@@ -13,6 +12,8 @@ from time import perf_counter
 import numpy as np
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.data_files import arrays_as_bytes, read_arrays
+from oilfilm.ehl.foreign_files import DAMAGE
 
 from ..files import write_bytes
 from ..geometry import Bearing
@@ -440,10 +441,8 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         "stiff": state.stiff,
         "start_energy": simulation.start_energy,
     }
-    stream = io.BytesIO()
     arrays = {key: getattr(state, name) for key, name in ARRAYS.items()}
-    np.savez(stream, head=np.array(json.dumps(head)), **arrays)
-    write_bytes(path, stream.getvalue())
+    write_bytes(path, arrays_as_bytes({"head": np.array(json.dumps(head)), **arrays}))
 
 
 def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
@@ -464,11 +463,11 @@ def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         if the file is damaged, of another version of the program, or of another case
     """
     try:
-        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as data:
-            head = json.loads(str(data["head"]))
-            current = head.get("format") == FORMAT
-            arrays = {key: data[key] for key in ARRAYS if current}
-    except Exception as error:  # of zip files, compression, text, whatever is damaged
+        data = read_arrays(path)
+        head = json.loads(str(data["head"]))
+        current = head.get("format") == FORMAT
+        arrays = {key: data[key] for key in ARRAYS if current}
+    except (OSError, *DAMAGE) as error:
         raise ValueError(f"{path}: no restart file, or a damaged one") from error
     if not current:
         raise ValueError(

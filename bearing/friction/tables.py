@@ -9,9 +9,7 @@ times the entrainment speeds of the case.
 
 import io
 import json
-import zipfile
 from collections.abc import Callable, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.data_files import as_document, from_document
+from oilfilm.ehl.foreign_files import DAMAGE, entries_as_bytes, entries_of, open_file
 from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.solid.heat import SolidThermal
@@ -419,7 +419,8 @@ def save_race_tables(tables: Tables, path: Path) -> None:
     path : Path
         of the file
     """
-    _write(path, {f"{race.value}.npz": _bytes(table) for race, table in tables.items()})
+    entries = {f"{race.value}.npz": _bytes(table) for race, table in tables.items()}
+    write_bytes(path, entries_as_bytes(entries))
 
 
 def save_temperature_tables(tables: TemperatureTables, path: Path) -> None:
@@ -437,25 +438,17 @@ def save_temperature_tables(tables: TemperatureTables, path: Path) -> None:
     for race, series in tables.items():
         index[race.value] = {
             "tables": len(series.tables),
-            "errors": [asdict(error) for error in series.errors],
+            "errors": as_document(series.errors, {}),
         }
         for number, table in enumerate(series.tables):
             entries[f"{race.value}_{number}.npz"] = _bytes(table)
-    _write(path, entries | {INDEX: json.dumps(index)})
+    write_bytes(path, entries_as_bytes(entries | {INDEX: json.dumps(index)}))
 
 
 def _bytes(table: TractionTable) -> bytes:
     stream = io.BytesIO()
     write_table(table, stream)
     return stream.getvalue()
-
-
-def _write(path: Path, entries: dict[str, bytes | str] | dict[str, bytes]) -> None:
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w") as archive:
-        for name, content in entries.items():
-            archive.writestr(name, content)
-    write_bytes(path, stream.getvalue())
 
 
 def load_tables(path: Path) -> Tables | TemperatureTables:
@@ -476,32 +469,28 @@ def load_tables(path: Path) -> Tables | TemperatureTables:
     ValueError
         if the file is none of this kind, or damaged; the message says which
     """
+    with open_file(path) as stream:
+        entries = entries_of(stream, str(path), DAMAGED)
     try:
-        with zipfile.ZipFile(path) as archive:
-            if INDEX in archive.namelist():
-                index = json.loads(archive.read(INDEX))
-                return {race: _temperature_table(archive, path, race, index) for race in Race}
-            return {race: _table(archive, path, race.value) for race in Race}
-    except OSError:
-        raise
-    except ValueError as problem:
+        if INDEX in entries:
+            index = json.loads(entries[INDEX])
+            return {race: _temperature_table(entries, path, race, index) for race in Race}
+        return {race: _table(entries, path, race.value) for race in Race}
+    except DAMAGE as problem:
         if str(path) in str(problem):  # of a table in it, which says what is wrong
             raise
         raise ValueError(f"{path}: {DAMAGED}") from problem
-    except Exception as problem:  # of zip files, compression, types, whatever is damaged
-        raise ValueError(f"{path}: {DAMAGED}") from problem
 
 
-def _table(archive: zipfile.ZipFile, path: Path, name: str) -> TractionTable:
-    return read_table(io.BytesIO(archive.read(f"{name}.npz")), str(path))
+def _table(entries: dict[str, bytes], path: Path, name: str) -> TractionTable:
+    return read_table(io.BytesIO(entries[f"{name}.npz"]), str(path))
 
 
 def _temperature_table(
-    archive: zipfile.ZipFile, path: Path, race: Race, index: dict[str, Any]
+    entries: dict[str, bytes], path: Path, race: Race, index: dict[str, Any]
 ) -> TemperatureTable:
-    entry = index[race.value]
-    numbers = range(entry["tables"])
+    names, errors = index[race.value]["tables"], index[race.value]["errors"]
     return TemperatureTable(
-        tables=tuple(_table(archive, path, f"{race.value}_{number}") for number in numbers),
-        errors=tuple(TableError(**error) for error in entry["errors"]),
+        tables=tuple(_table(entries, path, f"{race.value}_{k}") for k in range(names)),
+        errors=from_document(errors, tuple[TableError, ...], {}),
     )

@@ -1,6 +1,5 @@
 """The finished points of a batch, gathered, and the files made of them."""
 
-import json
 import pickle
 import tempfile
 from collections import Counter
@@ -14,6 +13,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import IO, Any, TypeVar
 
+from oilfilm.ehl.foreign_files import parse_json
 from oilfilm.postprocess.batch.packed_columns import CHUNK, Columns, InMemory, Row, columns_of
 from oilfilm.postprocess.batch.results import BatchPoint, BatchResults, Counts
 from oilfilm.postprocess.batch.store import (
@@ -22,6 +22,7 @@ from oilfilm.postprocess.batch.store import (
     LOST,
     Record,
     StoredPoints,
+    layout_names,
     store_files,
     summary_of,
 )
@@ -124,12 +125,13 @@ def _converged(record: Record) -> bool:
 @lru_cache(maxsize=1024)
 def _converged_index(layout: str) -> int:
     """Index of `converged` among the numbers of a point."""
-    return [name for part in json.loads(layout) for name in part].index("converged")
+    main, others = layout_names(layout)
+    return [*main, *others].index("converged")
 
 
 def _values(point: Point, record: Record) -> dict[str, Any]:
     """Values of the varied keys: as run where that is known, else as given."""
-    run = json.loads(record.values)
+    run = parse_json(record.values, f"record of {record.key}")
     if all(key in run for key in point.keys):
         return {key: run[key] for key in point.keys}
     summary = summary_of(record, document_of)

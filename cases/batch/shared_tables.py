@@ -2,18 +2,14 @@
 
 tables/NAME.zip     both races; NAME is a hash of the inputs of all points that share them
 
-Each stands in a file of its own, named after all it depends on. The file of a contact or a film
-contains a digest of its name and content, and arrays and objects of `ehl`, nothing else; it is
-read with care, since it may come from anywhere, and be damaged.
+Each stands in a file of its own, named after all it depends on; `oilfilm.ehl.data_files` reads it.
 """
 
-import pickle
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from hashlib import blake2b
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from oilfilm.bearing.friction.friction_sources import FilmTraction
 from oilfilm.bearing.friction.tables import (
@@ -26,6 +22,8 @@ from oilfilm.bearing.friction.tables import (
 )
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
+from oilfilm.ehl.data_files import object_as_bytes, read_object
+from oilfilm.ehl.foreign_files import DamagedFileError
 from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.film import FilmSample, film_sample
@@ -42,10 +40,6 @@ from .keys import NOT_IN_TRACTION_TABLES, content_key, digest, document_text, pr
 from .points import Point, Sweep
 from .store import TABLES, write_file
 
-DIGEST = 16  # bytes at the beginning of a file
-# constructors of arrays, beside the classes of `ehl`
-ARRAY_CLASSES = frozenset(("_reconstruct", "_frombuffer", "scalar", "ndarray", "dtype"))
-
 SUFFIX = ".contact"
 MOST_BYTES = 4_000_000_000  # the contacts of a batch grow no further
 # written by this process between two looks at how large all of them are: the looks of a batch take
@@ -53,18 +47,7 @@ MOST_BYTES = 4_000_000_000  # the contacts of a batch grow no further
 BETWEEN = MOST_BYTES // 40
 Solver = Callable[[ContactConditions, SolverOptions, FilmPhysics], ContactSolution]
 Place = tuple[float, float]
-
-
-class _Reader(pickle.Unpickler):
-    """Reads arrays and the classes of `ehl`, nothing else."""
-
-    def find_class(self, module: str, name: str) -> Any:
-        found = super().find_class(module, name)
-        package = module.partition(".")[0]
-        own = module.startswith("oilfilm.ehl.") and isinstance(found, type)
-        if own or (package == "numpy" and name in ARRAY_CLASSES):
-            return found
-        raise pickle.UnpicklingError(f"{module}.{name}")
+T = TypeVar("T")
 
 
 def store_object(path: Path, thing: object) -> int:
@@ -75,44 +58,37 @@ def store_object(path: Path, thing: object) -> int:
     path : Path
         The file.
     thing : object
-        An object of arrays and of classes of `ehl`.
+        A dataclass of `ehl`.
 
     Returns
     -------
     int
         Size of the file [bytes].
     """
-    data = pickle.dumps(thing)
-    write_file(path, _digest(path, data) + data)
-    return DIGEST + len(data)
+    data = object_as_bytes(thing, path.stem)
+    write_file(path, data)
+    return len(data)
 
 
-def load_object(path: Path) -> Any:
+def load_object(path: Path, kind: type[T]) -> T | None:
     """Read an object from a file.
 
     Parameters
     ----------
     path : Path
         The file.
+    kind : type[T]
+        Class of the object.
 
     Returns
     -------
-    Any
+    T | None
         The object; None where there is no file, or it is damaged.
     """
     try:
-        data = path.read_bytes()
-        if _digest(path, data[DIGEST:]) != data[:DIGEST]:
-            return None
-        with path.open("rb") as stream:
-            stream.seek(DIGEST)
-            return _Reader(stream).load()
-    except Exception:  # of whatever a damaged file makes a reader stumble over
+        return read_object(path, kind)
+    except (OSError, DamagedFileError):
         return None
-
-
-def _digest(path: Path, data: bytes) -> bytes:
-    return blake2b(data, digest_size=DIGEST, key=path.name.encode()[:64]).digest()
 
 
 class ContactCache:
@@ -145,8 +121,8 @@ class ContactCache:
             path = self.folder / f"{content_key(conditions, options, films)}{SUFFIX}"
         except TypeError:
             return films.solve(conditions, options)
-        known = load_object(path)
-        if isinstance(known, ContactSolution):
+        known = load_object(path, ContactSolution)
+        if known is not None:
             return known
         if path.exists():
             print_message(f"oilfilm: {path}: damaged; the contact is solved anew")
@@ -184,8 +160,8 @@ def stored_film_sampler(
         contact: TableContact, limits: TableRange, place: Place, points: int, response: bool = True
     ) -> FilmSample:
         path = folder / f"{content_key(contact, limits, place, points, response)}.film"
-        found = load_object(path)
-        if not isinstance(found, FilmSample):
+        found = load_object(path, FilmSample)
+        if found is None:
             found = film_sample(contact, limits, place, points, response)
             folder.mkdir(parents=True, exist_ok=True)
             store_object(path, found)

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from oilfilm.bearing.files import PARTIAL, write_bytes
+from oilfilm.ehl.foreign_files import parse_json, read_file
 from oilfilm.postprocess.batch.store import (
     DONE,
     PATTERN,
@@ -231,9 +232,9 @@ def _with_damaged_files(directory: Path, stored: StoredPoints, keys: set[str]) -
     damaged = set()
     for key in sorted(keys & stored.with_files):
         (record,) = stored.records([key])
-        for suffix, expected in json.loads(record.files if record else "{}").items():
-            file = directory / POINTS / f"{key}{suffix}"
-            if not file.is_file() or digest(file.read_bytes()) != expected:
+        for suffix, expected in parse_json(record.files if record else "{}", key).items():
+            file = directory / POINTS / Path(f"{key}{suffix}").name
+            if not file.is_file() or digest(read_file(file)) != expected:
                 print_message(f"oilfilm: {file}: damaged; the point is computed anew")
                 damaged.add(key)
     return damaged

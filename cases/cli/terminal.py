@@ -26,6 +26,7 @@ import typer
 
 from oilfilm.bearing.files import is_disk_failure
 from oilfilm.bearing.library.plugins import PluginError
+from oilfilm.ehl.foreign_files import DamagedFileError
 
 from ..format.rules import CaseError
 from ..runs.interrupt import interrupt, print_message
@@ -181,7 +182,7 @@ def exit_code(command: Callable[[], int | None]) -> int:
     except CaseError as error:
         _print_errors(error.messages)
         return BAD_INPUT
-    except PluginError as error:
+    except (PluginError, DamagedFileError) as error:
         print_message(f"oilfilm: {error}")
         return BAD_INPUT
     except KeyboardInterrupt:

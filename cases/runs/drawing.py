@@ -80,7 +80,7 @@ class Drawing:
         tuple[str, ...]
             Problems.
         """
-        rest = _Begun(TemporaryDirectory(dir=folder), folder)
+        rest = _Begun(TemporaryDirectory(ignore_cleanup_errors=True), folder)
         begun = [rest] if self._ahead is None else [self._ahead, rest]
         try:
             kinds = (FILMS, OTHERS, PARAVIEW) if self._ahead is None else (OTHERS, PARAVIEW)

@@ -1,9 +1,9 @@
 """Films of results as meshes for other programs."""
 
-import json
 from pathlib import Path
 
 from oilfilm.ehl import ContactConditions
+from oilfilm.ehl.foreign_files import parse_json
 from oilfilm.ehl.solid.layered import Coating
 from oilfilm.postprocess.open_results import open_results
 from oilfilm.postprocess.scene.export import export_results
@@ -33,7 +33,7 @@ def export_meshes(directory: Path, file: Path) -> tuple[Path, ...]:
 def _coating(directory: Path) -> Coating | None:
     """The coating of a single contact, from the case that its results hold."""
     with open_results(directory) as tree:
-        document = json.loads(tree.attrs["case"])
+        document = parse_json(tree.attrs["case"], str(directory))
     try:
         case = case_of_document(document) if "contact" in document else None
     except CaseError:  # a case of an earlier version

@@ -20,6 +20,7 @@ from pathlib import Path
 from time import time
 
 from oilfilm.bearing.files import PARTIAL, umask, write_bytes
+from oilfilm.ehl.foreign_files import DamagedFileError, open_file, read_json
 
 from ..format.rules import CaseError
 
@@ -65,7 +66,7 @@ def file_digest(path: Path) -> str:
         Hexadecimal digits.
     """
     known = sha256()
-    with path.open("rb") as file:
+    with open_file(path) as file:
         while piece := file.read(PIECE):
             known.update(piece)
     return known.hexdigest()
@@ -85,9 +86,9 @@ def damaged_files(folder: Path) -> list[Path]:
         The files; none where there are no digests.
     """
     try:
-        digests = json.loads((folder / DIGESTS).read_text(encoding="utf-8"))
-        recorded = [(folder / name, digest) for name, digest in digests.items()]
-    except (OSError, ValueError, AttributeError, TypeError):
+        digests = read_json(folder / DIGESTS)
+        recorded = [(folder / name, digests[name]) for name in _inside(folder, digests)]
+    except (OSError, ValueError, TypeError):
         return []
     return [path for path, digest in recorded if not _is_as_written(path, digest)]
 
@@ -95,7 +96,7 @@ def damaged_files(folder: Path) -> list[Path]:
 def _is_as_written(path: Path, digest: object) -> bool:
     try:
         return file_digest(path) == digest
-    except OSError:
+    except (OSError, DamagedFileError):
         return False
 
 
@@ -409,11 +410,16 @@ def _write_manifest(directory: Path, names: list[str]) -> None:
 
 def _earlier_files(directory: Path) -> list[str]:
     try:
-        names = json.loads((directory / MANIFEST).read_text(encoding="utf-8"))
+        return _inside(directory, read_json(directory / MANIFEST))
     except (OSError, ValueError):
         return []
+
+
+def _inside(directory: Path, names: object) -> list[str]:
+    """The names of a list, or the keys of a table, that are those of files in a folder."""
     root = directory.resolve()
-    texts = [name for name in names if isinstance(name, str)] if isinstance(names, list) else []
+    given = names if isinstance(names, list | dict) else ()
+    texts = [name for name in given if isinstance(name, str)]
     return [name for name in texts if root in (directory / name).resolve().parents]
 
 

@@ -1,8 +1,6 @@
 """Run of a contact over time, whose steps stay on disk while it runs, so that it can go on."""
 
-import io
 import json
-import zipfile
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -12,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from oilfilm.bearing.files import write_bytes
+from oilfilm.ehl.data_files import arrays_as_bytes, read_arrays
+from oilfilm.ehl.foreign_files import DAMAGE
 from oilfilm.ehl.transient.record import Frame, StepRecord
 from oilfilm.ehl.transient.run import TransientRun, transient_run
 from oilfilm.ehl.transient.step import Past
@@ -57,12 +57,12 @@ class Checkpoints:
             Its step, 0 without a checkpoint [-].
         """
         try:
-            state = _read(self.folder / STATE_FILE)
+            state = read_arrays(self.folder / STATE_FILE)
             if str(state["key"]) != self.key:
                 return 0
-            frames = [_frame(_read(self._file(number))) for number in state["frames"]]
+            frames = [_frame(read_arrays(self._file(number))) for number in state["frames"]]
             _restore(run, state, frames)
-        except (OSError, KeyError, ValueError, zipfile.BadZipFile, EOFError):
+        except (OSError, *DAMAGE):
             return 0
         self._written = len(frames)
         return run.done
@@ -82,9 +82,9 @@ class Checkpoints:
         self.folder.mkdir(parents=True, exist_ok=True)
         for frame in run.frames[self._written :]:
             fields = {name: getattr(frame, name) for name in Frame.__slots__}
-            _write(self._file(frame.step), fields)
+            write_bytes(self._file(frame.step), arrays_as_bytes(fields))
             self._written += 1
-        _write(self.folder / STATE_FILE, _state(run, self.key))
+        write_bytes(self.folder / STATE_FILE, arrays_as_bytes(_state(run, self.key)))
         self._last = monotonic()
 
     def forget(self) -> None:
@@ -96,17 +96,6 @@ class Checkpoints:
 
     def _file(self, step: Any) -> Path:
         return self.folder / f"frame{int(step):07d}.npz"
-
-
-def _read(path: Path) -> dict[str, Any]:
-    with np.load(path, allow_pickle=False) as data:
-        return {name: data[name] for name in data.files}
-
-
-def _write(path: Path, arrays: dict[str, Any]) -> None:
-    content = io.BytesIO()
-    np.savez(content, **arrays)
-    write_bytes(path, content.getvalue())
 
 
 def _frame(data: dict[str, Any]) -> Frame:

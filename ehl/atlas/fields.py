@@ -34,6 +34,7 @@ import scipy
 
 from ..arrays import Array, lagrange_weights, radial, trend_terms
 from ..conditions import ContactConditions
+from ..data_files import read_arrays
 from ..oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
 from ..scaling import scale_contact
 from ..traction.film_quadrature import HIGH_PRESSURE, LINES, PANELS, line_quadrature
@@ -143,8 +144,8 @@ def field_table(path: Path = FILE) -> FieldTable:
     FieldTable
         the table
     """
-    with np.load(path) as file:
-        return FieldTable(**{name: file[name].astype(float) for name in FieldTable._fields})
+    file = read_arrays(path)
+    return FieldTable(**{name: file[name].astype(float) for name in FieldTable._fields})
 
 
 def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Array:

@@ -32,6 +32,7 @@ from ..arrays import Array, radial
 from ..closed_form.film import MAX_FILM_OVER_RADIUS
 from ..closed_form.hertz import hertz_coefficients
 from ..conditions import ContactConditions, MoesConditions
+from ..data_files import read_arrays
 from ..oil.lubricant import Lubricant
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution, FilmValue
@@ -155,8 +156,8 @@ def along_entrainment(load: float, lubricant: float, ratio: float, angle: float)
 @cache
 def skew() -> Skew:
     """The table, read once [-]."""
-    with np.load(FILE) as file:
-        return Skew(**{name: file[name] for name in Skew._fields})
+    file = read_arrays(FILE)
+    return Skew(**{name: file[name] for name in Skew._fields})
 
 
 def mixed_oil_terms(places: Array, alpha: Array, z: Array) -> Array:

@@ -25,6 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array, radial, trend_terms
+from ..data_files import read_arrays
 from ._kernels import near_functions
 
 FILE = Path(__file__).parent / "film_atlas.npz"
@@ -76,12 +77,12 @@ class Table(NamedTuple):
 @cache
 def table() -> Table:
     """The table, read once [-]."""
-    with np.load(FILE) as file:
-        light, heavy = (
-            Patch(**{name: file[f"{patch}_{name}"] for name in Patch._fields})
-            for patch in ("light", "heavy")
-        )
-        return Table(light=light, heavy=heavy, bars=file["bars"], step_bars=file["step_bars"])
+    file = read_arrays(FILE)
+    light, heavy = (
+        Patch(**{name: file[f"{patch}_{name}"] for name in Patch._fields})
+        for patch in ("light", "heavy")
+    )
+    return Table(light=light, heavy=heavy, bars=file["bars"], step_bars=file["step_bars"])
 
 
 def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:

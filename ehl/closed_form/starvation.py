@@ -31,6 +31,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..arrays import Array, radial, trend_terms
+from ..data_files import read_arrays
 from ..options import require_not_negative, require_positive
 from .film import moes_film_nijenbanning
 from .hertz import hertz_coefficients
@@ -88,24 +89,24 @@ class Curves(NamedTuple):
 @cache
 def table() -> Table:
     """The table, read once [-]."""
-    with np.load(FILE) as file, np.load(DAMPING_FILE) as damping:
-        centres = file["places"].astype(float)
-        functions = [
-            Function(centres, file["scales"][k], file["trends"][k], file["weights"][k])
-            for k in range(3)
-        ]
-        of_damping = [damping[name] for name in ("scales", "trend", "weights")]
-        functions.append(Function(damping["places"].astype(float), *of_damping))
-        return Table(
-            functions=tuple(functions),
-            lower=file["lower"],
-            upper=file["upper"],
-            least=file["least"],
-            largest=file["largest"],
-            error_films=file["error_films"],
-            error_ratios=file["error_ratios"],
-            errors=np.concatenate([file["errors"], damping["errors"][None]]),
-        )
+    file, damping = read_arrays(FILE), read_arrays(DAMPING_FILE)
+    centres = file["places"].astype(float)
+    functions = [
+        Function(centres, file["scales"][k], file["trends"][k], file["weights"][k])
+        for k in range(3)
+    ]
+    of_damping = [damping[name] for name in ("scales", "trend", "weights")]
+    functions.append(Function(damping["places"].astype(float), *of_damping))
+    return Table(
+        functions=tuple(functions),
+        lower=file["lower"],
+        upper=file["upper"],
+        least=file["least"],
+        largest=file["largest"],
+        error_films=file["error_films"],
+        error_ratios=file["error_ratios"],
+        errors=np.concatenate([file["errors"], damping["errors"][None]]),
+    )
 
 
 def contact_coordinates(load: float, lubricant: float, radius_ratio: float) -> Array:

@@ -9,11 +9,13 @@ single precision.
 """
 
 import lzma
+from math import prod
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..foreign_files import unpacked
 from .splines import along_axis, node_values, spline_coefficients, spline_matrix
 
 # step over the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of
@@ -43,7 +45,6 @@ FILTERS = [
         "dict_size": 1 << 18,
     }
 ]
-DAMAGED = (lzma.LZMAError,)  # what bytes that were not packed so raise
 
 
 def mirrored(values: NDArray[Any]) -> NDArray[Any]:
@@ -178,13 +179,14 @@ def decompressed(data: NDArray[np.uint8] | Values, shape: tuple[int, ...]) -> Va
     Raises
     ------
     ValueError
-        if the data do not fit the shape; or one of `DAMAGED`
+        if the data do not fit the shape, or another of `foreign_files.DAMAGE`
     """
     if data.dtype == np.float32:
         plain: Values = np.ascontiguousarray(data, dtype=np.float32)
         return plain.reshape(shape)
     nodes = (*(count - 2 for count in shape[:5]), *shape[5:])
-    written = lzma.decompress(data.tobytes(), format=lzma.FORMAT_RAW, filters=FILTERS)
+    packing = {"format": lzma.FORMAT_RAW, "filters": FILTERS}
+    written = unpacked(data.tobytes(), packing, 4 * prod(nodes))
     unsigned = _numbers(written, tuple(nodes[k] for k in FILE_ORDER)).view(np.uint32)
     turned = (unsigned >> 1).view(np.int32) ^ -(unsigned & 1).view(np.int32)
     return _coefficients(_summed(np.transpose(turned, np.argsort(FILE_ORDER))))

@@ -5,66 +5,28 @@ format, damaged, or built for other inputs than requested is refused.
 
 import json
 import os
-import zipfile
-import zlib
-from dataclasses import fields, is_dataclass
-from enum import Enum
 from hashlib import sha256
-from math import isfinite
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, get_type_hints
 
 import numpy as np
 
-from ..oil.free_volume import DoolittleFreeVolume, ExpansivityForm, TaitVolume, YasutomiGlass
-from ..oil.lubricant import (
-    DensityLaw,
-    FittedHeat,
-    Lubricant,
-    PressureModulus,
-    ScaledVolume,
-    ThermalProperties,
-    ViscosityLaw,
-    VolumeHeat,
-)
-from ..oil.rheology import Rheology, ShearLaw
-from ..solid.heat import SolidThermal
-from .compression import DAMAGED, compressed, decompressed
-from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
+from ..data_files import arrays_of, as_document, from_document
+from ..foreign_files import DAMAGE
+from .compression import compressed, decompressed
+from .table import TableContact, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
 # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films, 3 the
 # rolling moment of the solver's box, 4 an Eyring stress without the contact's pressure and a limit
 # that no stress came near, 5 values as they stand in memory, 6 few motions near their limits and
 # coefficients of splines in place of what they pass through, 7 another packing, 8 moments of spin
-# off by up to 15 % in light contacts, whose nodes of low pressure were left out unevenly
-FORMAT_VERSION = 9
+# off by up to 15 % in light contacts, whose nodes of low pressure were left out unevenly, 9 names
+# of modules for classes
+FORMAT_VERSION = 10
 ARRAYS = ("axes", "scalars", "values")
 PARTS = ("contact", "range", "error", "full_solves")
 PLAIN = ("points", "kappa_max", "films", "converged", "message", "spacing")
-# names of the types in a file of this format; they stay where a class moves or is renamed
-TYPES: dict[str, Any] = {
-    "ehl.free_volume:DoolittleFreeVolume": DoolittleFreeVolume,
-    "ehl.free_volume:ExpansivityForm": ExpansivityForm,
-    "ehl.free_volume:TaitVolume": TaitVolume,
-    "ehl.free_volume:YasutomiGlass": YasutomiGlass,
-    "ehl.lubricant:DensityLaw": DensityLaw,
-    "ehl.lubricant:Lubricant": Lubricant,
-    "ehl.lubricant:ThermalProperties": ThermalProperties,
-    "ehl.lubricant:ViscosityLaw": ViscosityLaw,
-    "ehl.oil:FittedHeat": FittedHeat,
-    "ehl.oil:PressureModulus": PressureModulus,
-    "ehl.oil:ScaledVolume": ScaledVolume,
-    "ehl.oil:VolumeHeat": VolumeHeat,
-    "ehl.rheology.laws:Rheology": Rheology,
-    "ehl.rheology.laws:ShearLaw": ShearLaw,
-    "ehl.thermal.solids:SolidThermal": SolidThermal,
-    "ehl.traction.table:FullSolve": FullSolve,
-    "ehl.traction.table:TableContact": TableContact,
-    "ehl.traction.table:TableError": TableError,
-    "ehl.traction.table:TableRange": TableRange,
-}
-NAMES = {kind: name for name, kind in TYPES.items()}
 
 
 def inputs_digest(contact: TableContact, limits: TableRange, points: int) -> str:
@@ -84,7 +46,7 @@ def inputs_digest(contact: TableContact, limits: TableRange, points: int) -> str
     str
         64 hexadecimal digits
     """
-    text = json.dumps([_plain(contact), _plain(limits), points], sort_keys=True)
+    text = json.dumps([as_document(contact, {}), as_document(limits, {}), points], sort_keys=True)
     return sha256(text.encode()).hexdigest()
 
 
@@ -119,7 +81,7 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
     document = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
-        **{name: _plain(getattr(table, name)) for name in PARTS},
+        **{name: as_document(getattr(table, name), {}) for name in PARTS},
         "inputs": inputs_digest(table.contact, table.range, table.points),
         "content": _content(arrays),
         **{name: getattr(table, name) for name in PLAIN},
@@ -175,10 +137,10 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         if the file is no table, of another format, damaged, or built for other inputs
     """
     try:
-        with np.load(stream, allow_pickle=False) as file:
-            document = json.loads(str(file["document"]))
-            arrays: dict[str, Any] = {name: file[name] for name in ARRAYS}
-    except (zipfile.BadZipFile, zlib.error, KeyError, ValueError, EOFError, OSError) as problem:
+        content = arrays_of(stream, path)
+        document = json.loads(str(content["document"]))
+        arrays: dict[str, Any] = {name: content[name] for name in ARRAYS}
+    except DAMAGE as problem:
         kind = type(problem).__name__
         raise ValueError(f"{path}: no traction table, or a damaged one ({kind})") from problem
     if not isinstance(document, dict) or document.get("format") != FORMAT:
@@ -188,13 +150,14 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         needed = f"reads {FORMAT_VERSION}; make the table again"
         raise ValueError(f"{path}: format version {version}, this program {needed}")
     try:
-        parts = {name: _restored(document[name]) for name in PARTS}
+        hints = get_type_hints(TractionTable)
+        parts = {name: from_document(document[name], hints[name], {}) for name in PARTS}
         values = decompressed(arrays["values"], tuple(document["shape"]))
         plain = {name: document[name] for name in PLAIN}
         spacing = map(float, [*plain["spacing"], 0.0][:3])  # older files have no REST_SHARE
         plain["spacing"] = tuple(spacing)
         table = TractionTable(**parts, **(arrays | {"values": values}), **plain)
-    except (KeyError, TypeError, AttributeError, ValueError, *DAMAGED) as problem:
+    except DAMAGE as problem:
         fault = "damaged, or written by another version of this program"
         raise ValueError(f"{path}: {fault}") from problem
     digest = inputs_digest(table.contact, table.range, table.points)
@@ -212,29 +175,3 @@ def _content(arrays: dict[str, Any]) -> str:
     for name in ARRAYS:
         digest.update(np.ascontiguousarray(arrays[name], dtype="<f8").tobytes())
     return digest.hexdigest()
-
-
-def _plain(value: Any) -> Any:
-    """Dataclasses and enumerations as tables that name their type, infinities as text."""
-    if isinstance(value, Enum):
-        return {"type": NAMES[type(value)], "value": value.value}
-    if is_dataclass(value):
-        parts = {field.name: _plain(getattr(value, field.name)) for field in fields(value)}
-        return {"type": NAMES[type(value)], **parts}
-    if isinstance(value, tuple | list):
-        return [_plain(part) for part in value]
-    return str(value) if isinstance(value, float) and not isfinite(value) else value
-
-
-def _restored(value: Any) -> Any:
-    """The inverse of `_plain`."""
-    if isinstance(value, list):
-        return tuple(_restored(part) for part in value)
-    if value in ("inf", "-inf", "nan"):
-        return float(value)
-    if not isinstance(value, dict):
-        return value
-    kind = TYPES[value["type"]]
-    if issubclass(kind, Enum):
-        return kind(value["value"])
-    return kind(**{key: _restored(part) for key, part in value.items() if key != "type"})

@@ -1,6 +1,5 @@
 """Numbers of the points of a batch as columns, some thousand points at a time."""
 
-import json
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
@@ -8,7 +7,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from .results import BatchResults
-from .store import BOOL, FLOAT, INTEGER, NOTHING, packed_numbers, unpacked_numbers
+from .store import BOOL, FLOAT, INTEGER, NOTHING, layout_names, packed_numbers, unpacked_numbers
 
 CHUNK = 5000  # points at a time: 10 MB with 250 numbers each
 STATE = ("point", "block", "status", "converged")  # columns of every batch, before the keys
@@ -96,7 +95,7 @@ class Layouts:
             Names of the numbers of a point, JSON.
         """
         if layout not in self._names:
-            main, others = json.loads(layout) or ([], [])
+            main, others = layout_names(layout)
             self._names[layout] = (main, others)
             self.main |= dict.fromkeys(main)
             self.others |= dict.fromkeys(others)

@@ -23,6 +23,8 @@ from typing import Any
 
 import numpy as np
 
+from oilfilm.ehl.foreign_files import DAMAGE, DamagedFileError, inflated, parse_json
+
 from ..files import read_summary
 from .results import BatchPoint, BatchResults, main_results, scalar_numbers
 
@@ -30,6 +32,7 @@ DONE = "done"
 FAILED = "failed"
 LOST = "lost"
 LEVEL = 3  # of compression: 64 kB of JSON to 8 kB in 0.9 ms, level 6 takes 1.6 ms for 7 % less
+NUMBER = 8  # of float64 [bytes]
 BOOL, INTEGER, FLOAT, NOTHING = b"bif-"  # kinds of a number; nothing: null
 NO_FILES: Mapping[str, str] = MappingProxyType({})
 NO_VALUES: Mapping[str, Any] = MappingProxyType({})
@@ -44,14 +47,13 @@ SELECT = (
     f"SELECT points.id, digest, text, {', '.join(COLUMNS)} "
     "FROM points LEFT JOIN layouts ON layouts.id = layout"
 )
-TABLES = f"""
-CREATE TABLE layouts (id INTEGER PRIMARY KEY, text TEXT NOT NULL);
-CREATE TABLE points (
+TABLES = (
+    "CREATE TABLE layouts (id INTEGER PRIMARY KEY, text TEXT NOT NULL)",
+    """CREATE TABLE points (
     id INTEGER PRIMARY KEY, key TEXT, status TEXT, digest BLOB, layout INTEGER,
     message TEXT, vals TEXT, files TEXT, numbers BLOB, summary BLOB
-);
-PRAGMA user_version = {FORMAT};
-"""
+)""",
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -169,7 +171,10 @@ def summary_of(
     dict[str, Any] | None
         The summary; None of a point without a result.
     """
-    return read(zlib.decompress(record.summary)) if record.summary else None
+    try:
+        return read(inflated(record.summary)) if record.summary else None
+    except DAMAGE as problem:
+        raise DamagedFileError(f"summary of {record.key}: damaged: {problem}") from problem
 
 
 def packed_numbers(summary: dict[str, Any]) -> tuple[str, bytes]:
@@ -337,7 +342,8 @@ def _connected(path: Path, wait: float) -> sqlite3.Connection:
         file.execute("PRAGMA synchronous = FULL")
         (version,) = file.execute("PRAGMA user_version").fetchone()
         if version == 0:
-            file.executescript(TABLES)
+            file.executescript(";\n".join((*TABLES, f"PRAGMA user_version = {FORMAT};")))
+        _require_own_tables(file)
     except BaseException:
         file.close()
         raise
@@ -400,12 +406,24 @@ def _rows(path: Path) -> Iterator[tuple[int, tuple[Any, ...] | None]]:
 
 def _for_reading(path: Path) -> sqlite3.Connection:
     """A file to read; what a killed writer had not merged into it is merged first."""
-    if not path.with_name(f"{path.name}-wal").exists():
-        return sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
+    if path.with_name(f"{path.name}-wal").exists():
+        with suppress(sqlite3.OperationalError):  # nothing can be written, or somebody writes
+            return _connected(path, 0.0)
+    file = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
     try:
-        return _connected(path, 0.0)
-    except sqlite3.OperationalError:  # where nothing can be written, or somebody writes
-        return sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
+        _require_own_tables(file)
+    except BaseException:
+        file.close()
+        raise
+    return file
+
+
+def _require_own_tables(file: sqlite3.Connection) -> None:
+    """DatabaseError where a file has views, triggers or other tables: those are programs."""
+    file.execute("PRAGMA trusted_schema = OFF")
+    tables = file.execute("SELECT sql FROM sqlite_master ORDER BY rowid")
+    if tuple(sql for (sql,) in tables) != TABLES:
+        raise sqlite3.DatabaseError("not the tables of oilfilm")
 
 
 def _is_whole(row: tuple[Any, ...]) -> bool:
@@ -413,9 +431,39 @@ def _is_whole(row: tuple[Any, ...]) -> bool:
     _, digest, layout, key, status, message, values, numbers, summary, files = row
     try:
         content = ((key, status, message, values, files), layout or "[]", numbers, summary)
-        return content_digest(*content) == digest
-    except (TypeError, ValueError):
+        main, others = layout_names(layout or "[]")
+        return content_digest(*content) == digest and len(numbers) == (1 + NUMBER) * (
+            len(main) + len(others)
+        )
+    except DAMAGE:
         return False
+
+
+@lru_cache(maxsize=256)
+def layout_names(layout: str) -> tuple[list[str], list[str]]:
+    """Names of packed numbers.
+
+    Parameters
+    ----------
+    layout : str
+        Names as JSON.
+
+    Returns
+    -------
+    value
+        Names of main results.
+    value
+        Names of the others.
+
+    Raises
+    ------
+    DamagedFileError
+        If it is no such text.
+    """
+    parts = parse_json(layout, "names of numbers") or ([], [])
+    if len(parts) != 2 or not all(isinstance(name, str) for part in parts for name in part):
+        raise DamagedFileError("names of numbers are damaged")
+    return parts[0], parts[1]
 
 
 def _record(row: tuple[Any, ...]) -> Record | None:

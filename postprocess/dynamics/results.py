@@ -25,6 +25,7 @@ from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_sp
 from oilfilm.ehl.units import from_si
 
 from ..files import plain
+from ..open_results import open_netcdf
 from ..quantities import CAGE_SPEED, Results, by_key, quantities, rows_of, values_of
 from .history import FORMAT, HISTORY_FILE
 
@@ -128,7 +129,7 @@ def open_history(path: str | Path) -> xr.Dataset:
     path = path / HISTORY_FILE if path.is_dir() else path
     if not path.is_file():
         raise ValueError(f"{path.parent} holds no history of a simulation: {path.name} is missing")
-    data = xr.open_dataset(path, engine="h5netcdf")
+    data = open_netcdf(path, xr.open_dataset)
     if data.attrs.get("oilfilm_history") != FORMAT:
         data.close()
         raise ValueError(f"{path} is no history of a simulation that this version reads")

@@ -17,6 +17,7 @@ import pyvista as pv
 import xarray
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.foreign_files import parse_json
 from oilfilm.ehl.units import MICROMETRE, MILLIMETRE
 
 from ..contact.summary import film_maps
@@ -411,7 +412,7 @@ def _add_bearing(scene: Scene, directory: Path, tree: xarray.DataTree) -> None:
     diameter /= MILLIMETRE
     room = Room.of(bodies, diameter)
     turn = parts.most_loaded(balls)
-    operation = json.loads(tree.attrs["case"]).get("operation", {})
+    operation = parse_json(tree.attrs["case"], str(directory)).get("operation", {})
     speeds = {race: float(operation.get(f"{race}_speed_rpm", 0.0)) for race in room.faces}
     scene.labels = (
         *parts.ball_labels(balls, diameter, room.outside, room.front),

@@ -4,7 +4,6 @@ vtk.js draws surfaces with even colour scales; logarithmic colours come as the l
 with a scale of its own next to the picture, and texts in space as flat letters.
 """
 
-import json
 import re
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
@@ -19,6 +18,7 @@ from markupsafe import escape
 from PIL import Image
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.foreign_files import parse_json
 from oilfilm.ehl.units import GIGAPASCAL
 
 from ..plot_style import INK, colour_stops, film_ticks
@@ -142,7 +142,9 @@ def numbers_of(mesh: Any) -> str:
         The numbers in words; empty of another body.
     """
     data = getattr(mesh, "field_data", None)
-    return str(json.loads(data[NUMBERS][0])) if data is not None and NUMBERS in data else ""
+    return (
+        str(parse_json(data[NUMBERS][0], NUMBERS)) if data is not None and NUMBERS in data else ""
+    )
 
 
 def write_movie(plotter: Any, file: Path) -> None:

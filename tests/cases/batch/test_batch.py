@@ -493,7 +493,7 @@ def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, 
 def test_the_cache_is_looked_through_a_few_times_only(tmp_path, monkeypatch):
     """10 000 contacts of 100 kB are 10 looks, of which each reads the sizes of all there are."""
     looks = []
-    monkeypatch.setattr(shared_tables, "load_object", lambda path: None)
+    monkeypatch.setattr(shared_tables, "load_object", lambda path, kind: None)
     monkeypatch.setattr(shared_tables, "store_object", lambda path, thing: 100_000)
     monkeypatch.setattr(shared_tables, "content_key", lambda *words: f"{words[0]}")
     cache = ContactCache(tmp_path)

@@ -95,8 +95,8 @@ def test_the_table_that_a_case_names_is_made_without_it(quick, monkeypatch, tmp_
     equilibrium = load_case(case)  # takes it
     assert set(equilibrium.traction.source.laws) == set(Race)
     made = path.read_bytes()
-    monkeypatch.setattr("oilfilm.ehl.traction_table.storage.FORMAT_VERSION", 10)
-    refused("format version 9, this program reads 10")
+    monkeypatch.setattr("oilfilm.ehl.traction_table.storage.FORMAT_VERSION", 11)
+    refused("format version 10, this program reads 11")
     found = call(str(case), "-o", str(path), "-q")
     assert found.exit_code == 0, found.stderr
     assert path.read_bytes() != made
