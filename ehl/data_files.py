@@ -212,15 +212,12 @@ def from_document(document: Any, hint: Any, arrays: Mapping[str, Any]) -> Any:
         if isinstance(document, dict):
             if origin is np.ndarray and document.keys() == {"array"}:
                 return arrays[document["array"]]
-            if is_dataclass(option) and document.get("class") == option.__name__:
-                types_of = _hints(option)
-                values = {name: document[name] for name in types_of}
-                return option(
-                    **{
-                        name: from_document(values[name], types_of[name], arrays)
-                        for name in values
-                    }
-                )
+            if is_dataclass(option) and document.get("class") == origin.__name__:
+                kind_of = _hints(origin)
+                parts = {
+                    name: from_document(document[name], kind_of[name], arrays) for name in kind_of
+                }
+                return origin(**parts)
         elif isinstance(document, list):
             if origin is tuple:
                 kinds = get_args(option)

@@ -122,11 +122,11 @@ def open_netcdf(path: Path, opened: Callable[..., T]) -> T:
 def _require_own_data(group: h5py.Group, seen: set[int]) -> None:
     """ValueError where a link leads elsewhere, or a variable is larger than what is stored."""
     for name in group:
-        link, item = group.get(name, getlink=True), None
-        if isinstance(link, h5py.HardLink):
-            item = group[name]
-        place = None if item is None else h5py.h5o.get_info(item.id).addr
-        if item is None or place in seen:
+        if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+            raise ValueError(f"{name} leads elsewhere")
+        item = group[name]
+        place = h5py.h5o.get_info(item.id).addr
+        if place in seen:
             raise ValueError(f"{name} leads elsewhere")
         seen.add(place)
         if isinstance(item, h5py.Group):

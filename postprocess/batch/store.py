@@ -460,7 +460,7 @@ def layout_names(layout: str) -> tuple[list[str], list[str]]:
     DamagedFileError
         If it is no such text.
     """
-    parts = parse_json(layout, "names of numbers") or ([], [])
+    parts: Any = parse_json(layout, "names of numbers") or ([], [])
     if len(parts) != 2 or not all(isinstance(name, str) for part in parts for name in part):
         raise DamagedFileError("names of numbers are damaged")
     return parts[0], parts[1]
