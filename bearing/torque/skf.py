@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from oilfilm.ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si
+from oilfilm.ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si, to_si
 
 from ..geometry import Bearing
 from ..library.catalogue import friction_series
@@ -82,6 +82,11 @@ RANGES = {
     "skf": ModelRange(speed_factor=1.0e6, viscosity=(2.0, 500.0), load_share=0.01),
     "palmgren": ModelRange(speed_factor=1.0e6, viscosity=(1.0, 1000.0), load_share=0.0),
 }
+# least phi_rs that the films take: Biboulet and Houpert's formula of the starved moment (2010)
+# ends there, at a layer of twice the film [-]
+LEAST_REPLENISHMENT = 0.2
+# phi_rs below which SKF's rolling moment, (nu n)^0.6 phi_rs, falls as the oil thickens [-]
+FALLING_REPLENISHMENT = exp(-0.6)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -497,6 +502,7 @@ class InletFactors:
     unheated: float = 1.0
     heating_source: str = ""
     replenishment_source: str = ""
+    limit: str = ""  # the end of the factors' range at which they are held; empty inside
 
     @property
     def rolling(self) -> float:
@@ -516,7 +522,8 @@ def inlet_factors(
     heated: bool = False,
     layered: bool = False,
 ) -> InletFactors:
-    """Factors of the rolling moment of flooded, isothermal films.
+    """Factors of the rolling moment of flooded, isothermal films, beyond the viscosities of SKF's
+    model those at its end, and phi_rs not below `LEAST_REPLENISHMENT`.
 
     Parameters
     ----------
@@ -541,14 +548,16 @@ def inlet_factors(
     shear = supplied = 1.0
     why_shear = "solved with the films; SKF's phi_ish where one is not"
     why_supplied = "the oil at the inlets is that of the stated supply"
-    phi = inlet_shear_factor(speed, viscosity, mean_diameter(bearing))
+    counted = min(viscosity, to_si("viscosity_mm2_s", RANGES["skf"].viscosity[1]))
+    phi = inlet_shear_factor(speed, counted, mean_diameter(bearing))
     if not heated:
         shear = phi
         why_shear = "SKF's phi_ish"
     if not layered:
         geometry = geometry_factor(bearing_kind(bearing))
-        product = speed * viscosity
-        supplied = replenishment_factor(geometry, lubrication, product, diameters(bearing))
+        product = speed * counted
+        by_skf = replenishment_factor(geometry, lubrication, product, diameters(bearing))
+        supplied = max(by_skf, LEAST_REPLENISHMENT)
         why_supplied = f"SKF's phi_rs, {lubrication.value}"
     return InletFactors(
         shear_heating=shear,
@@ -556,7 +565,27 @@ def inlet_factors(
         unheated=phi if heated else 1.0,
         heating_source=why_shear,
         replenishment_source=why_supplied,
+        limit=_limit(viscosity, supplied),
     )
+
+
+def _limit(viscosity: float, replenishment: float) -> str:
+    """The end of the range at which factors of a viscosity [m^2/s] are held; empty inside."""
+    nu = from_si("viscosity_mm2_s", viscosity)
+    end = RANGES["skf"].viscosity[1]
+    limits = []
+    if nu > end:
+        limits.append(
+            f"SKF's factors of the inlet are those at {end:g} mm2/s, the oil has {nu:.3g}"
+        )
+    if replenishment <= LEAST_REPLENISHMENT:
+        limits.append(f"phi_rs is held at {LEAST_REPLENISHMENT:g}, where its range ends")
+    elif replenishment < FALLING_REPLENISHMENT:
+        limits.append(
+            f"phi_rs is {replenishment:.2g}; below {FALLING_REPLENISHMENT:.2g} SKF's rolling "
+            "moment falls as the oil thickens"
+        )
+    return "; ".join(limits)
 
 
 def mean_diameter(bearing: Bearing) -> float:

@@ -364,6 +364,9 @@ class OilTable(Table):
     )
     yasutomi_slope: float | None = above(0, 100, "C_1")
     yasutomi_width_K: float | None = above(0, 1e4, "C_2")
+    pour_point_C: float | None = between(
+        -100, 100, "below which the oil does not flow; left out, an estimate of mineral oils"
+    )
     thermal_conductivity_W_m_K: float | None = above(0, 10, "for film_model thermal")
     specific_heat_J_kg_K: float | None = above(0, 1e4, "for film_model thermal")
     viscosity_temperature_1_K: float | None = between(0, 1, "-d(ln eta)/dT; film_model thermal")
@@ -664,7 +667,24 @@ def lubricant(oil: Oil, temperature: float) -> Lubricant:
     _set_viscosity(given, keys)
     result = Lubricant(**with_coefficient(given, keys))
     warn_of_temperature(result, measured_at)
+    _warn_of_pour_point(oil, result.name, temperature)
     return result
+
+
+def _warn_of_pour_point(oil: Oil, name: str, temperature: float) -> None:
+    """Warn of an oil that does not flow at a temperature [K]."""
+    given = oil.keys.get("pour_point_C")
+    known = lubricant_data(name).get("pour_point", {}) if oil.of_library else {}
+    end = known.get("value_C") if given is None else given
+    celsius = temperature - ZERO_CELSIUS
+    if end is None or celsius >= end:
+        return
+    origin = " (an estimate by the grade, lubricant.pour_point_C)" if given is None else ""
+    warnings.warn(
+        f"lubricant {name!r}: {celsius:.0f} C lies below its pour point, {end:g} C{origin}: "
+        "the oil does not flow, films and torque are extrapolated beyond what it can be",
+        stacklevel=2,
+    )
 
 
 def _of_library(

@@ -81,6 +81,7 @@ from .results import BearingResults, distinct_contacts
 from .torque import (
     decay_block,
     decay_messages,
+    oil_messages,
     rolling_messages,
     supply_block,
     supply_messages,
@@ -208,6 +209,7 @@ def _electrical_messages(results: BearingResults) -> Iterator[str]:
 
 def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from results.broken_laws
+    yield from oil_messages(results)
     state = results.quasistatic
     if not state.converged or "arbitrary" in state.message:  # a free direction without stiffness
         yield f"equilibrium of ring and balls: {state.message}"

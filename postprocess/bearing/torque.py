@@ -200,6 +200,26 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield from _churning_message(results, torque)
 
 
+def oil_messages(results: BearingResults) -> Iterator[str]:
+    """Warn first of a torque whose oil lies beyond the range of the factors in it.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
+    torque = results.torque
+    if torque is None or torque.chosen != "integrated" or torque.inlet is None:
+        return
+    if torque.inlet.limit:
+        yield f"torque_N_mm.total: an estimate, {torque.inlet.limit}"
+
+
 def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
     """Model of the total, and values that are null with it."""
     if torque.chosen == "integrated" and torque.shear is not None:

@@ -51,6 +51,7 @@ def test_every_property_has_a_source():
     assert [(name, field) for name, data in oils.items() for field in PROPERTIES if not is_sourced(data[field])] == []
     assert [name for name, data in oils.items() if not data["range_C"][0] < 40.0 <= data["range_C"][1]] == []
     assert [name for name, data in oils.items() if data["viscosity"]["law"] not in LAWS] == []
+    assert [name for name, data in oils.items() if not is_sourced(data.get("pour_point", data["viscosity"]))] == []
 
 
 @pytest.mark.parametrize("grade", VOGEL)

@@ -7,7 +7,7 @@ from math import exp, sqrt
 
 import pytest
 
-from oilfilm.bearing.torque.skf import NO_LOSS, Lubrication, inlet_factors, mean_diameter
+from oilfilm.bearing.torque.skf import LEAST_REPLENISHMENT, NO_LOSS, Lubrication, inlet_factors, mean_diameter
 from oilfilm.ehl.units import RPM
 
 SPEED = 6000.0 * RPM
@@ -35,3 +35,25 @@ def test_what_is_solved_with_the_films_is_not_counted_again(bearings):
     assert layered.replenishment == 1.0
     assert layered.rolling == layered.shear_heating < 1.0
     assert NO_LOSS.rolling == 1.0
+
+
+@pytest.mark.parametrize("viscosity", [510e-6, 0.02])
+def test_beyond_the_range_the_factors_stay_at_its_end(bearings, viscosity):
+    """Up to 500 mm^2/s inside; beyond it a 6208 has the factors of 500, and a reason that says so."""
+    at_end = inlet_factors(bearings.b6208, 0.01 * SPEED, 499.9999999999e-6, Lubrication.GREASE)
+    beyond = inlet_factors(bearings.b6208, 0.01 * SPEED, viscosity, Lubrication.GREASE)
+    assert at_end.limit == ""
+    assert beyond.shear_heating == pytest.approx(at_end.shear_heating, rel=1e-9)
+    assert beyond.replenishment == pytest.approx(at_end.replenishment, rel=1e-9)
+    assert "500 mm2/s" in beyond.limit
+
+
+def test_replenishment_ends_where_its_source_does(bearings):
+    """phi_rs of grease at 6000 r/min: 0.43 at 100 mm^2/s, 0.12 at 250; a bath has all of its oil."""
+    falling, held = (inlet_factors(bearings.b6208, SPEED, nu * 1e-6, Lubrication.GREASE) for nu in (100.0, 250.0))
+    assert LEAST_REPLENISHMENT < falling.replenishment < 0.55
+    assert "falls as the oil thickens" in falling.limit
+    assert held.replenishment == LEAST_REPLENISHMENT
+    assert "held" in held.limit
+    bath = inlet_factors(bearings.b6208, SPEED, 250e-6, Lubrication.OIL_BATH)
+    assert (bath.replenishment, bath.limit) == (1.0, "")
