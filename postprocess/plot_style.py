@@ -2,12 +2,14 @@
 
 import io
 from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import matplotlib
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import Colormap, ListedColormap
 from matplotlib.figure import Figure
 
 from oilfilm.bearing.files import write_bytes
@@ -25,8 +27,9 @@ CAGE_COLOUR = "#a6761d"
 BALL_COLOUR = "#6b7785"
 REFERENCE = "#666666"
 INK = "#1b1f24"
-# perceptually uniform; zero pressure is paper white
+# perceptually uniform
 COLOUR_MAPS = {"film": "viridis", "pressure": "magma_r", "displacement": "plasma"}
+PAPER_WHITE = 0.12  # of the pressure's colours, which begin white [-]
 RC: Any = {
     "font.size": 8.0,
     "font.family": "DejaVu Sans",
@@ -189,8 +192,29 @@ def colour_stops(quantity: str, count: int) -> Array:
     Array
         Red, green and blue from 0 to 1, shape (count, 3) [-].
     """
-    colours = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))
-    return np.asarray(colours[:, :3])
+    return np.asarray(colour_map(quantity)(np.linspace(0.0, 1.0, count))[:, :3])
+
+
+@cache
+def colour_map(quantity: str) -> Colormap:
+    """Colours of a quantity, white where there is no pressure.
+
+    Parameters
+    ----------
+    quantity : str
+        "film", "pressure" or "displacement".
+
+    Returns
+    -------
+    Colormap
+        The colours.
+    """
+    own = matplotlib.colormaps[COLOUR_MAPS[quantity]]
+    if quantity != "pressure":
+        return own
+    share = np.linspace(0.0, 1.0, own.N)
+    white = np.clip(1.0 - share / PAPER_WHITE, 0.0, 1.0)[:, None]
+    return ListedColormap(white + (1.0 - white) * own(share))
 
 
 def titled_panels(

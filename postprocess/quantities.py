@@ -429,6 +429,29 @@ def in_figures(value: float, figures: int) -> str:
     return f"{float(text):.0f}" if float(text) >= 10.0 ** (figures - 1) else text
 
 
+def in_ranges(numbers: list[str]) -> str:
+    """Whole numbers side by side, three and more that follow each other as a range.
+
+    Parameters
+    ----------
+    numbers : list[str]
+        Whole numbers as text, ascending.
+
+    Returns
+    -------
+    str
+        For example "1, 3–8, 10".
+    """
+    runs: list[list[int]] = []
+    for number in map(int, numbers):
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    parts = [f"{run[0]}–{run[-1]}" if len(run) > 2 else ", ".join(map(str, run)) for run in runs]
+    return listed(parts)
+
+
 def listed(names: list[str]) -> str:
     """Names side by side; the ends alone of a long list.
 

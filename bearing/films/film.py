@@ -19,8 +19,7 @@ from oilfilm.ehl.closed_form.film import ThermalReduction
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.solution import ContactSolution, FilmValue
 
-# fraction of Hertz' pressure from which a node counts to the contact, whose gap goes with the
-# film; ahead of it the gap is that of the bodies [-]
+# fraction of Hertz' pressure from which a node counts to the contact [-]
 CONTACT_PRESSURE = 0.01
 NO_HEAT = ThermalReduction(1.0, 1.0, 1.0)
 
@@ -110,12 +109,12 @@ class ContactFilm:
     isothermal_central: float | None = None  # [m]
     isothermal_minimum: float | None = None  # [m]
     flooded_central: float  # without limit of the supply, as computed [m]
+    flooded_minimum: float | None = None  # likewise
     flooded_moment: float = 0.0  # that resists rolling, flooded and isothermal [N m]
     heat: ThermalReduction = (
         NO_HEAT  # of the isothermal film that the heat of the inlet leaves [-]
     )
     supply: SupplyFractions = FLOODED
-    gap_fraction: float = 1.0  # of the gap in the contact that supply and heat leave [-]
     rolling_fraction: float = 1.0  # of the rolling moment that supply and inlet leave [-]
     asperity_load: float = 0.0  # fraction of the load on asperities [-]
     flooded_asperity_load: float = 0.0  # the same of the flooded film as computed [-]
@@ -138,11 +137,14 @@ class ContactFilm:
         return self.field is not None and self.field.supply is not None
 
     @property
-    def gap(self) -> float:
-        """In the contact [m], of a film without a field; around it the gap is
-        `flooded_central`.
-        """
-        return self.gap_fraction * self.flooded_central
+    def values(self) -> tuple[float, float | None]:
+        """Central and minimum film [m]."""
+        return self.central.value, None if self.minimum is None else self.minimum.value
+
+    @property
+    def gap_fraction(self) -> float:
+        """Fraction of the flooded gap in the contact that supply and heat leave [-]."""
+        return self.central.value / self.flooded_central
 
     @property
     def rolling_moment(self) -> float:
@@ -165,15 +167,19 @@ class ContactFilm:
 
     @property
     def operating_field(self) -> ContactSolution | None:
-        """The field with the gap that supply and heat leave; None without a field."""
-        return None if self.field is None else with_gap(self.field, self.gap_fraction)
+        """The field of these central and minimum films; None without a field."""
+        if self.field is None or self.field.film_scale is None:
+            return self.field
+        return with_films(self.field, self.central, self.minimum)
 
     def flooded(self) -> "ContactFilm":
         """The film with the whole rolling moment [N m], in the flooded gap as computed."""
+        minimum = self.flooded_minimum
         return replace(
             self,
             field=self.flooded_field,
-            gap_fraction=1.0,
+            central=FilmThickness(self.flooded_central),
+            minimum=None if minimum is None else FilmThickness(minimum),
             rolling_fraction=1.0,
             asperity_load=self.flooded_asperity_load,
         )
@@ -198,57 +204,50 @@ def solved_with_heat(film: ContactSolution | None) -> bool:
     return film is not None and film.state is not None and film.state.temperature is not None
 
 
-def with_gap(film: ContactSolution, fraction: float) -> ContactSolution:
-    """A solved film whose gap in the contact is a fraction of its own.
+def with_films(
+    field: ContactSolution, central: FilmThickness, minimum: FilmThickness | None
+) -> ContactSolution:
+    """A field of another central and minimum film, under the same pressure.
+
+    Supply and heat act on the oil that enters the contact, so that its plateau and its
+    constrictions thin by fractions of their own, while bodies around it only approach. The gap is
+    therefore a function of the gap as computed: linear between both films, so that contours keep
+    their shape, and beyond the central film less by as much as that is.
 
     Parameters
     ----------
-    film : ContactSolution
-        Solved film of a contact.
-    fraction : float
-        Of the gap where the pressure exceeds `CONTACT_PRESSURE` [-].
+    field : ContactSolution
+        Field with lengths.
+    central : FilmThickness
+        Film at the centre.
+    minimum : FilmThickness or None
+        Smallest film; None: the fraction of the computed one that the central film is.
 
     Returns
     -------
     ContactSolution
-        The same pressure with the other gap.
+        Field whose node at the centre and whose thinnest node have these films.
     """
-    if fraction == 1.0:
-        return film
-    inside = film.P > CONTACT_PRESSURE
-    return replace(film, H=np.where(inside, fraction * film.H, film.H))
-
-
-def heated_solution(film: ContactSolution, heat: ThermalReduction) -> ContactSolution:
-    """A solved film with the fraction of it that the heat of its inlet leaves.
-
-    Parameters
-    ----------
-    film : ContactSolution
-        Solved film of a contact, without heat.
-    heat : ThermalReduction
-        Fraction and its range [-]; the range enters the error bars.
-
-    Returns
-    -------
-    ContactSolution
-        The film with heat; the same object where nothing is lost.
-    """
-    if heat.value == 1.0:
-        return film
+    assert field.film_scale is not None
+    middle = float(field.H[abs(field.X).argmin(), abs(field.Y).argmin()])
+    least = float(field.H.min())
+    if minimum is None:
+        ratio = least / middle
+        minimum = FilmThickness(ratio * central.value, ratio * central.error)
+    centre, smallest = (_dimensionless(film, field.film_scale) for film in (central, minimum))
+    gap = field.H + (centre.value - middle)
+    if least < middle:
+        thin = np.interp(field.H, (least, middle), (smallest.value, centre.value))
+        gap = np.where(field.H < middle, thin, gap)
     return replace(
-        with_gap(film, heat.value),
-        film_central_dimensionless=_heated(film.film_central_dimensionless, heat),
-        film_minimum_dimensionless=_heated(film.film_minimum_dimensionless, heat),
+        field, H=gap, film_central_dimensionless=centre, film_minimum_dimensionless=smallest
     )
 
 
-def _heated(film: FilmValue, heat: ThermalReduction) -> FilmValue:
-    return FilmValue(
-        value=heat.value * film.value,
-        uncertainty=hypot(heat.value * film.uncertainty, heat.uncertainty * film.value),
-        finest=heat.value * film.finest,
-    )
+def _dimensionless(film: FilmThickness, scale: float) -> FilmValue:
+    """A film over its scale [m]."""
+    value = film.value / scale
+    return FilmValue(value=value, uncertainty=film.error / scale, finest=value)
 
 
 def first_same(objects: Sequence[object]) -> list[int]:

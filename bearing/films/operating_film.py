@@ -117,6 +117,7 @@ def _solved(
         isothermal_central=central.value,
         isothermal_minimum=minimum.value,
         flooded_central=_length(flooded.film_central),
+        flooded_minimum=_length(flooded.film_minimum),
         flooded_moment=moment,
         rolling_fraction=fraction,
         supply=_layer_fractions(solution),
@@ -303,13 +304,11 @@ def _operating(
     heat = film.heat
     central = film.central
     minimum = film.minimum
-    gap = film.gap_fraction
     if not with_heat:
         inlet = film.supply.rolling_moment if box_inlet else film.rolling_fraction
         heat = film_heat(contact).at(inlet)
         central = _heated(central, heat)
         minimum = None if minimum is None else _heated(minimum, heat)
-        gap = heat.value * gap
     # 3. asperities
     load = flooded_load = boundary = roughness = 0.0
     if asperities is not None:
@@ -322,7 +321,6 @@ def _operating(
         central=central,
         minimum=minimum,
         heat=heat,
-        gap_fraction=gap,
         rolling_fraction=factors[0 if with_heat else 1] * film.rolling_fraction,
         asperity_load=load,
         flooded_asperity_load=flooded_load,
@@ -358,18 +356,24 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
         rolling_moment=shares.rolling_moment.value,
         inside=shares.inside,
     )
-    fraction = left.central / before.central
-    central = _scaled(film.central, fraction * film.central.value)
+    fractions = (left.central / before.central, left.minimum / before.minimum)
+    central = _scaled(film.central, fractions[0] * film.central.value)
     minimum = None
     if film.minimum is not None:
-        least = left.minimum / before.minimum * film.minimum.value
-        minimum = _scaled(film.minimum, min(least, central.value))
+        minimum = _scaled(film.minimum, min(fractions[1] * film.minimum.value, central.value))
+    isothermal = [
+        value and fraction * value
+        for fraction, value in zip(
+            fractions, (film.isothermal_central, film.isothermal_minimum), strict=True
+        )
+    ]
     return replace(
         film,
         central=central,
         minimum=minimum,
+        isothermal_central=isothermal[0],
+        isothermal_minimum=isothermal[1],
         supply=left,
-        gap_fraction=fraction * film.gap_fraction,
         rolling_fraction=left.rolling_moment / before.rolling_moment * film.rolling_fraction,
     )
 
@@ -390,8 +394,9 @@ def _without_layer(film: ContactFilm) -> ContactFilm:
         field=flooded,
         central=central,
         minimum=minimum,
+        isothermal_central=central.value,
+        isothermal_minimum=minimum.value,
         supply=FLOODED,
-        gap_fraction=1.0,
         rolling_fraction=1.0,
     )
 

@@ -370,6 +370,7 @@ def atlas_film(contact: BearingContact, films: AtlasFilms | None) -> ContactFilm
         isothermal_central=central.value,
         isothermal_minimum=minimum.value,
         flooded_central=central.value,
+        flooded_minimum=minimum.value,
         flooded_moment=0.0 if films.rolling_moment is None else films.rolling_moment.value,
     )
 
@@ -428,6 +429,7 @@ def _unsolved(
         isothermal_central=central,
         isothermal_minimum=minimum,
         flooded_central=central,
+        flooded_minimum=minimum,
         flooded_moment=values.moment,
     )
 
@@ -462,6 +464,7 @@ def _scaled_film(
         isothermal_central=central,
         isothermal_minimum=minimum,
         flooded_central=central,
+        flooded_minimum=minimum,
         flooded_moment=values.moment * rolling_moment(base).value / other.moment,
     )
 

@@ -109,7 +109,7 @@ def film_nodes(
     blocks = [FilmBlock(np.empty((ROWS, 1, 0)), 0, np.zeros((1, 4)))]
     # 1. solved films, one by one
     fields = first_same([None if one is None else one.film.field for one in sheared])
-    existing: dict[tuple[int, float, float], int] = {}
+    existing: dict[tuple[int, float, float | None, float], int] = {}
     others: dict[int, FilmOnSurface] = {}
     for number, one in enumerate(sheared):
         if one is None:
@@ -117,7 +117,7 @@ def film_nodes(
         if one.film.field is None:
             others[number] = one
             continue
-        key = (fields[number], one.film.gap_fraction, one.curvature)
+        key = (fields[number], *one.film.values, one.curvature)
         if key not in existing:
             existing[key] = len(blocks)
             blocks.append(_solved_nodes(one, rheology, temperature))
@@ -242,7 +242,7 @@ def unsolved_nodes(
     kind, like = _alike(places)
     shapes = _shapes(places[kind], unsolved[0].conditions.lubricant, rheology, temperature)
     # the same shapes with other gaps, of operating and flooded films
-    gaps = np.array([(film.gap, film.gap_fraction) for film in unsolved])
+    gaps = np.array([(film.central.value, film.gap_fraction) for film in unsolved])
     chosen, kinds = _alike(np.column_stack([like, gaps]))
     return kinds, _with_gaps(shapes, like[chosen], gaps[chosen])
 

@@ -93,7 +93,7 @@ def film_conductances(
         Race.OUTER: (ball, solid_thermal(bearing.outer_ring_material)),
     }
     rows = np.zeros((len(contacts), 3))
-    existing: dict[tuple[int, float, Race], Ends] = {}
+    existing: dict[tuple[int, float, float | None, Race], Ends] = {}
     fields = first_same([None if film is None else film.field for film in films])
     flat: dict[Race, list[int]] = {race: [] for race in rings}
     for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
@@ -102,7 +102,7 @@ def film_conductances(
         if film.field is None:
             flat[contact.race].append(number)
             continue
-        key = (fields[number], film.gap_fraction, contact.race)
+        key = (fields[number], *film.values, contact.race)
         if key not in existing:
             existing[key] = _of_solved(contact.hertz, film, rings[contact.race], temperature)
         rows[number] = existing[key]
@@ -166,7 +166,7 @@ def _of_flat(
     """
     numbers = [
         (
-            *(*film.size, film.gap, film.conditions.entrainment_speed),
+            *(*film.size, film.central.value, film.conditions.entrainment_speed),
             *_scales(film.central.relative_error),
         )
         for film in films

@@ -391,7 +391,7 @@ class LubricantTable(OilTable):
     name: Name | None = described("oil of [lubricants] or the library; the keys here override it")
     grease: Name | None = described("of the library: its base oil is the lubricant")
     supply: Literal["flooded", "starved"] | None = described(
-        "of the total torque; else starved with inlet_film_um or supply_mL_min"
+        "of films and total torque; else starved with inlet_film_um or supply_mL_min"
     )
     inlet_film_um: float | None = between(
         0, 1e4, "layer at every inlet, both surfaces together; or supply_mL_min"

@@ -400,6 +400,7 @@ def _run(
         contacts=contacts,
         solutions=films.solutions,
         formula_films=films.formulas,
+        supply=_oil_at_inlets(case),
         frequencies=bearing_frequencies(state),
         messages=(*case.warnings, *case.films.messages, *traction, *films.messages),
         timing=timing,
@@ -410,6 +411,12 @@ def _run(
     if on_films_solved is not None and not films.interrupted:
         on_films_solved(results)
     return _with_friction(case, results, films, notify)
+
+
+def _oil_at_inlets(case: Case) -> OilAtInlets | None:
+    """Oil that the contacts of a case get; None: ample."""
+    scarce = None if case.friction is None else case.friction.scarce
+    return None if scarce is None else OilAtInlets(oil=scarce, balls=case.bearing.balls)
 
 
 def _with_friction(

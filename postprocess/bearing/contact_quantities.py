@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import hypot, isfinite
+from math import hypot
 from typing import Any
 
 from oilfilm.bearing.contacts.contact import BearingContact
@@ -19,14 +19,12 @@ from oilfilm.bearing.films.film import (
     FilmOrigin,
     Films,
     FilmThickness,
-    solved_with_heat,
+    SupplyFractions,
 )
-from oilfilm.bearing.films.operating_film import film_heat
 from oilfilm.bearing.films.unsolved_films import too_thick
 from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
-from oilfilm.ehl import ContactSolution
 from oilfilm.ehl.closed_form.film import LARGEST_LOADING
 from oilfilm.ehl.units import from_si, to_si
 
@@ -40,6 +38,8 @@ HEAT_QUANTITIES = (
     *quantities(
         ("isothermal_film_central_um", "central film without heat", "isothermal_central"),
         ("isothermal_film_minimum_um", "minimum film without heat", "isothermal_minimum"),
+        ("flooded_film_central_um", "flooded central film without heat", "flooded_central"),
+        ("flooded_film_minimum_um", "flooded minimum film without heat", "flooded_minimum"),
         source="operating.",
         null=NO_FILM,
     ),
@@ -127,13 +127,10 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
         null=f"{NO_FILM}, or [surface] has no roughness of race and ball",
     ),
     *quantities(
-        ("starved_film_share", "share of the flooded film", "supply.central"),
-        ("starved_film_central_um", "starved central film", "central.value"),
-        ("starved_film_minimum_um", "starved minimum film", "minimum.value"),
+        ("starved_film_share", "share of the flooded film", "central"),
         source="starved.",
         null=NOT_STARVED,
     ),
-    *quantities("starved_lambda_ratio", null=NOT_STARVED),
     *CONTACT_CONDUCTANCE,
     *quantities(
         "mean_pressure_GPa",
@@ -188,8 +185,10 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities("note", source="contact.", words=True),
 )
 CONTACT_QUANTITY = by_key(CONTACT_QUANTITIES)
-# the summary has all of them; quantities of the film are among both
-ALL_QUANTITIES = tuple(by_key((*CONTACT_QUANTITIES, *ALL_FILM_QUANTITIES)).values())
+# the summary has all of them; of those that a single contact has too, these count
+ALL_QUANTITIES = tuple(
+    (CONTACT_QUANTITY | by_key(ALL_FILM_QUANTITIES) | CONTACT_QUANTITY).values()
+)
 TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of their uncertainty
     "load_N": ".1f",
     "hertz_pressure_GPa": ".3f",
@@ -198,15 +197,10 @@ TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of the
     "film_minimum_um": "",
     "lambda_ratio": ".3g",
 }
-AT_SUPPLY = {  # in place of films that were solved flooded, or taken from the atlas
-    "film_central_um": "starved_film_central_um",
-    "film_minimum_um": "starved_film_minimum_um",
-    "lambda_ratio": "starved_lambda_ratio",
-}
 REPORT_COLUMNS = (
     *("load_N", "contact_angle_deg", "hertz_pressure_GPa"),
     *("film_central_um", "film_minimum_um", "lambda_ratio"),
-    *AT_SUPPLY.values(),
+    *("isothermal_film_central_um", "flooded_film_central_um"),
     *("traction_coefficient", "pressure_maximum_GPa"),
     *("entrainment_speed_m_s", "slide_roll_ratio", "spin_roll_ratio"),
     *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "moes_M", "moes_L"),
@@ -219,7 +213,7 @@ class ContactRecord(FilmRecord):
 
     contact: BearingContact
     stress: ContactStress | None
-    starved: ContactFilm | None  # operating film at the supply
+    starved: SupplyFractions | None  # of the flooded film that a scarce supply leaves
     surface: dict[str, float] | None
     edge_tension: float | None  # of the dry contact without friction [Pa]
     tension: SurfaceTension | None  # under the film's pressure and shear
@@ -243,8 +237,8 @@ class ContactRecord(FilmRecord):
         return self.kappa_at(0.0)
 
     def kappa_at(self, end: float) -> float | None:
-        """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a part of
-        its uncertainty, and starved where a supply is given that it was not solved behind.
+        """kappa = lambda^1.3, or the exponent of the case, of the operating film moved by a part
+        of its uncertainty.
 
         Parameters
         ----------
@@ -263,20 +257,10 @@ class ContactRecord(FilmRecord):
         if operating is None or operating.minimum is None:
             return None
         minimum = operating.minimum
-        share = 1.0
-        if self.starved is not None and self.starved.minimum and film.supply is None:
-            flooded = min(minimum.value, operating.central.value)
-            share = self.starved.minimum.value / flooded
-        moved = share * max(0.0, minimum.value + end * minimum.error)
+        moved = max(0.0, minimum.value + end * minimum.error)
         ratio = lambda_ratio(self.contact, moved, self.surface)
         exponent = (self.surface or {}).get("kappa_exponent")
         return None if ratio is None or exponent is None else float(ratio**exponent)
-
-    @property
-    def starved_lambda_ratio(self) -> float | None:
-        """Lambda ratio of the starved film [-]; None without roughness."""
-        ratio = None if self.starved is None else self.starved.lambda_ratio
-        return ratio if ratio is not None and isfinite(ratio) else None
 
 
 def contact_records(results: BearingResults) -> list[ContactRecord]:
@@ -293,9 +277,8 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
         one a contact
     """
     count = len(results.contacts)
-    torque = results.torque
     tensions = results.tensions or (None,) * count
-    starved = torque.films if torque is not None and torque.films else (None,) * count
+    scarce = results.supply is not None
     tractions = results.tractions or (None,) * count
     stresses = contact_stresses(results.quasistatic, results.contacts)
     return [
@@ -306,33 +289,15 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             rolling=results.rolling_moments[i],
             instruments=results.instruments[i],
             stress=stresses[i],
-            starved=starved[i],
+            starved=None if film is None or not scarce else film.supply,
             surface=results.case.get("surface"),
             edge_tension=edge_tension(results.quasistatic.bearing, contact),
             tension=tensions[i],
             conductance=results.conductance(i),
-            operating=results.operating[i],
+            operating=film,
         )
-        for i, contact in enumerate(results.contacts)
+        for i, (contact, film) in enumerate(zip(results.contacts, results.operating, strict=True))
     ]
-
-
-def at_supply(record: ContactRecord) -> dict[str, str]:
-    """Keys of the films as a supply leaves them, by those of the flooded ones.
-
-    Parameters
-    ----------
-    record : ContactRecord
-        of a contact
-
-    Returns
-    -------
-    dict[str, str]
-        empty where the film stands behind its layer, or all is flooded
-    """
-    scarce = record.starved is not None and record.starved.supply.central < 1.0
-    behind = record.film is not None and record.film.supply is not None
-    return AT_SUPPLY if scarce and not behind else {}
 
 
 def contact_values(record: ContactRecord) -> dict[str, Any]:
@@ -526,36 +491,6 @@ def film_values(film: ContactFilm | None) -> dict[str, float | None]:
     return values
 
 
-def isothermal_note(
-    contacts: Sequence[BearingContact], films: Sequence[ContactSolution | None]
-) -> str:
-    """Note for pictures of films as they were solved: that they are isothermal, and what heat
-    leaves of them.
-
-    Parameters
-    ----------
-    contacts : sequence of BearingContact
-        Contacts of the picture.
-    films : sequence of ContactSolution or None
-        Their films as solved.
-
-    Returns
-    -------
-    str
-        Empty where the films were solved with heat.
-    """
-    left = [
-        film_heat(contact).at(1.0 if film.supply is None else film.supply.rolling_moment_ratio)
-        for contact, film in zip(contacts, films, strict=True)
-        if film is not None and film.converged and not solved_with_heat(film)
-    ]
-    return (
-        f"; isothermal films, heat of the inlets leaves {_ends([heat.value for heat in left])}"
-        if left
-        else ""
-    )
-
-
 def _ends(values: Sequence[float]) -> str:
     """Least and largest value, once where they are alike."""
     return " to ".join(dict.fromkeys(f"{value:.2g}" for value in (min(values), max(values))))
@@ -582,7 +517,7 @@ def heat_messages(films: Films) -> Iterator[str]:
     oil = ", with the heat properties of a mineral oil (assumed)" if shares[0].assumed else ""
     yield (
         f"contacts: the heat of their inlets leaves {ends} of the isothermal films "
-        f"(isothermal_film_..., maps and flooded_film_... too), by a formula fitted to films "
+        f"(isothermal_film_..., flooded_film_... too), by a formula fitted to films "
         f"solved with heat{oil}, its spread, up to {100.0 * widest:.2g} %, in their error bars; "
         '[ehl] film_model = "thermal" solves them with it'
     )

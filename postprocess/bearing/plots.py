@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import LogLocator, NullFormatter
 
+from oilfilm.bearing.films.film import ContactFilm
 from oilfilm.bearing.fits.ring_strength import LARGE_SHARE, StrengthMap
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
@@ -50,8 +51,7 @@ from ..plot_style import (
 )
 from ..quantities import FILMS, OTHERS, Quantity, by_key, evenly_chosen
 from .bearing_quantities import BALL_QUANTITY, DECAY_COURSE, TORQUE, TORQUE_MODELS
-from .contact_quantities import isothermal_note
-from .results import BearingResults, distinct_contacts
+from .results import BearingResults, azimuths_text, distinct_contacts
 from .torque import shown_titles, shown_torques
 
 SMALLEST = 1e-15  # probability at the lower end of the axis [-]
@@ -90,23 +90,24 @@ ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
 # contour lines of small maps over the central film [-]
 FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])
 PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
-WIDE_LABEL = 8  # characters of azimuths that fit above a map
+WIDE_LABEL = 10  # characters of azimuths that fit above a map
 ROOM = 0.25  # below a map for its numbers, over the half width of the window [-]
 COLUMNS = 6  # maps side by side at most
 # boxes of the overview, in shares of the figure
 MAPS = {"left": 0.1, "right": 0.878, "bottom": 0.425, "hspace": 0.1, "wspace": 0.18}
 MAPS_TOP = 0.932
 LABEL_LINE = 0.021  # height of a further line of a column's label
-BAR_LEFT = 0.922
+FEWEST_COLUMNS = 3  # that take the whole width; fewer ones are as wide
+BAR_GAP = 0.044
 BAR_WIDTH = 0.0115
-VALUES = (0.075, 0.118, 0.913, 0.186)
+VALUES = (0.075, 0.124, 0.913, 0.18)
 RACE_LEFT = 0.043  # of the race beside its row
 FOOTNOTES = {
     "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
-    "minimum film; grey: film beyond the colour scale;\ncontour lines at 0.8 ... 1.5 of each "
-    "contact's central film; error bars: uncertainty of the solution",
+    "minimum film; grey: film beyond the colour scale;\ncontour lines at 0.8 … 1.5 of each "
+    "contact's central film; error bars: mesh, inlet heating and supply",
     "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest "
-    "pressure; contour lines at 0.1, 0.3 ... 0.9 of it",
+    "pressure;\ncontour lines at 0.1, 0.3 … 0.9 of it",
 }
 FILLED = "; dotted: filled with oil"
 BOX_ENDS = "; hatched: outside the computed box"
@@ -120,25 +121,29 @@ FIELDS = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BallColumn:
-    """Balls with equal contacts, at azimuths that mirror each other about the load line."""
+    """Balls of one row with equal contacts."""
 
     azimuths: tuple[float, ...]  # [deg]
     views: dict[str, ContactView | None]  # by race
+    loads: dict[str, float]  # by race [N]
     row: int | None  # of several, from 1
     # ends along the rolling direction, half width, of every column [mm]
     window: tuple[float, float, float]
 
     @property
     def label(self) -> str:
-        """Azimuths, on two lines if they are long."""
-        angles = [f"{a:.4g}°" for a in self.azimuths]
-        if self.row is not None:
-            angles[-1] += f"\nrow {self.row}"
-        return ", ".join(angles) if sum(map(len, angles)) <= WIDE_LABEL else ",\n".join(angles)
+        """Azimuths, and below them the number of balls or of the row."""
+        text = azimuths_text(self.azimuths)
+        if len(text) > WIDE_LABEL:
+            text = azimuths_text(self.azimuths, pair=",\n")
+        count = f"{len(self.azimuths)} balls" if len(self.azimuths) > 2 else ""
+        row = "" if self.row is None else f"row {self.row}"
+        below = ", ".join(filter(None, (count, row)))
+        return f"{text}\n{below}" if below else text
 
 
 def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
-    """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS`.
+    """Columns of the overview: one for balls of a row with equal contacts, at most `COLUMNS`.
 
     Azimuths in [deg], ascending; all views show one window.
 
@@ -154,13 +159,16 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
     """
     groups: dict[tuple[Any, ...], list[float]] = {}
     pairs: dict[tuple[Any, ...], tuple[ContactSolution | None, ...]] = {}
+    loads: dict[tuple[Any, ...], dict[str, float]] = {}
     for i in range(0, len(results.contacts), 2):
-        azimuth = degrees(results.contacts[i].azimuth) % 360.0
-        mirrored = round(min(azimuth, 360.0 - azimuth), 6)
-        pair = results.solutions[i : i + 2]
-        key = (mirrored, results.contacts[i].row, *map(id, pair))
+        ball = results.contacts[i : i + 2]
+        azimuth = degrees(ball[0].azimuth) % 360.0
+        pair = results.fields[i : i + 2]
+        alone = 0.0 if any(pair) else azimuth  # without fields
+        key = (alone, ball[0].row, *map(id, pair))
         groups.setdefault(key, []).append(azimuth)
         pairs[key] = pair
+        loads[key] = {contact.race.value: contact.load for contact in ball}
     # else no film was asked for
     with_film = [key for key, pair in pairs.items() if pair != (None, None)]
     keys = sorted(with_film or groups, key=lambda key: (key[1], groups[key][0]))
@@ -171,6 +179,7 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         BallColumn(
             azimuths=tuple(sorted(groups[key])),
             views={race: views.get(id(s)) for race, s in zip(COLOURS, pairs[key], strict=True)},
+            loads=loads[key],
             row=key[1] if len(results.quasistatic.rows) > 1 else None,
             window=window,
         )
@@ -242,10 +251,9 @@ def _film_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figu
         yield f"plots/{quantity}_per_azimuth", draw
     for group in groups:
         first = group.contacts[0]
-        view = contact_view(group.solution)
+        view = contact_view(group.field)
         place = f"$Q$ = {first.load:.4g} N, contact angle {degrees(first.contact_angle):.1f}°"
-        cold = isothermal_note([first], [group.solution])
-        title = f"{results.title}\n{group.label}{cold}\n{place}, {film_text(view)}"
+        title = f"{results.title}\n{group.label}: operating film\n{place}, {film_text(view)}"
         name = f"plots/{first.race.value}_ball{first.ball:02d}"
         yield name, partial(draw_contact, view=view, title=title)
 
@@ -266,15 +274,20 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     # fixed boxes: the layout engine takes as long as the drawing
     figure.set_layout_engine("none")
     figure.set_size_inches(PAGE_WIDTH, 6.0)
-    figure.suptitle(results.title, fontsize=8.5, y=0.99)
+    of_film = "operating film" if quantity == "film" else quantity
+    figure.suptitle(f"{results.title}: {of_film}", fontsize=8.5, y=0.99)
     top = MAPS_TOP - LABEL_LINE * max(column.label.count("\n") for column in columns)
-    panels: Any = figure.subplots(2, len(columns), squeeze=False, gridspec_kw=MAPS | {"top": top})
+    width = (MAPS["right"] - MAPS["left"]) * min(len(columns) / FEWEST_COLUMNS, 1.0)
+    right = MAPS["left"] + width
+    boxes = MAPS | {"top": top, "right": right}
+    panels: Any = figure.subplots(2, len(columns), squeeze=False, gridspec_kw=boxes)
     limits = _limits([c.views[race] for c in columns for race in COLOURS], quantity)
     start, end, half_width = columns[0].window
     image: Any = None
     for row, race in zip(panels, COLOURS, strict=True):
         for panel, column in zip(row, columns, strict=True):
-            image = _small_map(panel, column.views[race], quantity, limits) or image
+            loaded = column.loads[race] > 0.0
+            image = _small_map(panel, column.views[race], quantity, limits, loaded) or image
             panel.set(xlim=(start, end), ylim=(-(1.0 + ROOM) * half_width, half_width))
             _few_ticks(panel, start, end, len(columns))
             _hatch_outside(panel, column.views[race])
@@ -290,14 +303,13 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     extend = "max" if quantity == "film" else "neither"
     label = FIELDS[quantity].label
     height = top - MAPS["bottom"]
-    box = figure.add_axes((BAR_LEFT, MAPS["bottom"], BAR_WIDTH, height))
+    box = figure.add_axes((right + BAR_GAP, MAPS["bottom"], BAR_WIDTH, height))
     bar = figure.colorbar(image, cax=box, label=label, extend=extend)
     if quantity == "film":
         bar.ax.minorticks_off()
         ticks = logarithmic_ticks(*limits)
         bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
-    cold = isothermal_note(results.contacts, results.solutions) if quantity == "film" else ""
-    _over_azimuth(figure.add_axes(VALUES), results, quantity, _left_out(columns, results) + cold)
+    _over_azimuth(figure.add_axes(VALUES), results, quantity, _left_out(columns, results))
     views = [view for column in columns for view in column.views.values() if view is not None]
     starved = quantity == "film" and any(view.filled is not None for view in views)
     note = FOOTNOTES[quantity] + FILLED * starved + BOX_ENDS * any(view.cut for view in views)
@@ -306,7 +318,7 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
 
 def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:
     """How many of the balls with films have a map, where not all have one."""
-    films = results.solutions
+    films = results.fields
     available = sum(map(any, zip(films[::2], films[1::2], strict=True)))
     drawn = sum(len(column.azimuths) for column in columns)
     return f"; maps: {drawn} of the {available} balls with films" if drawn < available else ""
@@ -346,13 +358,13 @@ def _few_ticks(axes: Axes, start: float, end: float, count: int) -> None:
 
 
 def _small_map(
-    axes: Axes, view: ContactView | None, quantity: str, limits: tuple[float, float]
+    axes: Axes, view: ContactView | None, quantity: str, limits: tuple[float, float], loaded: bool
 ) -> Any:
-    """One map in semi-axes of its Hertz ellipse; an empty panel where there is no contact."""
+    """One map; an empty panel where there is no contact or no field."""
     if view is None:
         axes.set_facecolor("#eeeeee")
         middle: Any = {"ha": "center", "va": "center", "transform": axes.transAxes}
-        axes.text(0.5, 0.5, "no film", color=REFERENCE, **middle)
+        axes.text(0.5, 0.5, "no map" if loaded else "no load", color=REFERENCE, **middle)
         axes.set(xticks=[], yticks=[])
         return None
     film = quantity == "film"
@@ -377,17 +389,18 @@ def _with_error(view: ContactView, name: str) -> str:
 def _over_azimuth(axes: Axes, results: BearingResults, quantity: str, maps: str) -> None:
     """Film with error bars, or pressure, of every contact over the azimuth."""
     middle = 0.5 * (1 + len(results.quasistatic.rows))
+    drawn: Any = results.operating if quantity == "film" else results.fields
     for race in COLOURS:
         pairs = [
-            (degrees(c.azimuth) % 360.0 + ROW_DODGE * (c.row - middle), s)
-            for c, s in zip(results.contacts, results.solutions, strict=True)
-            if s is not None and c.race.value == race
+            (degrees(c.azimuth) % 360.0 + ROW_DODGE * (c.row - middle), one)
+            for c, one in zip(results.contacts, drawn, strict=True)
+            if one is not None and c.race.value == race
         ]
         if pairs:
             azimuth = np.array([place for place, _ in pairs])
             azimuth += -DODGE if race == "inner" else DODGE
-            draw = _film_points if quantity == "film" else _pressure_points
-            draw(axes, azimuth, [solution for _, solution in pairs], race)
+            draw: Any = _film_points if quantity == "film" else _pressure_points
+            draw(axes, azimuth, [one for _, one in pairs], race)
     balls = np.unique(np.round(BALL_QUANTITY["azimuth_deg"].value(results.quasistatic) % 360.0, 6))
     axes.set_xticks(balls if len(balls) <= 12 else np.arange(0.0, 361.0, 30.0))
     axes.set(xlim=(-12.0, 372.0), ylim=(0.0, 1.12 * axes.get_ylim()[1]))
@@ -402,9 +415,8 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str, maps: str)
 
 def _logarithmic_film(axes: Axes, results: BearingResults) -> None:
     """A logarithmic axis where films differ by many times, else the thin ones are not seen."""
-    every = [s for s in results.solutions if s is not None]
-    films = [FIELDS["film"].in_unit(h) for s in every for h in (s.film_central, s.film_minimum)]
-    available = [h for h in films if h is not None and 0.0 < h < np.inf]
+    films = [value for film in results.operating if film is not None for value in film.values]
+    available = [FIELDS["film"].in_unit(value) for value in films if value]
     if not available or max(available) < MANY_TIMES * min(available):
         return
     axes.set_yscale("log")
@@ -414,25 +426,24 @@ def _logarithmic_film(axes: Axes, results: BearingResults) -> None:
     axes.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], race: str) -> None:
+def _film_points(axes: Axes, azimuth: Any, films: list[ContactFilm], race: str) -> None:
     for name, marker, face in (("central", "o", COLOURS[race]), ("minimum", "v", "white")):
+        parts = [getattr(film, name) for film in films]
         value, error = (
             np.array(
-                [FIELDS["film"].in_unit(getattr(s, f"film_{name}{suffix}")) for s in solutions],
+                [FIELDS["film"].in_unit(part and getattr(part, which)) for part in parts],
                 dtype=float,  # not a number where there is none
             )
-            for suffix in ("", "_uncertainty")
+            for which in ("value", "error")
         )
         style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4}
         style |= {"capsize": 3, "linewidth": 0.9, "label": f"{race} race, {name}"}
         axes.errorbar(azimuth, value, error, fmt=marker, **style)
 
 
-def _pressure_points(
-    axes: Axes, azimuth: Any, solutions: list[ContactSolution], race: str
-) -> None:
+def _pressure_points(axes: Axes, azimuth: Any, fields: list[ContactSolution], race: str) -> None:
     for name, marker, size in (("pressure_maximum", "o", 4), ("hertz_pressure", "_", 9)):
-        values = [FIELDS["pressure"].in_unit(getattr(s, name)) for s in solutions]
+        values = [FIELDS["pressure"].in_unit(getattr(field, name)) for field in fields]
         text = f"{race} race, {'largest' if marker == 'o' else 'Hertz'}"
         axes.plot(azimuth, values, marker, markersize=size, color=COLOURS[race], label=text)
 

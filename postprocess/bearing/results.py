@@ -1,6 +1,7 @@
 """Results of a bearing run, and its distinct contacts."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import degrees
 from typing import Any
@@ -10,8 +11,13 @@ from oilfilm.bearing.contacts.finite_bodies import FiniteBodies
 from oilfilm.bearing.contacts.motion import ContactTraction
 from oilfilm.bearing.contacts.stress import SurfaceTension
 from oilfilm.bearing.films.decay import FilmDecay
-from oilfilm.bearing.films.film import NO_HEAT, ContactFilm, first_same, heated_solution
-from oilfilm.bearing.films.operating_film import operating_films, solved_films
+from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, first_same
+from oilfilm.bearing.films.operating_film import (
+    OilAtInlets,
+    operating_films,
+    solved_films,
+    supplied_films,
+)
 from oilfilm.bearing.fits.clearance import ClearanceBudget
 from oilfilm.bearing.fits.ring_strength import Strength
 from oilfilm.bearing.heating.network import Conductance
@@ -31,7 +37,7 @@ from oilfilm.ehl.traction.rolling_moment import RollingMoment
 from oilfilm.ehl.units import from_si, notebook_html
 
 from ..contact.summary import oil_permittivity
-from ..quantities import FILMS, OTHERS, Results, listed
+from ..quantities import FILMS, OTHERS, Results, in_ranges
 
 
 @dataclass(frozen=True, kw_only=True)  # without slots, which would keep no cached property
@@ -45,6 +51,7 @@ class BearingResults(Results):
     frequencies: Frequencies
     # films by the atlas or formulas, at contacts that are not solved; empty is None for all
     formula_films: tuple[ContactFilm | None, ...] = ()
+    supply: OilAtInlets | None = None  # None: ample, or as the films were solved
     interrupted: bool = False  # before all films were computed
     torque: TorqueBreakdown | None = None  # None without an equilibrium
     tractions: tuple[ContactTraction | None, ...] = ()  # of the contacts; empty is None for all
@@ -77,8 +84,26 @@ class BearingResults(Results):
 
     @cached_property
     def operating(self) -> tuple[ContactFilm | None, ...]:
-        """Operating films of the contacts, with the supply that they were computed with."""
-        return operating_films(self.contacts, self.films, box_inlet=True)
+        """Operating films of the contacts: table, files and pictures are of these."""
+        if self.supply is None:
+            return operating_films(self.contacts, self.films, box_inlet=True)
+        return supplied_films(self.contacts, self.films, self.supply)
+
+    @cached_property
+    def fields(self) -> tuple[ContactSolution | None, ...]:
+        """Pressure and gap of the operating films, equal ones the same object; a solution that did
+        not converge as it ended; None where there is no field.
+        """
+        fields: dict[tuple[int, float, float | None], ContactSolution | None] = {}
+        for film in self.operating:
+            if film is not None and film.origin is not FilmOrigin.FORMULA:
+                key = (id(film.field), *film.values)
+                if key not in fields:
+                    fields[key] = film.operating_field
+        return tuple(
+            solution if film is None else fields.get((id(film.field), *film.values))
+            for film, solution in zip(self.operating, self.solutions, strict=True)
+        )
 
     @cached_property
     def rolling_moments(self) -> tuple[RollingMoment | None, ...]:
@@ -89,16 +114,13 @@ class BearingResults(Results):
 
     @cached_property
     def instruments(self) -> tuple[FilmInstruments | None, ...]:
-        """Readings of instruments on the films, with the heat of their inlets; None where none is
-        solved.
-        """
+        """Readings of instruments on the operating films; None where there is no field."""
         permittivity = oil_permittivity(self.case)
         found: dict[int, FilmInstruments | None] = {}
-        first = first_same(self.solutions)
-        for number, solution, film in zip(first, self.solutions, self.operating, strict=True):
-            if solution is not None and number not in found:
-                left = NO_HEAT if film is None or film.solved_with_heat else film.heat
-                found[number] = film_instruments(heated_solution(solution, left), permittivity)
+        first = first_same(self.fields)
+        for number, field in zip(first, self.fields, strict=True):
+            if field is not None and number not in found:
+                found[number] = film_instruments(field, permittivity)
         return tuple(found.get(number) for number in first)
 
     @cached_property
@@ -206,17 +228,39 @@ class BearingResults(Results):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DistinctContact:
-    """Equal contacts of a bearing: their shared solution, and the contacts."""
+    """Equal contacts of a bearing: their shared field as they run, the solution that it is of, and
+    the contacts.
+    """
 
-    solution: ContactSolution
+    field: ContactSolution
+    solution: ContactSolution | None  # None of a film that was not solved
     contacts: tuple[BearingContact, ...]
 
     @property
     def label(self) -> str:
         """Race, balls and azimuths in words."""
         balls = balls_text([str(c.ball) for c in self.contacts])
-        angles = listed([f"{degrees(c.azimuth) % 360.0:.4g}°" for c in self.contacts])
-        return f"{self.contacts[0].race.value} race, {balls} (ψ = {angles})"
+        azimuths = azimuths_text([degrees(contact.azimuth) for contact in self.contacts])
+        return f"{self.contacts[0].race.value} race, {balls} (ψ = {azimuths})"
+
+
+def azimuths_text(azimuths: Sequence[float], *, pair: str = ", ") -> str:
+    """Azimuths in words, the ends alone of three and more.
+
+    Parameters
+    ----------
+    azimuths : sequence of float
+        Azimuths in their order [deg].
+    pair : str, default ", "
+        Between two azimuths.
+
+    Returns
+    -------
+    str
+        The words.
+    """
+    texts = [f"{azimuth % 360.0:.4g}°" for azimuth in azimuths]
+    return pair.join(texts) if len(texts) < 3 else f"{texts[0]} … {texts[-1]}"
 
 
 def balls_text(numbers: list[str]) -> str:
@@ -232,11 +276,11 @@ def balls_text(numbers: list[str]) -> str:
     str
         The words.
     """
-    return f"ball{'s' if len(numbers) > 1 else ''} {listed(numbers)}"
+    return f"ball{'s' if len(numbers) > 1 else ''} {in_ranges(numbers)}"
 
 
 def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
-    """The solved contacts grouped by solution, inner race first, in the order of the balls.
+    """The contacts with fields, grouped by these, inner race first, in the order of the balls.
 
     Parameters
     ----------
@@ -248,11 +292,12 @@ def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
     tuple[DistinctContact, ...]
         The groups.
     """
-    groups: dict[tuple[str, int], list[tuple[BearingContact, ContactSolution]]] = {}
-    for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        if solution is not None:
-            groups.setdefault((contact.race.value, id(solution)), []).append((contact, solution))
-    return tuple(
-        DistinctContact(solution=members[0][1], contacts=tuple(contact for contact, _ in members))
-        for _, members in sorted(groups.items(), key=lambda item: item[0][0])
-    )
+    groups: dict[tuple[str, int], DistinctContact] = {}
+    for contact, field, solution in zip(
+        results.contacts, results.fields, results.solutions, strict=True
+    ):
+        if field is not None:
+            key = (contact.race.value, id(field))
+            alike = groups.get(key, DistinctContact(field=field, solution=solution, contacts=()))
+            groups[key] = replace(alike, contacts=(*alike.contacts, contact))
+    return tuple(group for _, group in sorted(groups.items(), key=lambda item: item[0][0]))

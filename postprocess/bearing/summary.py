@@ -197,9 +197,6 @@ def _electrical_messages(results: BearingResults) -> Iterator[str]:
             f"electrical: relative permittivity {oil_permittivity(results.case):g} of the oil is "
             "assumed (lubricant.relative_permittivity)"
         )
-    starved = results.torque.films if results.torque is not None else None
-    if any(film is not None and film.supply.central < 1.0 for film in starved or ()):
-        yield "electrical: of the flooded films; starved ones have more capacitance, less voltage"
     if bearing.ball_material.kind is INSULATOR:
         yield (
             "electrical: breakdown_voltage_V null, balls of silicon nitride take nearly all of "
@@ -214,7 +211,8 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     if not state.converged or "arbitrary" in state.message:  # a free direction without stiffness
         yield f"equilibrium of ring and balls: {state.message}"
     for group in distinct_contacts(results):
-        yield from solution_messages(group.label, group.solution)
+        if group.solution is not None:
+            yield from solution_messages(group.label, group.solution)
     yield from row_messages(results)
     yield from ring_messages(state)
     yield from contact_messages(results)

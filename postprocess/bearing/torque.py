@@ -495,14 +495,12 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
             "drag and starved torque are an upper bound, not a prediction"
         )
     yield (
-        f"supply: {kind}; starved are starved_film_... of the contacts (flooded films "
-        f"{_origin(films)}), supply, the torque model starved{_supply_total_text(results)}; "
-        "film_..., lambda_ratio, maps and the other torque models are flooded"
+        f"supply: {kind}; starved by the law of starvation are {_starved_films_text(results)}the "
+        f"block supply and the torque model starved (flooded films {_origin(films)}); "
+        "flooded_film_... and the other torque models are flooded"
     )
-    if len(films) < len(torque.films):
-        yield "contacts.starved_film_...: null where no flooded film is known"
     if not any(isfinite(film.lambda_ratio) for film in films):
-        yield "contacts.starved_lambda_ratio: null, and supply.lambda_least, there is no roughness"
+        yield "supply.lambda_least: null, there is no roughness"
     yield from _band_messages(results)
     if torque.starved is None:
         yield "supply.oil_fraction: null as the model starved"
@@ -607,12 +605,13 @@ def _origin(films: list[ContactFilm]) -> str:
     return f"solved for {solved}, else formulas" if solved else "of formulas"
 
 
-def _supply_total_text(results: BearingResults) -> str:
-    if results.case.get("lubricant", {}).get("supply") == "flooded":
-        return " (lubricant.supply keeps the total flooded)"
+def _starved_films_text(results: BearingResults) -> str:
+    """Name the results of the supply, which the case may keep flooded."""
+    if results.supply is None:
+        return "(lubricant.supply keeps films and total flooded) "
     if results.torque is not None and results.torque.chosen == "integrated":
-        return " and the total, whose films and rolling moments are those at the supply"
-    return ""
+        return "films, lambda_ratio, maps, the total, "
+    return "films, lambda_ratio, maps, "
 
 
 def decay_block(results: BearingResults) -> dict[str, Any]:

@@ -35,7 +35,6 @@ from .contact_quantities import (
     CONTACT_QUANTITY,
     TERMINAL_COLUMNS,
     ContactRecord,
-    at_supply,
     contact_records,
     contact_values,
 )
@@ -96,9 +95,9 @@ def write_bearing_netcdf(results: BearingResults, path: Path, document: dict[str
         "/ring": _ring_group(results.quasistatic),
         "/balls": _ball_group(results.quasistatic),
     }
-    for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        if solution is not None:
-            fields = field_group(solution)
+    for contact, field in zip(results.contacts, results.fields, strict=True):
+        if field is not None:
+            fields = field_group(field)
             placed = replace(fields, attributes=fields.attributes | _placement(contact))
             groups[f"/contacts/{contact_name(contact.ball, contact.race.value)}"] = placed
     decay = decay_group(results)
@@ -264,18 +263,13 @@ def _contact_rows(
 
 
 def _contact_cell(record: ContactRecord, available: dict[str, Any], key: str, most: int) -> str:
-    """A quantity of a contact, films as they are at a supply; a film with its uncertainty, at most
-    so many decimals.
-    """
+    """A quantity of a contact; a film with its uncertainty, at most so many decimals."""
     if key == "load_N" and not record.loaded:
         return "0"
-    supplied = at_supply(record)
-    value = available[supplied.get(key, key)]
+    value = available[key]
     if value is None or not record.loaded:
         return NOTHING
     if key.startswith("film_"):
-        if key in supplied:
-            return number(value, ".3g")
         return value_with_error(value, available[key.replace("_um", "_uncertainty_um")], most=most)
     text = number(value, TERMINAL_COLUMNS[key])
     return text if text.strip("-0.") else text.removeprefix("-")  # no minus before a zero
@@ -291,6 +285,4 @@ def _legend(results: BearingResults) -> list[str]:
     flags = "".join(_flags(s) for s in results.solutions)
     meanings = {"!": "! not converged", "?": "? film not resolved on this grid"}
     lines = ["  ".join(text for flag, text in meanings.items() if flag in flags)] if flags else []
-    if any(at_supply(record) for record in contact_records(results)):
-        lines.append("films: what the oil supply leaves of flooded ones, which contacts.csv has")
     return lines

@@ -30,9 +30,9 @@ from oilfilm.ehl.units import MICROMETRE, MILLIMETRE, NANOMETRE, value_with_erro
 from ..files import write_csv
 from ..plot_style import (
     BEYOND_SCALE,
-    COLOUR_MAPS,
     PAGE_WIDTH,
     REFERENCE,
+    colour_map,
     colour_stops,
     titled_panels,
     write_figure,
@@ -48,6 +48,7 @@ LINES = 8  # contour intervals of a map
 QUANTITIES = ("film", "pressure")
 FINE = 201  # nodes of a map each way, between those of the solution
 TICKS = 6  # of a colour bar at most
+MOST_HERTZ = 3.0  # of the largest pressure: the dry contact of a lighter one is not drawn [-]
 TICK_WIDTH = 0.5  # of a map for each of its tick labels [in]
 CUT = "the map ends with the computed box"
 # boxes, in shares of the figure
@@ -181,7 +182,7 @@ def draw_map(
         extent=_extent(x, y),
         origin="lower",
         aspect="auto",
-        cmap=COLOUR_MAPS[quantity],
+        cmap=colour_map(quantity),
         norm="log" if film and limits else "linear",
         interpolation="bilinear",
         interpolation_stage="data",
@@ -250,7 +251,8 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     style: Any = {"color": REFERENCE, "linestyle": "--", "linewidth": 0.8}
     ends = view.reach_x if along else view.reach_y
     hertz = view.hertz * np.sqrt(1.0 - reach**2)
-    axes.plot(ends * reach, hertz, label=f"Hertz, peak {view.hertz:.3g}", **style)
+    if view.hertz < MOST_HERTZ * view.pressure_top:  # else two lines that rise out of the picture
+        axes.plot(ends * reach, hertz, label=f"Hertz, peak {view.hertz:.3g}", **style)
     axes.set_ylim(0.0, 1.08 * view.pressure_top)
     axes.set_xlim(view.shown[:2] if along else view.shown[2:])
     name = view.names[0 if along else 1]

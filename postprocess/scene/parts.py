@@ -13,7 +13,7 @@ import xarray
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import MILLIMETRE
 
-from ..plot_style import BALL_COLOUR, CAGE_COLOUR, COLOUR_MAPS, INK
+from ..plot_style import BALL_COLOUR, CAGE_COLOUR, INK, colour_map
 from .vtk import COLLECTION_FILE
 
 RING = "#c9ced6"
@@ -92,7 +92,7 @@ def add_field(
     actor = plotter.add_mesh(
         mesh,
         scalars=scalars,
-        cmap=COLOUR_MAPS[colours.quantity],
+        cmap=colour_map(colours.quantity),
         clim=limits,
         log_scale=colours.logarithmic and not as_field,
         show_scalar_bar=False,

@@ -233,11 +233,11 @@ def _write_contacts(
 ) -> Blocks:
     """Write a block for each contact with a film; their files by ball and race."""
     blocks: Blocks = {}
-    for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        if solution is not None:
+    for contact, field in zip(results.contacts, results.fields, strict=True):
+        if field is not None:
             ball, race = contact_name(contact.ball, contact.race.value).split("/")
             name = f"{ball}_{race}{ending}.vts"
-            blocks.setdefault(ball, {})[race] = _write(draw(contact, solution), directory, name)
+            blocks.setdefault(ball, {})[race] = _write(draw(contact, field), directory, name)
     return blocks
 
 

@@ -27,7 +27,7 @@ def run_folder(bearing_results, tmp_path_factory):
 
 
 def test_fields_come_back(run_folder, bearing_results):
-    solution, contact = bearing_results.solutions[0], bearing_results.contacts[0]
+    solution, contact = bearing_results.fields[0], bearing_results.contacts[0]
     with open_results(run_folder) as tree:
         node = tree["contacts/ball01/inner"]
         assert_allclose(node["P"].values, solution.pressure, rtol=1e-6)  # float32

@@ -74,7 +74,7 @@ def test_collections_name_their_steps():
 
 
 def test_fields_carry_units_and_values(collection, bearing_results):
-    solution = bearing_results.solutions[0]
+    solution = bearing_results.fields[0]
     block = collection["ball01"]["inner"]
     assert_allclose(np.sort(block[FILM]), np.sort(solution.film.ravel() * 1e6), rtol=1e-6)  # float32
     assert_allclose(block[PRESSURE].max(), solution.pressure_maximum * 1e-9, rtol=1e-6)
