@@ -98,11 +98,13 @@ def test_twice_the_layer_adds_what_is_said(rolling):
 @pytest.mark.usefixtures("no_inlet_heat")
 def test_balls_balance_with_the_moment_of_the_torque(rolling, bearings):
     """A film law pulls with the same rolling moment as the traction of its contact."""
-    state, tractions, films = rolling
+    state, _, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
-    law = film_law(state, contacts, operating_films(contacts, solved_films(contacts, films)), Rheology())
-    for n, traction in enumerate(tractions):
-        if traction is not None:
+    running = operating_films(contacts, solved_films(contacts, films))
+    law = film_law(state, contacts, running, Rheology())
+    for n, (contact, film) in enumerate(zip(contacts, running, strict=True)):
+        if film is not None:
+            traction = contact_traction(state, contact, film.operating_field, Rheology(), None, film.rolling_moment)
             k = traction.kinematics
             motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling]])
             gradient = law.evaluate(motion, np.array([n])).gradient[0]
@@ -143,14 +145,16 @@ def test_balance_and_torque_sum_the_same_nodes(rolling, monkeypatch):
         monkeypatch.setattr(f"{module}.TRACTION_POINTS", 33)
     state, _, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
-    law = film_law(state, contacts, operating_films(contacts, solved_films(contacts, films)), Rheology())
-    for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
+    running = operating_films(contacts, solved_films(contacts, films))
+    law = film_law(state, contacts, running, Rheology())
+    for number, (contact, film) in enumerate(zip(contacts, running, strict=True)):
         if film is None:
             continue
-        traction = contact_traction(state, contact, film, Rheology())
+        field = film.operating_field
+        traction = contact_traction(state, contact, field, Rheology(), None, film.rolling_moment)
         k, r = traction.kinematics, traction.result
         motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling]])
         found = -law.evaluate(motion, np.array([number])).gradient[0]
-        assert film.X.size > 33
+        assert field.X.size > 33
         assert_allclose(found[[0, 3]], [r.force_x, r.rolling_moment_1], rtol=1e-9)
         assert_allclose(found[[1, 2]], [r.force_y, r.spin_moment], atol=1e-9 * abs(r.force_x))
