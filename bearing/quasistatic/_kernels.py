@@ -58,10 +58,10 @@ def stiffness(series, cosine):
 @compiled
 def smooth(value, full):
     """Smooth step of `balls._smooth_step` [-]."""
-    if not value.real < full.real:
-        return complex(1.0, 0.0)
     if not value.real > 0.0:
         return complex(0.0, 0.0)
+    if not value.real < full.real:
+        return complex(1.0, 0.0)
     t = value / full
     return t * t * (3.0 - 2.0 * t)
 

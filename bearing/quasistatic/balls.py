@@ -22,11 +22,12 @@ Newton's method has the tangent I - (de/dF)(dF/dV); contacts that stiffen and a 
 costs energy keep its eigenvalues above one, whatever the load.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
 
@@ -230,6 +231,28 @@ def _shared_motion(
     )
 
 
+def held_fraction(state: BallState, problem: BallProblem) -> Array:
+    """Fraction of the hypothesis on the balls that friction at its races can hold.
+
+    Parameters
+    ----------
+    state : BallState
+        balls in equilibrium
+    problem : BallProblem
+        numbers that all balls have in common
+
+    Returns
+    -------
+    Array
+        1 where friction holds it, 0 where the ball rolls without it, shape (Z,) [-]
+    """
+    kind = problem.kinematics
+    alone = kind is BallKinematics.OUTER_RACE_CONTROL
+    chosen = attitude(state.outer, state.inner, problem.gamma, kind)
+    load, part = (state.outer_load, 2.0) if alone else (state.inner_load, INNER_PART[kind])
+    return np.asarray(_transmissible_fraction(load, part, chosen, problem), dtype=np.float64)
+
+
 def _transmissible_fraction(
     load: Numbers, coefficient: float, beta: Direction, problem: BallProblem
 ) -> Numbers:
@@ -245,12 +268,13 @@ def _power(approach: Numbers) -> Numbers:
 
 
 def _smooth_step(value: Numbers, full: Numbers | float) -> Numbers:
-    """3 t^2 - 2 t^3 of t = value/full, 1 where the value exceeds the full one [-]."""
+    """3 t^2 - 2 t^3 of t = value/full, 0 of no value, 1 of one beyond the full one [-]."""
     full = np.asarray(full)
     below = value.real < full.real
-    if not below.any():  # as with nearly all balls
+    some = value.real > 0.0
+    if some.all() and not below.any():  # as with nearly all balls
         return np.ones(below.shape)
-    t = np.where(below, np.where(value.real > 0.0, value, 0.0) / np.where(below, full, 1.0), 1.0)
+    t = np.where(below, np.where(some, value, 0.0) / np.where(below, full, 1.0), 1.0 * some)
     return t * t * (3.0 - 2.0 * t)
 
 
@@ -303,6 +327,80 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsE
     scale = np.where(scale > 0.0, scale, 1.0)
     residual = np.hypot(values[0], values[1]) / scale
     return BallsEquilibrium(u, values, du_dV, ring_dV, residual, float((rounding / scale).max()))
+
+
+def free_balls_at_cage_speed(
+    u: Array, V: Array, state: BallState, problem: BallProblem, balls: int
+) -> tuple[Array, BallState]:
+    """Balls off the inner race go round with the cage of their row, rolling on the outer race.
+
+    The cage turns at the mean orbit speed of the loaded balls; a row without one stays as it is.
+    Forces on the inner ring stay the same. The attitude is that of the hypothesis.
+
+    Parameters
+    ----------
+    u, V : Array
+        positions of balls and inner grooves' centres, shape (2, N) [m]
+    state : BallState
+        balls there
+    problem : BallProblem
+        numbers that all balls have in common
+    balls : int
+        number of balls a row [-]
+
+    Returns
+    -------
+    u
+        positions, shape (2, N) [m]
+    state
+        balls there
+    """
+    free, cage = _free_balls(state, balls)
+    if problem.prescribed is not None or not free.any():
+        return u, state
+    both = (state.outer, state.motion.attitude)
+    outer, axis = (Direction(one.sin[free], one.cos[free]) for one in both)
+    arm = outer.cos * axis.cos + outer.sin * axis.sin
+    spin = (cage[free] - problem.outer_speed) * (1.0 / problem.gamma + outer.cos) / arm
+    motion = Motion(cage[free], spin, axis)
+    moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
+    none = np.zeros(spin.size)
+    prescribed = PrescribedBalls(
+        orbit_speed=motion.orbit_speed,
+        spin_speed=spin,
+        pivot_speed=none,
+        attitude=np.arctan2(axis.sin, axis.cos),
+        inner_friction=none,
+        outer_friction=2.0 * moment / problem.ball_diameter,
+        inner_drive=none,
+    )
+    problem = replace(problem, prescribed=prescribed)
+    found = solve_balls(V[:, free], u[:, free], problem)
+    changed = ball_state(found.u, V[:, free] - found.u, problem)
+    if changed.inner_load.any():  # one that just leaves the race
+        return u, state
+    at = u.copy()
+    at[:, free] = found.u
+    return at, _with_balls(state, changed, free)
+
+
+def _free_balls(state: BallState, balls: int) -> tuple[NDArray[np.bool_], Array]:
+    """Balls off the inner race in rows with loaded ones, and the cage's speed at each [rad/s]."""
+    loaded = (state.inner_load > 0.0).reshape(-1, balls)
+    orbit = np.reshape(state.motion.orbit_speed, loaded.shape)
+    cage = (orbit * loaded).sum(axis=1) / np.maximum(loaded.sum(axis=1), 1)
+    free = ~loaded & loaded.any(axis=1, keepdims=True)
+    return free.ravel(), np.repeat(cage, balls)
+
+
+def _with_balls(state: Any, changed: Any, at: NDArray[np.bool_]) -> Any:
+    """A state whose balls `at` are those of another, which has these alone."""
+    if isinstance(state, tuple):
+        pairs = zip(state, changed, strict=True)
+        return type(state)(*(_with_balls(own, other, at) for own, other in pairs))
+    merged = np.array(state)
+    merged[at] = changed
+    return merged
 
 
 def _prescribed(problem: BallProblem, balls: int) -> Array:

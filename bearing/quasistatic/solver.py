@@ -27,8 +27,16 @@ from ..geometry import (
     row_directions,
 )
 from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Operation, QuasistaticModel
-from .balls import BallProblem, BallsEquilibrium, BallState, ball_problem, ball_state
-from .kinematics import EDGE_COSINE, PrescribedBalls, stiffness_at
+from .balls import (
+    BallProblem,
+    BallsEquilibrium,
+    BallState,
+    ball_problem,
+    ball_state,
+    free_balls_at_cage_speed,
+    held_fraction,
+)
+from .kinematics import EDGE_COSINE, FRICTION_LIMIT, PrescribedBalls, stiffness_at
 from .ring import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
 from .solution import QuasistaticSolution, _cage_speed
 
@@ -37,6 +45,8 @@ SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct s
 LIGHT_LOAD_RATIO = 0.1
 # smallest over largest stiffness below which a direction counts as undetermined [-]
 SINGULAR_RATIO = 1.0e-9
+# load of a ball over the heaviest from which friction beyond its limit is named [-]
+NAMED_LOAD = 0.01
 NONE = "no equilibrium"
 
 
@@ -207,7 +217,23 @@ def _convergence(
     undetermined = ", ".join(_undetermined(ring, point))
     if undetermined:
         message += f"; without stiffness, hence arbitrary: {undetermined}"
-    return True, message
+    return True, message + _beyond_friction(problem, state)
+
+
+def _beyond_friction(problem: BallProblem, state: BallState) -> str:
+    """Loaded balls on which friction does not hold the hypothesis."""
+    loaded = state.inner_load > 0.0
+    if problem.prescribed is not None:
+        return ""
+    slipping = loaded & (held_fraction(state, problem) < 1.0)
+    if not (slipping & (state.inner_load > NAMED_LOAD * state.inner_load.max())).any():
+        return ""
+    largest = float(state.inner_load[slipping].max())
+    return (
+        f"; {problem.kinematics.value} asks more friction than {FRICTION_LIMIT:g} of the load of "
+        f"{int(slipping.sum())} of {int(loaded.sum())} loaded balls (up to {largest:.3g} N on the "
+        "inner race): these roll on the outer race with the part of it that friction holds"
+    )
 
 
 def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState) -> str:
@@ -278,11 +304,12 @@ def _solution(
     balls: BallsEquilibrium = point.balls
     state = ball_state(balls.u, point.between.V - balls.u, problem)
     converged, message = _convergence(problem, bearing, ring, point, state, iterations)
+    u, state = free_balls_at_cage_speed(balls.u, point.between.V, state, problem, bearing.balls)
     scale = ring.scale
     movement = point.q / ring.scale
     row_load = -(ring.loads(balls, bearing.balls) + ring.drive) * scale
     prescribed = problem.prescribed
-    none = np.zeros(balls.u.shape[1])
+    none = np.zeros(u.shape[1])
     load = -(point.force + ring.drive.sum(axis=0)) * scale
     return QuasistaticSolution(
         bearing=bearing,
@@ -296,8 +323,8 @@ def _solution(
         azimuth=row_azimuths(bearing, rows),
         **_ball_arrays(state),
         **_ring_arrays(ring, point),
-        ball_axial=balls.u[0] + per_ball(bearing, [row.outer_plane for row in rows]),
-        ball_radial=bearing.outer_centre_radius + balls.u[1],
+        ball_axial=u[0] + per_ball(bearing, [row.outer_plane for row in rows]),
+        ball_radial=bearing.outer_centre_radius + u[1],
         pivot_speed=none if prescribed is None else prescribed.pivot_speed,
         inner_drive=none if prescribed is None else prescribed.inner_drive,
         cage_driven=np.zeros(none.size, dtype=np.bool_),

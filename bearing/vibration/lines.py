@@ -15,10 +15,8 @@ from math import pi
 
 import numpy as np
 
-from ..geometry import Race
-from ..operation import Operation
-from ..quasistatic.solution import Frequencies, QuasistaticSolution, kinematic_frequencies
-from .assembly import Assembled, mean_angle
+from ..quasistatic.solution import Frequencies, QuasistaticSolution
+from .assembly import Assembled
 from .form import FormBody, SurfaceForm
 
 LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as one [-]
@@ -105,24 +103,6 @@ def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
         ball_pass_inner=balls * abs(float(inner - cage)),
         ball_spin=abs(float(ball)),
     )
-
-
-def kinematic(solution: QuasistaticSolution) -> Frequencies:
-    """Frequencies of rolling at the mean contact angle of the inner race.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        equilibrium of the bearing
-
-    Returns
-    -------
-    Frequencies
-        frequencies [Hz]
-    """
-    operation: Operation = solution.operation
-    angle = mean_angle(solution, Race.INNER)
-    return kinematic_frequencies(solution.bearing, operation, angle)
 
 
 def _ring_lines(

@@ -208,7 +208,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from results.broken_laws
     yield from oil_messages(results)
     state = results.quasistatic
-    if not state.converged or "arbitrary" in state.message:  # a free direction without stiffness
+    if not state.converged or ";" in state.message:  # free directions, friction beyond its limit
         yield f"equilibrium of ring and balls: {state.message}"
     for group in distinct_contacts(results):
         if group.solution is not None:

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from oilfilm.bearing.quasistatic.solution import bearing_frequencies
 from oilfilm.bearing.vibration.assembly import BALLS
 from oilfilm.bearing.vibration.inputs import ContactLaw, WaveFilter
-from oilfilm.bearing.vibration.lines import expected_lines, kinematic, passing
+from oilfilm.bearing.vibration.lines import expected_lines, passing
 from oilfilm.bearing.vibration.simulation import VibrationRun
 from oilfilm.ehl.units import from_si
 
@@ -57,7 +58,7 @@ def vibration_summary(results: VibrationResults) -> dict[str, Any]:
         "cage_speed_rpm": from_si("cage_speed_rpm", run.assembled.cage_speed),
         "cage_speed_ratio": _cage_ratio(run),
         "frequencies_Hz": {
-            "kinematic": asdict(kinematic(run.solution)),
+            "kinematic": asdict(bearing_frequencies(run.solution)),
             "with_slip": asdict(passing(run.solution, run.assembled)),
         },
         "vibration": _vibration(results, seen),
@@ -71,8 +72,8 @@ def vibration_summary(results: VibrationResults) -> dict[str, Any]:
 
 
 def _cage_ratio(run: VibrationRun) -> float | None:
-    """Cage speed over that of rolling at the mean contact angle."""
-    rolling = kinematic(run.solution).cage
+    """Cage speed over that of the equilibrium, without slip."""
+    rolling = bearing_frequencies(run.solution).cage
     result = passing(run.solution, run.assembled).cage
     return result / rolling if rolling > 0.0 else None
 
@@ -178,7 +179,7 @@ def _envelope_lines(results: VibrationResults, seen: Measured) -> dict[str, Any]
     """Amplitude of the envelope at the passing frequencies, kinematic and with the cage's slip."""
     size = envelope(seen.acceleration, seen.rate, envelope_band(results))
     run = results.run
-    kinds = {"kinematic": kinematic(run.solution)}
+    kinds = {"kinematic": bearing_frequencies(run.solution)}
     kinds["with_slip"] = passing(run.solution, run.assembled)
     return {
         kind: {

@@ -223,6 +223,26 @@ def test_ball_at_outer_race_alone(bearings):
     assert_allclose(solution.outer_load[alone], solution.centrifugal_force[alone], rtol=1e-10)
     assert_allclose(solution.outer_contact_angle[alone], 0.0, atol=1e-12)
     assert_allclose(solution.gyroscopic_moment[alone], 0.0, atol=1e-12)
+    # with the cage, which the loaded balls drive, and without sliding at the outer race
+    assert_allclose(solution.orbit_speed[alone], solution.cage_speed, rtol=1e-14)
+    gamma = solution.bearing.ball_diameter / solution.bearing.pitch_diameter
+    rolling = solution.spin_speed * np.cos(solution.attitude) / (1.0 / gamma + 1.0)
+    assert_allclose(rolling[alone], solution.orbit_speed[alone], rtol=1e-12)
+    force = 0.5 * ball_problem(solution.bearing, 2000.0, 0.0, solution.model).mass * solution.bearing.pitch_diameter
+    assert_allclose(solution.centrifugal_force, force * solution.orbit_speed**2, rtol=1e-12)
+
+
+def test_hypothesis_that_friction_cannot_hold_is_named(bearings):
+    """Inner race control of light balls at speed; under a heavy thrust friction holds every hypothesis."""
+    model = QuasistaticModel(ball_kinematics=BallKinematics.INNER_RACE_CONTROL)
+    light = solve_quasistatic(bearings.b7008, Operation(inner_speed=3000.0, force=(60.0, 0.0, 0.0)), model)
+    assert light.converged
+    balls = bearings.b7008.balls
+    assert f"inner race control asks more friction than 0.2 of the load of {balls} of {balls} loaded" in light.message
+    for kind in HYPOTHESES:
+        model = QuasistaticModel(ball_kinematics=kind)
+        heavy = solve_quasistatic(bearings.b7008, Operation(inner_speed=300.0, force=(3000.0, 0.0, 0.0)), model)
+        assert "friction" not in heavy.message
 
 
 def test_load_without_a_ball_to_carry_it_is_refused(bearings):
