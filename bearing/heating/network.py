@@ -25,9 +25,8 @@ STEFAN_BOLTZMANN = 5.670374e-8  # [W/(m^2 K^4)]
 PLATE = 0.332
 PLATE_HARRIS = 0.0332
 # Nu = 0.133 Re^(2/3) Pr^(1/3) of a shaft that turns in air, Re = omega d^2/nu < 4e5 (from memory,
-# unverified) [-]; half and double of it assumed as its range
+# unverified; known to a factor of two) [-]
 ROTATING = 0.133
-ROTATING_RANGE = (0.5, 2.0)
 # air at 50 C and 1 bar: k, nu, Pr, rho c (handbook values; `fluids` agrees within 2 %)
 AIR_CONDUCTIVITY = 0.0279  # [W/(m K)]
 AIR_VISCOSITY = 1.80e-5  # [m^2/s]

@@ -35,7 +35,7 @@ that is left is that wave, for which Venner and Lubrecht fitted A_d/A_i to their
 """
 
 from dataclasses import dataclass
-from math import exp, hypot, inf, log, sqrt
+from math import exp, inf, log, sqrt
 from typing import NamedTuple
 
 from ..conditions import ContactConditions, moes_groups, speed_load_material
@@ -338,40 +338,6 @@ class FlatFilm:
     viscosity_y: float  # and across [Pa s]
     bulk_modulus: float  # B = rho dp/d(rho) [Pa]
     reduced_modulus: float  # E' of the bodies [Pa]
-
-
-def waviness_moving_with_body(
-    film: FlatFilm, wave_numbers: tuple[float, float], slide: float
-) -> tuple[complex, complex]:
-    """Complex amplitudes of pressure and film of the wave that moves with its body.
-
-    Both over the amplitude of the waviness in the gap, factors of exp(i omega_x (x - u_b t));
-    Hooke (2006).
-
-    Parameters
-    ----------
-    film : FlatFilm
-        the flat film and its oil
-    wave_numbers : tuple[float, float]
-        omega_x along the entrainment and omega_y [1/m]
-    slide : float
-        u_b - u_m [m/s]
-
-    Returns
-    -------
-    pressure
-        p_a/r_a [Pa/m]
-    film
-        h_a/r_a [-]
-    """
-    x, y = wave_numbers
-    kappa = hypot(x, y)
-    stiffness = 0.25 * kappa * film.reduced_modulus
-    resistance = x**2 / film.viscosity_x + y**2 / film.viscosity_y
-    q = 12.0 * slide * x / (film.thickness**3 * stiffness * resistance)
-    compressed = film.thickness * stiffness / film.bulk_modulus
-    pressure = stiffness * 1j * q / (1.0 - 1j * q - 1j * compressed * q)
-    return pressure, 1.0 + pressure / stiffness
 
 
 def waviness_amplitude_ratio(

@@ -29,12 +29,13 @@ from oilfilm.bearing.supply.supply import (
     oil_fraction,
     supplied_shares,
 )
-from oilfilm.bearing.supply.track import Track, steady_share
+from oilfilm.bearing.supply.track import Track
 from oilfilm.ehl import Lubricant, ViscosityLaw
 from oilfilm.ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_factors, starved_film_factor
 from oilfilm.ehl.conditions import moes_groups
 
 from ...reference.heat_balance import Cooling, heat_balance
+from ...reference.track import steady_share
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 ML_MIN = 1e-6 / 60.0  # [m^3/s]

@@ -13,18 +13,12 @@ import scipy
 
 from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.supply.supply import barus_integral, side_flow, side_flow_integral
-from oilfilm.bearing.supply.track import (
-    Track,
-    TrackPasses,
-    added_layer,
-    after_passes,
-    solved_passes,
-    steady_layer,
-    steady_share,
-)
+from oilfilm.bearing.supply.track import Track, TrackPasses, added_layer, solved_passes, steady_layer
 from oilfilm.ehl import InletLayer, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from oilfilm.ehl.closed_form.starvation import starved_film_factor
 from oilfilm.ehl.conditions import MoesConditions
+
+from ...reference.track import after_passes, steady_share
 
 EXPONENTS = (3.0, 5.0, 15.0)
 

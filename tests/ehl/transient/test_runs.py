@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import pi
+from math import hypot, pi
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from verification.contacts import from_groups, moes
 
 from oilfilm.ehl import Lubricant, SolverOptions
-from oilfilm.ehl.closed_form.film import FlatFilm, waviness_amplitude_ratio, waviness_moving_with_body
+from oilfilm.ehl.closed_form.film import FlatFilm, waviness_amplitude_ratio
 from oilfilm.ehl.multigrid.cycle import log_viscosity
 from oilfilm.ehl.oil.lubricant import DOWSON_HIGGINSON_DENOMINATOR, DOWSON_HIGGINSON_NUMERATOR
 from oilfilm.ehl.scaling import scale_contact
@@ -35,6 +35,40 @@ SMALL = (-2.5, 1.5, 2.0)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
 M100 = from_groups(moes(100.0, 10.0, oil=OIL))
 FILM = 0.132  # central film of M 100, L 10 in this box, a^2/Rx
+
+
+def waviness_moving_with_body(
+    film: FlatFilm, wave_numbers: tuple[float, float], slide: float
+) -> tuple[complex, complex]:
+    """Complex amplitudes of pressure and film of the wave that moves with its body.
+
+    Both over the amplitude of the waviness in the gap, factors of exp(i omega_x (x - u_b t));
+    Hooke (2006).
+
+    Parameters
+    ----------
+    film : FlatFilm
+        the flat film and its oil
+    wave_numbers : tuple[float, float]
+        omega_x along the entrainment and omega_y [1/m]
+    slide : float
+        u_b - u_m [m/s]
+
+    Returns
+    -------
+    pressure
+        p_a/r_a [Pa/m]
+    film
+        h_a/r_a [-]
+    """
+    x, y = wave_numbers
+    kappa = hypot(x, y)
+    stiffness = 0.25 * kappa * film.reduced_modulus
+    resistance = x**2 / film.viscosity_x + y**2 / film.viscosity_y
+    q = 12.0 * slide * x / (film.thickness**3 * stiffness * resistance)
+    compressed = film.thickness * stiffness / film.bulk_modulus
+    pressure = stiffness * 1j * q / (1.0 - 1j * q - 1j * compressed * q)
+    return pressure, 1.0 + pressure / stiffness
 
 
 def scales(contact):
