@@ -44,6 +44,7 @@ UNITS = {
     "kg": Unit("kg"),
     "g_mm": Unit("g mm", 1e-6, "kg m"),
     "g_mm2": Unit("g mm2", 1e-9, "kg m2"),
+    "kg_m2": Unit("kg m2"),
     "deg": Unit("deg", pi / 180.0, "rad"),
     "mrad": Unit("mrad", MILLIRADIAN, "rad"),
     "rad_s": Unit("rad/s"),

@@ -218,6 +218,29 @@ def stiffness(
 
 @app.command()
 @guarded
+def shaft(
+    case: CaseName, output: Output = None, as_json: Json = False, quiet: Quiet = False
+) -> int:
+    """A shaft on its bearings: loads, deflection, each bearing's results, critical speeds."""
+    enter_context(compiled_ahead("bearing"))
+    from ..format.shaft_case import load_shaft
+
+    loaded = load_shaft(case)
+    directory = results_directory(case, output, as_json)
+    from ..runs.interrupt import interruptible
+    from ..runs.shaft import run_shaft
+
+    with progress_bar(quiet=quiet) as progress:
+        results = interruptible(partial(run_shaft, loaded, progress))
+    from oilfilm.postprocess.shaft.results import shaft_summary
+    from oilfilm.postprocess.shaft.write import shaft_table, write_shaft
+
+    save_with(lambda folder: write_shaft(results, folder), directory)
+    return report(shaft_summary(results), lambda: shaft_table(results), directory, as_json, quiet)
+
+
+@app.command()
+@guarded
 def temperatures(
     case: CaseName,
     output: Output = None,

@@ -26,7 +26,7 @@ from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
-from .document import BearingFile, ContactFile, check_document, read_text, validate_text
+from .document import BearingFile, ContactFile, ShaftFile, check_document, read_text, validate_text
 from .dynamics import cage_friction, guiding_land
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_frequencies
 from .fits import HeatingInput
@@ -164,7 +164,10 @@ def case_from_text(text: str, name: str, *, own_table: bool = True) -> Case | Co
     CaseError
         If something is wrong, with one line for every error.
     """
-    return case_of_file(validate_text(text, name, own_table=own_table), name, text)
+    file = validate_text(text, name, own_table=own_table)
+    if isinstance(file, ShaftFile):
+        raise CaseError(f"{name}: is a shaft with bearings; run it with 'oilfilm shaft'")
+    return case_of_file(file, name, text)
 
 
 def case_of_document(document: dict[str, Any], name: str = "case") -> Case | ContactCase:
@@ -190,6 +193,8 @@ def case_of_document(document: dict[str, Any], name: str = "case") -> Case | Con
     file, faults = check_document(document)
     if file is None or faults:
         raise CaseError((fault.text(name, {}) for fault in faults), faults)
+    if isinstance(file, ShaftFile):
+        raise CaseError(f"{name}: is a shaft with bearings")
     return case_of_file(file, name)
 
 

@@ -2,6 +2,7 @@
 
 import tomllib
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import chain, pairwise
 from pathlib import Path
 from types import ModuleType
@@ -19,6 +20,7 @@ from . import (
     lubricant,
     operation,
     rows,
+    shaft,
     transient,
     vibration,
 )
@@ -44,6 +46,7 @@ from .rules import (
     resolved,
     shown,
 )
+from .shaft import HousingTable, ShaftLoadTable, ShaftOperationTable, ShaftSupportTable, ShaftTable
 from .transient import FeatureTable, TransientTable
 from .vibration import FormTable, SupportTable, VibrationTable
 
@@ -60,6 +63,9 @@ NAMED_TABLES: dict[str, type[Table]] = {
     "rows": RowTable,
     "load_cases": LoadCaseTable,
     "features": FeatureTable,
+    "support": ShaftSupportTable,
+    "load": ShaftLoadTable,
+    "bearing": BearingTable,
 }
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
@@ -131,6 +137,25 @@ class ContactFile(CaseFile):
     lubricants: dict[str, OilTable] = described("oils by name", {})
 
 
+class ShaftFile(CaseFile):
+    """A shaft on bearings: `oilfilm shaft`."""
+
+    shaft: ShaftTable
+    support: tuple[ShaftSupportTable, ...] = described(
+        "bearings on the shaft", ..., strict=False, min_length=1, max_length=50
+    )
+    load: tuple[ShaftLoadTable, ...] = described(
+        "loads and masses on the shaft", (), strict=False, max_length=200
+    )
+    housing: HousingTable = HousingTable()
+    operation: ShaftOperationTable = ShaftOperationTable()
+    bearing: dict[str, BearingTable] = described("bearings by name", {})
+    model: ModelTable = ModelTable()
+    surface: SurfaceTable | None = None
+    friction: FrictionTable = FrictionTable()
+    lubricants: dict[str, OilTable] = described("oils by name", {})
+
+
 # tables with relations, and functions for what these do not say
 OF_BEARINGS = (
     lubricant,
@@ -144,6 +169,13 @@ OF_BEARINGS = (
     load_cases,
 )
 OF_CONTACTS = (lubricant, contact, transient)
+OF_SHAFTS = (shaft,)
+AnyFile = BearingFile | ContactFile | ShaftFile
+TABLES_OF: dict[type[AnyFile], tuple[ModuleType, ...]] = {
+    BearingFile: OF_BEARINGS,
+    ContactFile: OF_CONTACTS,
+    ShaftFile: OF_SHAFTS,
+}
 
 
 def _conflicts(values: CaseValues, tables: tuple[ModuleType, ...]) -> Iterator[CaseProblem]:
@@ -193,7 +225,7 @@ def read_text(path: Path) -> str:
         raise CaseError(f"{path}: not a text file in UTF-8; allowed: a case file") from None
 
 
-def validate_text(text: str, name: str, *, own_table: bool = True) -> BearingFile | ContactFile:
+def validate_text(text: str, name: str, *, own_table: bool = True) -> AnyFile:
     """Check the text of a case file.
 
     Parameters
@@ -207,7 +239,7 @@ def validate_text(text: str, name: str, *, own_table: bool = True) -> BearingFil
 
     Returns
     -------
-    BearingFile | ContactFile
+    BearingFile | ContactFile | ShaftFile
         The checked tables in their units, catalogue values filled in.
 
     Raises
@@ -266,9 +298,7 @@ def _syntax_line(message: str, text: str) -> int:
     return int(numbers[-1]) if numbers else text.count("\n") + 1
 
 
-def check_document(
-    document: dict[str, Any],
-) -> tuple[BearingFile | ContactFile | None, list[CaseProblem]]:
+def check_document(document: dict[str, Any]) -> tuple[AnyFile | None, list[CaseProblem]]:
     """Check a document in the units of a file.
 
     Parameters
@@ -288,25 +318,45 @@ def check_document(
         return None, [CaseProblem((), "a sweep", allowed, line=1)]
     # 1. what this version does not take
     document, faults = _set_aside(document)
-    contact_alone = "contact" in document and "bearing" not in document
+    kind: type[AnyFile] = BearingFile
+    if "shaft" in document:
+        kind = ShaftFile
+    elif "contact" in document and "bearing" not in document:
+        kind = ContactFile
     if "contact" in document and "bearing" in document:
         finding = "found together with [bearing]"
         allowed = "allowed: a bearing, or a single contact"
         faults.append(CaseProblem(("contact",), finding, allowed))
         document = {key: value for key, value in document.items() if key != "contact"}
     # 2. values of the libraries
-    document, unknown = with_catalogue(with_library_names(document))
+    document = with_library_names(document)
+    if kind is ShaftFile:
+        document, unknown = _with_own_bearings(document)
+    else:
+        document, unknown = with_catalogue(document)
     faults += unknown
     # 3. each value by itself, then the rules between those that are valid
-    model: type[BearingFile | ContactFile] = ContactFile if contact_alone else BearingFile
-    file, wrong = _validate(model, document)
+    file, wrong = _validate(kind, document)
     faults += wrong
     values = CaseValues(document, frozenset(fault.path for fault in faults))
-    conflicts = list(_conflicts(values, OF_CONTACTS if contact_alone else OF_BEARINGS))
+    conflicts = list(_conflicts(values, TABLES_OF[kind]))
     faults += conflicts
     faults += _load_case_conflicts(values, conflicts)
-    faults += _assumed(values)
+    faults += _assumed(values, kind)
     return file, _without_consequences(faults, unknown_bearing=bool(unknown))
+
+
+def _with_own_bearings(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseProblem]]:
+    """A shaft's document with the values of the catalogue in its tables [bearing.NAME]."""
+    tables = document.get("bearing")
+    if not isinstance(tables, dict):
+        return document, []
+    filled, problems = {}, []
+    for name, table in tables.items():
+        own, unknown = with_catalogue({"bearing": table})
+        filled[name] = own["bearing"]
+        problems += [replace(fault, path=("bearing", name, *fault.path[1:])) for fault in unknown]
+    return {**document, "bearing": filled}, problems
 
 
 def _without_consequences(
@@ -332,8 +382,8 @@ def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseProbl
 
 
 def _validate(
-    model: type[BearingFile | ContactFile], document: dict[str, Any]
-) -> tuple[BearingFile | ContactFile | None, list[CaseProblem]]:
+    model: type[AnyFile], document: dict[str, Any]
+) -> tuple[AnyFile | None, list[CaseProblem]]:
     missing = []
     if "schema_version" not in document:
         document = {**document, "schema_version": 1}
@@ -343,12 +393,12 @@ def _validate(
     return file, missing + faults
 
 
-def _assumed(values: CaseValues) -> Iterator[CaseProblem]:
+def _assumed(values: CaseValues, kind: type[AnyFile]) -> Iterator[CaseProblem]:
     """Names under `assumed` that are no keys of a case file."""
     assumed = values.get("assumed")
     if not assumed:
         return
-    schema = schema_of(ContactFile if "contact" in values.document else BearingFile)
+    schema = schema_of(kind)
     tables = {
         table: resolved(schema, node).get("properties", ())
         for table, node in schema["properties"].items()
@@ -365,6 +415,6 @@ def _assumed(values: CaseValues) -> Iterator[CaseProblem]:
 
 def json_schema() -> dict[str, Any]:
     """JSON Schema of case files, for editors."""
-    adapter: TypeAdapter[Any] = TypeAdapter(BearingFile | ContactFile)
+    adapter: TypeAdapter[Any] = TypeAdapter(AnyFile)
     head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "oilfilm case"}
     return {**head, **adapter.json_schema()}

@@ -1,0 +1,229 @@
+"""Small vibrations of a shaft about its equilibrium: whirl, critical speeds, unbalance.
+
+M q'' + (C + W G) q' + K q = f at the speed W; K has the tangents of the bearings at the
+equilibrium (of its speed and load), G is the gyroscopic matrix over the speed. Damping of the
+bearings is left out unless it is given.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, pi, sin
+
+import numpy as np
+import scipy
+
+from oilfilm.ehl.arrays import Array
+
+from .beam import FREEDOMS, RING, Beam
+from .equilibrium import ShaftSolution
+from .system import AxialLocation
+
+ELEMENTS = (
+    40  # at least along the shaft: its mass, and with it the frequencies, converge with them
+)
+MODES = 60  # at rest, of which those of the turning shaft are made [-]
+NOT_HELD = (
+    "the bearings do not hold the shaft in every direction (a light load in the play of a "
+    "bearing, or no axial stiffness): no natural frequencies"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Vibration:
+    """Matrices of the small vibrations of a shaft in its bearings."""
+
+    beam: Beam
+    stiffness: Array  # with the bearings, (n, n) [N/m], [N], [N m]
+    damping: Array  # of the bearings, (n, n) [N s/m], ...
+    free: Array  # unknowns that are not held
+
+
+def vibration(
+    solution: ShaftSolution, damping: Sequence[Array] | None = None, longest: float | None = None
+) -> Vibration:
+    """Matrices of the small vibrations about an equilibrium.
+
+    Parameters
+    ----------
+    solution : ShaftSolution
+        Converged equilibrium.
+    damping : sequence of Array, optional
+        Of each bearing in the order x, y, z, tilt y, tilt z (5, 5) [N s/m], [N s], [N m s].
+    longest : float, optional
+        Longest element [m]; left out, a fortieth of the shaft.
+
+    Returns
+    -------
+    Vibration
+        Matrices of a mesh fine enough for frequencies.
+    """
+    system = solution.system
+    length = system.sections[-1].end - system.sections[0].start
+    beam = system.beam(longest or length / ELEMENTS)
+    stiffness = beam.stiffness.copy()
+    resisting = np.zeros_like(stiffness)
+    for k, (support, state) in enumerate(zip(system.supports, solution.bearings, strict=True)):
+        tangent = state.stiffness
+        if support.location is AxialLocation.NONE and tangent[0, 0] > 0.0:
+            tangent = tangent - np.outer(tangent[:, 0], tangent[0]) / tangent[0, 0]
+        if support.seat_stiffness is not None:
+            # both in series: K_b (K_b + K_seat)^-1 K_seat
+            seat = support.seat_stiffness
+            tangent = tangent @ np.linalg.solve(tangent + seat, seat)
+        places = FREEDOMS * beam.node(support.position) + RING
+        stiffness[np.ix_(places, places)] += 0.5 * (tangent + tangent.T)
+        if damping is not None:
+            resisting[np.ix_(places, places)] += damping[k]
+    free = np.setdiff1d(np.arange(stiffness.shape[0]), [3])
+    return Vibration(beam=beam, stiffness=stiffness, damping=resisting, free=free)
+
+
+def critical_speeds(matrices: Vibration, highest: float) -> Array:
+    """Speeds at which a rotating unbalance meets a natural frequency.
+
+    A motion that turns with the shaft, q = phi exp(i W t), obeys K phi = W^2 (M - i G) phi.
+
+    Parameters
+    ----------
+    matrices : Vibration
+        Of the shaft, undamped.
+    highest : float
+        Speeds above are left out [rad/s].
+
+    Returns
+    -------
+    Array
+        Ascending [rad/s]; lateral ones, of both directions of whirl.
+    """
+    mass, gyroscopic, scale = _over_root_of_stiffness(matrices)
+    # eigenvalues 1/W^2 of a Hermitian matrix, with phi over the root of K
+    values, vectors = scipy.linalg.eigh(mass - 1j * gyroscopic)
+    speeds = []
+    for value, vector in zip(values, vectors.T, strict=True):
+        if value > 1.0 / highest**2 and _lateral(scale @ vector, matrices.free):
+            speeds.append(value**-0.5)
+    return np.array(sorted(speeds))
+
+
+def _over_root_of_stiffness(matrices: Vibration) -> tuple[Array, Array, Array]:
+    """Mass and gyroscopic matrix between R^-T, K = R^T R, and R^-1.
+
+    Raises
+    ------
+    ValueError
+        If the bearings do not hold the shaft in some direction, as light loads in the play of a
+        bearing.
+    """
+    keep = np.ix_(matrices.free, matrices.free)
+    stiffness = matrices.stiffness[keep]
+    unit = np.diag(stiffness) ** 0.5
+    if not (unit > 0.0).all():
+        raise ValueError(NOT_HELD)
+    try:
+        upper = scipy.linalg.cholesky(stiffness / np.outer(unit, unit))
+    except np.linalg.LinAlgError:
+        raise ValueError(NOT_HELD) from None
+    inverse = scipy.linalg.solve_triangular(upper, np.eye(unit.size)) / unit[:, None]
+    mass = inverse.T @ matrices.beam.mass[keep] @ inverse
+    gyroscopic = inverse.T @ matrices.beam.gyroscopic[keep] @ inverse
+    return mass, gyroscopic, inverse
+
+
+def _lateral(vector: Array, free: Array) -> bool:
+    """Check for a motion that bends, not one along the axis or of torsion (at 1 m from it)."""
+    freedom = free % FREEDOMS
+    size = np.abs(vector)
+    along = size[(freedom == 0) | (freedom == 3)].max()
+    return bool(size[(freedom == 1) | (freedom == 2)].max() > along)
+
+
+def whirl_frequencies(matrices: Vibration, speeds: Sequence[float], count: int) -> Array:
+    """Natural frequencies of bending over the speed of the shaft, for Campbell's diagram.
+
+    Parameters
+    ----------
+    matrices : Vibration
+        Of the shaft; the stiffness of the bearings is kept.
+    speeds : sequence of float
+        Of the shaft [rad/s].
+    count : int
+        Number of frequencies, the lowest [-].
+
+    Returns
+    -------
+    Array
+        Shape (speeds, count) [rad/s].
+    """
+    mass, gyroscopic, scale = _over_root_of_stiffness(matrices)
+    # 1. the lowest modes at rest: M between them is the diagonal of 1/w^2
+    flexibility, modes = scipy.linalg.eigh(mass)
+    size = min(MODES, flexibility.size)
+    flexibility, modes = flexibility[-size:], modes[:, -size:]
+    at_rest = flexibility**-0.5
+    turning = (modes.T @ gyroscopic @ modes) * np.outer(at_rest, at_rest)
+    # 2. the gyroscopic moments couple them
+    rows = []
+    for speed in speeds:
+        # x' = S x with S skew, so that i S is Hermitian: its eigenvalues are the frequencies, in
+        # pairs
+        state = np.zeros((2 * size, 2 * size))
+        state[:size, :size] = -speed * turning
+        state[:size, size:] = -np.diag(at_rest)
+        state[size:, :size] = np.diag(at_rest)
+        values, vectors = scipy.linalg.eigh(1j * state)
+        shapes = scale @ modes @ vectors[size:, values > 0.0]
+        bends = [_lateral(shape, matrices.free) for shape in shapes.T]
+        rows.append(values[values > 0.0][bends][:count])
+    return np.array(rows)
+
+
+def unbalance_response(matrices: Vibration, solution: ShaftSolution, speed: float) -> Array:
+    """Amplitudes of the nodes under the unbalances of the loads.
+
+    Parameters
+    ----------
+    matrices : Vibration
+        Of the shaft, with the damping of the bearings.
+    solution : ShaftSolution
+        With the unbalances among its loads.
+    speed : float
+        Of the shaft [rad/s].
+
+    Returns
+    -------
+    Array
+        Complex amplitudes, factors of exp(i W t), (nodes, 6) [m], [rad].
+    """
+    beam = matrices.beam
+    force = np.zeros(beam.mass.shape[0], dtype=complex)
+    for load in solution.system.loads:
+        first = FREEDOMS * beam.node(load.position)
+        pull = (
+            load.unbalance
+            * speed**2
+            * (cos(load.unbalance_angle) + 1j * sin(load.unbalance_angle))
+        )
+        force[first + 1] += pull
+        force[first + 2] += -1j * pull
+    resisting = matrices.damping + speed * beam.gyroscopic
+    dynamic = matrices.stiffness + 1j * speed * resisting - speed**2 * beam.mass
+    found = np.zeros_like(force)
+    keep = matrices.free
+    found[keep] = np.linalg.solve(dynamic[np.ix_(keep, keep)], force[keep])
+    return found.reshape(-1, FREEDOMS)
+
+
+def revolutions_per_minute(speeds: Array) -> Array:
+    """Speeds in revolutions per minute.
+
+    Parameters
+    ----------
+    speeds : Array
+        [rad/s].
+
+    Returns
+    -------
+    Array
+        [r/min].
+    """
+    return np.asarray(speeds) * 30.0 / pi

@@ -1,0 +1,276 @@
+"""A shaft case: shaft, supports and loads in SI, and a case of each bearing."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from oilfilm.bearing.geometry import SINGLE
+from oilfilm.bearing.material import Material
+from oilfilm.bearing.shaft.beam import Section
+from oilfilm.bearing.shaft.system import AxialLocation, PointLoad, ShaftSystem, Support
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import ZERO_CELSIUS
+
+from .case import Case, case_of_document
+from .document import ShaftFile, read_text, validate_text
+from .library import materials
+from .rules import CaseError, CaseProblem, key_lines
+from .shaft import HousingTable, SectionTable, bearing_document
+from .shipped import find_case
+
+REFERENCE_TEMPERATURE = ZERO_CELSIUS + 20.0  # of lengths without thermal growth [K]
+RIGID = 1.0e13  # stiffness of a direction that a housing leaves out [N/m], [N m/rad]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShaftCase:
+    """A shaft with its bearings, SI."""
+
+    title: str
+    source: str
+    assumed: tuple[str, ...]
+    system: ShaftSystem
+    cases: tuple[Case, ...]  # of the bearings, without loads
+    documents: tuple[dict[str, Any], ...]  # of these cases, in the units of a file
+    names: tuple[str, ...]  # of the bearings
+    document: dict[str, Any]  # the file as run
+    warnings: tuple[str, ...] = ()
+
+
+def load_shaft(name_or_path: str | Path) -> ShaftCase:
+    """Read a shaft case: a case file, or a shipped case by its name.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        The file, or the stem of a shipped case.
+
+    Returns
+    -------
+    ShaftCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
+    """
+    path = find_case(name_or_path)
+    text = read_text(path)
+    file = validate_text(text, str(path))
+    if not isinstance(file, ShaftFile):
+        raise CaseError(f"{path}: has no table [shaft]; run it with 'oilfilm run {name_or_path}'")
+    return shaft_case(file, str(path), text)
+
+
+def shaft_case(file: ShaftFile, name: str, text: str = "") -> ShaftCase:
+    """The case of a checked file.
+
+    Parameters
+    ----------
+    file : ShaftFile
+        The checked tables.
+    name : str
+        Name of the file in messages.
+    text : str, default ""
+        Content of the file, for lines in messages.
+
+    Returns
+    -------
+    ShaftCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If a bearing of the shaft is wrong.
+    """
+    document = file.model_dump(mode="json", exclude_none=True)
+    cases = []
+    documents = []
+    for index, support in enumerate(document["support"]):
+        own = bearing_document(document, support)
+        try:
+            case = case_of_document(own)
+        except CaseError as error:
+            problems = [
+                _at_support(problem, index, support, document) for problem in error.problems
+            ]
+            lines = key_lines(text)
+            raise CaseError([p.text(name, lines) for p in problems], problems) from None
+        assert isinstance(case, Case)  # a bearing
+        documents.append(own)
+        cases.append(case)
+    library = materials(file.materials, [table.material for table in file.shaft.section])
+    return ShaftCase(
+        title=file.title,
+        source=file.source,
+        assumed=file.assumed,
+        system=shaft_system(file, tuple(cases), library),
+        cases=tuple(cases),
+        documents=tuple(documents),
+        names=tuple(support["bearing"] for support in document["support"]),
+        document={key: value for key, value in document.items() if value != {}},
+        warnings=tuple(dict.fromkeys(note for case in cases for note in case.warnings)),
+    )
+
+
+def _at_support(
+    problem: CaseProblem, index: int, support: dict[str, Any], document: dict[str, Any]
+) -> CaseProblem:
+    """A problem of a bearing's case at its place in the shaft's file."""
+    name = support["bearing"]
+    path = problem.path
+    if path[:1] == ("bearing",):
+        own = name in document.get("bearing", {})
+        path = ("bearing", name, *path[1:]) if own else ("support", index, "bearing")
+    elif path[:1] in (("rows",), ("operation",)):
+        path = ("support", index)
+    return CaseProblem(path, problem.finding, problem.allowed, nearest=problem.nearest)
+
+
+def sections(
+    tables: tuple[SectionTable, ...], library: dict[str, Material]
+) -> tuple[Section, ...]:
+    """Sections of a shaft.
+
+    Parameters
+    ----------
+    tables : tuple of SectionTable
+        The checked tables.
+    library : dict
+        Materials by name.
+
+    Returns
+    -------
+    tuple of Section
+        From left to right, SI.
+    """
+    start = 0.0
+    found = []
+    for table in tables:
+        si = table.si()
+        section = Section(
+            start=start,
+            end=si["to"],
+            outside_diameter=si["outside"],
+            inside_diameter=si["inside"],
+            material=library[table.material],
+        )
+        found.append(section)
+        start = section.end
+    return tuple(found)
+
+
+def seat_stiffness(table: HousingTable) -> Array | None:
+    """Stiffness of a seat in the order x, y, z, tilt y, tilt z.
+
+    Parameters
+    ----------
+    table : HousingTable
+        The checked table.
+
+    Returns
+    -------
+    Array or None
+        Shape (5, 5) [N/m], [N], [N m]; None where all is rigid.
+    """
+    si = table.si()
+    values = (si["axial_stiffness"], si["radial_stiffness"], si["tilting_stiffness"])
+    if all(value is None for value in values):
+        return None
+    axial, radial, tilting = (RIGID if value is None else value for value in values)
+    return np.diag([axial, radial, radial, tilting, tilting])
+
+
+def thermal_growth(found: tuple[Section, ...], place: float, shaft_rise: float) -> float:
+    """Growth of a shaft from its left end to a place.
+
+    Parameters
+    ----------
+    found : tuple of Section
+        Of the shaft.
+    place : float
+        Along it [m].
+    shaft_rise : float
+        Of its temperature [K].
+
+    Returns
+    -------
+    float
+        Growth [m].
+    """
+    return sum(
+        (section.material.thermal_expansion or 0.0)
+        * shaft_rise
+        * (min(section.end, place) - section.start)
+        for section in found
+        if section.start < place
+    )
+
+
+def shaft_system(
+    file: ShaftFile, cases: tuple[Case, ...], library: dict[str, Material]
+) -> ShaftSystem:
+    """Shaft, supports and loads of a checked file.
+
+    Parameters
+    ----------
+    file : ShaftFile
+        The checked tables.
+    cases : tuple of Case
+        Of the bearings.
+    library : dict
+        Materials by name.
+
+    Returns
+    -------
+    ShaftSystem
+        The system, SI.
+    """
+    pieces = sections(file.shaft.section, library)
+    operation, housing = file.operation.si(), file.housing.si()
+    warm = operation["shaft_temperature"]
+    cool = housing["temperature"]
+    shaft_rise = 0.0 if warm is None else warm - REFERENCE_TEMPERATURE
+    housing_rise = 0.0 if cool is None else cool - REFERENCE_TEMPERATURE
+    seat = seat_stiffness(file.housing)
+    supports = []
+    for table, case in zip(file.support, cases, strict=True):
+        place = table.si()["at"]
+        growth = thermal_growth(pieces, place, shaft_rise)
+        growth -= housing["thermal_expansion"] * housing_rise * place
+        supports.append(
+            Support(
+                position=place,
+                bearing=case.bearing,
+                rows=case.rows or SINGLE,
+                temperature=case.operation.temperature,
+                model=case.model,
+                location=AxialLocation(table.fixed),
+                seat_stiffness=seat,
+                growth=growth,
+            )
+        )
+    loads = tuple(
+        PointLoad(
+            position=si["at"],
+            force=si["force"],
+            moment=si["moment"],
+            mass=si["mass"],
+            polar_inertia=si["polar_inertia"],
+            diametral_inertia=si["diametral_inertia"],
+            unbalance=si["unbalance"],
+            unbalance_angle=si["unbalance_angle"],
+        )
+        for si in (table.si() for table in file.load)
+    )
+    return ShaftSystem(
+        sections=pieces,
+        supports=tuple(supports),
+        loads=loads,
+        speed=operation["inner_speed"],
+        gravity=file.shaft.si()["gravity"],
+    )
