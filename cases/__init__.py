@@ -3,7 +3,7 @@
 | module | responsibility |
 |---|---|
 | format | case files: tables, rules, conversion to SI |
-| runs | one case run: bearing, contact, slip, stiffness, tables, dynamics |
+| runs | one case run: bearing, contact, slip, stiffness, shaft, tables, dynamics |
 | batch | many points of one case |
 | optimise | optimisation of a case by its keys, with error bars of films as noise |
 | cli | the command line |

@@ -14,6 +14,7 @@ plot_style   - common to all plots: type sizes, colours, colour maps, the part o
 quantities   - output quantities: each is declared once: key, unit, title, getter
 report       - the HTML report of a result folder
 scene        - three-dimensional views, files for ParaView, meshes for other programs
+shaft        - results of a shaft on bearings
 slip         - results of a slip study
 stiffness    - results of a stiffness study
 temperatures - results of a study of temperatures

@@ -30,19 +30,19 @@ class Section:
     """Hollow cylinder, a piece of a shaft."""
 
     start: float  # place of its ends along the shaft [m]
-    end: float
+    end: float  # [m]
     outside_diameter: float  # [m]
     inside_diameter: float  # zero where solid [m]
     material: Material
 
     @property
     def area(self) -> float:
-        """Of the cross section [m^2]."""
+        """Area of the cross section [m^2]."""
         return 0.25 * pi * (self.outside_diameter**2 - self.inside_diameter**2)
 
     @property
     def second_moment(self) -> float:
-        """Of the area about a diameter [m^4]."""
+        """Second moment of the area about a diameter [m^4]."""
         return pi / 64.0 * (self.outside_diameter**4 - self.inside_diameter**4)
 
     @property
@@ -114,7 +114,8 @@ def stepped_beam(
     ValueError
         If a station lies outside the shaft.
     """
-    first, last = sections[0].start, sections[-1].end
+    first = sections[0].start
+    last = sections[-1].end
     for place in stations:
         if not first <= place <= last:
             raise ValueError(

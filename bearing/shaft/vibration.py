@@ -158,7 +158,8 @@ def whirl_frequencies(matrices: Vibration, speeds: Sequence[float], count: int) 
     # 1. the lowest modes at rest: M between them is the diagonal of 1/w^2
     flexibility, modes = scipy.linalg.eigh(mass)
     size = min(MODES, flexibility.size)
-    flexibility, modes = flexibility[-size:], modes[:, -size:]
+    flexibility = flexibility[-size:]
+    modes = modes[:, -size:]
     at_rest = flexibility**-0.5
     turning = (modes.T @ gyroscopic @ modes) * np.outer(at_rest, at_rest)
     # 2. the gyroscopic moments couple them

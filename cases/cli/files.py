@@ -94,7 +94,7 @@ def _file(name: str) -> Path:
 
 def _check(name: str) -> tuple[str, ...]:
     """Check a case or a sweep; its notes, and `CaseError` with what is wrong."""
-    from ..format.document import SWEEP_TABLES, parse, read_text, validate_text
+    from ..format.document import SWEEP_TABLES, ShaftFile, parse, read_text, validate_text
 
     path = _file(name)
     text = read_text(path)
@@ -106,6 +106,10 @@ def _check(name: str) -> tuple[str, ...]:
     from ..format.case import case_of_file
 
     file = validate_text(text, str(path))
+    if isinstance(file, ShaftFile):
+        from ..format.shaft_case import shaft_case
+
+        return shaft_case(file, str(path), text).warnings
     case_of_file(file, str(path), text)  # what only its conversion tells, as before a run
     return file.notes
 

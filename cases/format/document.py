@@ -351,7 +351,8 @@ def _with_own_bearings(document: dict[str, Any]) -> tuple[dict[str, Any], list[C
     tables = document.get("bearing")
     if not isinstance(tables, dict):
         return document, []
-    filled, problems = {}, []
+    filled = {}
+    problems = []
     for name, table in tables.items():
         own, unknown = with_catalogue({"bearing": table})
         filled[name] = own["bearing"]

@@ -114,7 +114,8 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
         if end <= before:
             path = ("shaft", "section", index, "to_mm")
             yield CaseProblem(path, f"found {shown(end)}", f"allowed: more than {before:g} mm")
-        inside, outside = table.get("inside_mm", 0.0), table.get("outside_mm")
+        inside = table.get("inside_mm", 0.0)
+        outside = table.get("outside_mm")
         if is_number(inside) and is_number(outside) and inside >= outside:
             path = ("shaft", "section", index, "inside_mm")
             yield CaseProblem(path, f"found {shown(inside)}", f"allowed: less than {outside:g} mm")

@@ -64,7 +64,8 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
     timing["bearings"] = perf_counter() - start - timing["shaft"]
     # 3. small vibrations about the equilibrium
     notify(steps - 1, steps, "vibration")
-    moving, note = None, ""
+    moving = None
+    note = ""
     if solution.converged:
         try:
             moving = _vibration(solution)

@@ -1,1 +1,5 @@
-"""Results of a shaft on bearings."""
+"""Results of a shaft on bearings.
+
+results - summary, tables, data set
+write   - files, pictures and table
+"""

@@ -76,7 +76,8 @@ def _outline(axes: Axes, results: ShaftResults) -> None:
     system = results.solution.system
     radius = 0.0
     for section in system.sections:
-        left, width = from_si("x_mm", section.start), from_si("x_mm", section.end - section.start)
+        left = from_si("x_mm", section.start)
+        width = from_si("x_mm", section.end - section.start)
         half = 0.5 * from_si("x_mm", section.outside_diameter)
         hole = 0.5 * from_si("x_mm", section.inside_diameter)
         radius = max(radius, half)

@@ -18,9 +18,11 @@ from pathlib import Path
 import pytest
 
 from oilfilm.cases import Case, load_case, run_case, run_contact
+from oilfilm.cases.format.shaft_case import load_shaft
 from oilfilm.cases.format.shipped import LIBRARY, shipped_cases, shipped_sweeps
 
-STEMS = tuple(shipped_cases())
+SHAFTS = tuple(stem for stem, path in shipped_cases().items() if path.parent.name == "shaft")
+STEMS = tuple(stem for stem in shipped_cases() if stem not in SHAFTS)  # bearings and contacts
 QUICK = ("209_radial_8900N", "218_axial_22250N", "ball_on_disc", "moes_20_10", "6208_full_ceramic")
 QUICK += tuple(stem for stem in STEMS if stem.startswith("hirano_"))  # no films
 QUICK += ("6208_life", "6208_duty_cycle", "6208_full_ceramic_warm", "7008_back_to_back")  # few films or none
@@ -75,16 +77,16 @@ def numbers(stem, points=None):
 
 def test_stems_are_unique():
     studies = list(LIBRARY.glob("optimisations/*.toml"))
-    assert len(list(LIBRARY.rglob("*.toml"))) == len(STEMS) + len(shipped_sweeps()) + len(studies)
+    assert len(list(LIBRARY.rglob("*.toml"))) == len(shipped_cases()) + len(shipped_sweeps()) + len(studies)
 
 
-@pytest.mark.parametrize("stem", STEMS)
+@pytest.mark.parametrize("stem", [*STEMS, *SHAFTS])
 def test_a_case_says_what_it_is_and_where_its_numbers_come_from(stem):
     document = tomllib.loads(shipped_cases()[stem].read_text(encoding="utf-8"))
     assert document["title"]
     assert document["source"]
     assert document["assumed"]
-    load_case(stem)
+    load_shaft(stem) if stem in SHAFTS else load_case(stem)
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from oilfilm.cases.format.document import BearingFile, ContactFile
+from oilfilm.cases.format.document import BearingFile, ContactFile, ShaftFile
 from oilfilm.cases.format.rules import allowed_values, resolved
 from oilfilm.ehl.units import unit_of
 
@@ -67,6 +67,12 @@ ORDER = (
     "materials",
     "lubricants",
 )
+OF_SHAFTS = {
+    "support": "[[support]] of a shaft",
+    "load": "[[load]]",
+    "housing": "[housing]",
+    "operation": "[operation] of a shaft",
+}
 OF_CONTACTS = ("contact", "transient", "features")
 NAMED = {
     "rows": "[rows]",
@@ -118,6 +124,12 @@ def tables() -> str:
     for key in ORDER:
         schema = contact if key in OF_CONTACTS else bearing
         lines += table(f"[{NAMED.get(key, key)}]", _content(schema, schema["properties"][key]), schema)
+    shaft = ShaftFile.model_json_schema()
+    sections = _content(shaft, shaft["properties"]["shaft"])
+    lines += table("[shaft]", sections, shaft)
+    lines += table("[[shaft.section]]", _content(shaft, sections["properties"]["section"]), shaft)
+    for key, name in OF_SHAFTS.items():
+        lines += table(name, _content(shaft, shaft["properties"][key]), shaft)
     return "\n".join(lines)
 
 
