@@ -31,7 +31,8 @@ class Support:
     temperature: float = 313.15  # [K]
     model: QuasistaticModel = field(default_factory=QuasistaticModel)
     location: AxialLocation = AxialLocation.BOTH
-    # stiffness of its seat in the order x, y, z, tilt y, tilt z (5, 5) [N/m], [N], [N m]; None: rigid
+    # stiffness of its seat in the order x, y, z, tilt y, tilt z (5, 5) [N/m], [N], [N m]; rigid
+    # where it is None
     seat_stiffness: Array | None = None
     growth: float = 0.0  # thermal, of the shaft less that of the housing, at its place [m]
 
