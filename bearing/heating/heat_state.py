@@ -11,6 +11,7 @@ import numpy as np
 
 from oilfilm.ehl.arrays import Array, unique_rows
 from oilfilm.ehl.closed_form.hertz import HertzContact
+from oilfilm.ehl.oil.assumed_heat import heat_of, with_heat
 from oilfilm.ehl.oil.lubricant import Lubricant, heat_properties
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.solid.film_conductance import (
@@ -117,9 +118,10 @@ def _oil_ends(oil: Lubricant, pressure: Array, temperature: float) -> tuple[Arra
     """Conductivity of the oil at pressures [Pa]: value, as at ambient pressure, and as pressed
     [W/(m K)].
     """
-    pressed = heat_properties(pressure, oil, temperature)[0]
-    still = oil.thermal.conductivity if oil.thermal else 0.0
-    law = oil.thermal is not None and oil.thermal.under_pressure is not None
+    pressed = heat_properties(pressure, with_heat(oil), temperature)[0]
+    heat = heat_of(oil)
+    still = heat.conductivity
+    law = heat.under_pressure is not None
     return pressed, np.full_like(pressed, still), pressed if law else PRESSED * pressed
 
 

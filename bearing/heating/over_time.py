@@ -29,6 +29,7 @@ import numpy as np
 import scipy
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..geometry import Bearing
@@ -91,7 +92,7 @@ def heat_capacities(
     balls = rows * bearing.balls * pi / 6.0 * bearing.ball_diameter**3
     sized = with_dimensions(bearing, size.bore, size.outside, size.width / rows)
     cavity = rows * cavity_volume(sized) * (OIL_SHARE if oil_share is None else oil_share)
-    fluid = oil.density * oil.thermal.specific_heat if oil.thermal else 0.0
+    fluid = oil.density * heat_of(oil).specific_heat
     values = {
         "shaft": _capacity(around.shaft_material) * _ring(around.shaft_bore, size.bore, length),
         "inner_ring": _capacity(bearing.inner_ring_material)

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from math import pi
 
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.solid.bodies.conduction import ring_conductances
 from oilfilm.ehl.solid.bodies.ring_profile import RingProfile, Seat
@@ -314,11 +315,10 @@ def _cavity(
     speed = HARRIS_SPEED * 0.5 * abs(cage_speed) * length
     if not around.filled:
         return plate_coefficients(speed, length, AIR_CONDUCTIVITY, AIR_VISCOSITY, AIR_PRANDTL)
-    if oil.thermal is None:
-        raise ValueError("lubricant.conductivity_W_m_K and specific_heat_J_kg_K are needed")
-    k = oil.thermal.conductivity
+    heat = heat_of(oil)
+    k = heat.conductivity
     viscosity = oil.viscosity / oil.density
-    prandtl = oil.viscosity * oil.thermal.specific_heat / k
+    prandtl = oil.viscosity * heat.specific_heat / k
     return plate_coefficients(speed, length, k, viscosity, prandtl)
 
 

@@ -5,7 +5,7 @@ oil, and the film with the grease over that of its base oil, by age.
 
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
 from math import exp, log, log10
@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from oilfilm.ehl.oil.assumed_heat import BaseOil, heat_of
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     TaitVolume,
@@ -292,7 +293,7 @@ def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     constants = oil_constants(entry, temperature)
     laws = _laws_of_set(entry) | {name: law for name, law in laws.items() if law is not None}
     alpha = _coefficient_of_law(entry, laws.get("viscosity_law"), constants, temperature)
-    return Lubricant(
+    oil = Lubricant(
         viscosity=dynamic_viscosity(entry, temperature),
         pressure_viscosity=alpha,
         density=oil_density(entry, temperature),
@@ -302,6 +303,15 @@ def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
         **constants,
         **laws,
     )
+    return _with_ranges(oil, entry.get("base_oil"))
+
+
+def _with_ranges(oil: Lubricant, base_oil: str | None) -> Lubricant:
+    """An oil that stands for a class, with the ranges of its heat properties; else as it is."""
+    if base_oil is None or oil.thermal is None:
+        return oil
+    ranges = heat_of(replace(oil, thermal=None), BaseOil(base_oil)).ranges
+    return replace(oil, thermal=replace(oil.thermal, ranges=ranges))
 
 
 def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:

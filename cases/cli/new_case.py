@@ -20,6 +20,7 @@ from oilfilm.bearing.library.plugins import library_data
 from oilfilm.bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
 from oilfilm.bearing.rating.life import viscosity_ratio
 from oilfilm.bearing.torque.skf import palmgren_torque, viscous_factor
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.units import MILLIMETRE, RPM, from_si, to_si
 
@@ -229,8 +230,7 @@ def _grade(speed: float, pitch_diameter: float) -> str:
 
 def _heat_capacity(oil: Lubricant) -> float:
     """rho c [J/(m^3 K)]."""
-    assert oil.thermal is not None  # of the library
-    return oil.density * oil.thermal.specific_heat
+    return oil.density * heat_of(oil).specific_heat
 
 
 def _capacity(entry: Mapping[str, Any]) -> float:

@@ -28,6 +28,7 @@ from oilfilm.bearing.operation import Operation
 from oilfilm.bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
 from oilfilm.bearing.torque.skf import Lubrication
 from oilfilm.ehl import Lubricant
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.solid.bodies.ring_profile import Seat
 from oilfilm.ehl.units import to_si
@@ -468,11 +469,6 @@ def heating(
     HeatingInput | None
         Surroundings [W/K], oil over temperature [K] and fits; None where no heat transfer is
         given.
-
-    Raises
-    ------
-    InvalidKeyError
-        If oil removes heat and its specific heat is not known.
     """
     if table.heat_transfer_W_K is None:
         return None
@@ -498,9 +494,6 @@ def _surroundings(table: FrictionTable, oil: Lubricant, fit: Fit | None) -> Surr
     si = table.si()
     key = "supply_mL_min" if table.cooling_oil_mL_min is None else "cooling_oil_mL_min"
     flow = to_si(key, getattr(table, key))
-    if flow and oil.thermal is None:
-        needs = "the heat that oil carries needs lubricant.specific_heat_J_kg_K"
-        raise InvalidKeyError(("friction", key), needs)
     steel = load_material(FitTable.model_fields["shaft_material"].default)
     air = (Lubrication.GREASE.value, Lubrication.OIL_AIR.value)
     # a flow that is to cool wets the walls, whatever lubricates
@@ -508,7 +501,7 @@ def _surroundings(table: FrictionTable, oil: Lubricant, fit: Fit | None) -> Surr
     return Surroundings(
         ambient=si["ambient"],
         conductance=si["heat_transfer"],
-        oil_flow=flow * oil.density * oil.thermal.specific_heat if flow and oil.thermal else 0.0,
+        oil_flow=flow * oil.density * heat_of(oil).specific_heat if flow else 0.0,
         oil_supply=si["ambient"] if table.cooling_oil_C is None else si["cooling_oil_C"],
         shaft_material=steel if fit is None else fit.shaft_material,
         housing_material=steel if fit is None else fit.housing_material,

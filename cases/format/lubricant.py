@@ -5,12 +5,13 @@ The constants of Tait, Doolittle and Yasutomi give the pressure-viscosity coeffi
 
 import warnings
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import log
 from typing import Annotated, Any, Literal
 
 from oilfilm.bearing.library.lubricants import list_lubricants, load_lubricant, lubricant_data
 from oilfilm.ehl import DensityLaw, Lubricant, ViscosityLaw
+from oilfilm.ehl.oil.assumed_heat import BaseOil, heat_of
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     ExpansivityForm,
@@ -367,10 +368,18 @@ class OilTable(Table):
     pour_point_C: float | None = between(
         -100, 100, "below which the oil does not flow; left out, an estimate of mineral oils"
     )
-    thermal_conductivity_W_m_K: float | None = above(0, 10, "for film_model thermal")
-    specific_heat_J_kg_K: float | None = above(0, 1e4, "for film_model thermal")
-    viscosity_temperature_1_K: float | None = between(0, 1, "-d(ln eta)/dT; film_model thermal")
-    thermal_expansion_1_K: float | None = between(0, 0.01, "for film_model thermal")
+    base_oil: Annotated[str, OneOf(BaseOil)] | None = described(
+        "gives the heat properties that are left out; mineral if left out"
+    )
+    viscosity_index: float | None = within(
+        400, "after ASTM D2270, gives viscosity_temperature_1_K; left out, that of the base oil"
+    )
+    thermal_conductivity_W_m_K: float | None = above(0, 10, "left out, that of the base oil")
+    specific_heat_J_kg_K: float | None = above(0, 1e4, "left out, that of the base oil")
+    viscosity_temperature_1_K: float | None = between(
+        0, 1, "-d(ln eta)/dT; left out, by viscosity_index"
+    )
+    thermal_expansion_1_K: float | None = between(0, 0.01, "left out, that of the base oil")
     rheology: Annotated[str, OneOf(ShearLaw)] | None = described(
         "shear law of the friction; left out, Ree-Eyring with assumed constants"
     )
@@ -436,7 +445,13 @@ SHEAR_KEYS = {  # constants of a shear law
     "yasuda_exponent": "carreau-yasuda",
 }
 CARREAU = ("carreau_modulus_MPa", "carreau_exponent")
-HEAT_KEYS = ("thermal_conductivity_W_m_K", "specific_heat_J_kg_K", "viscosity_temperature_1_K")
+HEAT_KEYS = {  # field of `ThermalProperties`: its key
+    "conductivity": "thermal_conductivity_W_m_K",
+    "specific_heat": "specific_heat_J_kg_K",
+    "viscosity_temperature": "viscosity_temperature_1_K",
+    "expansion": "thermal_expansion_1_K",
+}
+CLASS_KEYS = ("base_oil", "viscosity_index")  # of heat properties that are assumed
 SUPPLIED = (Where("lubricant.inlet_film_um"), Where("friction.supply_mL_min"))
 RELATIONS: tuple[Relation, ...] = (
     Excludes("lubricant.kinematic_viscosity_mm2_s", "lubricant.viscosity_mPa_s"),
@@ -515,7 +530,7 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
     yield from _shear_faults(oil.keys, values)
     yield from free_volume_faults(oil.keys, values, of_library=oil.of_library)
     yield from _moes_pressure_scale(oil.keys, values)
-    yield from _heat_faults(oil.keys, values)
+    yield from _heat_faults(oil)
 
 
 def _layer_faults(values: CaseValues) -> Iterator[CaseProblem]:
@@ -619,14 +634,15 @@ def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[Ca
         yield CaseProblem(("contact", "moes_L"), finding, allowed)
 
 
-def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseProblem]:
-    """Thermal properties of the oil, all or none; all for a film with heat."""
-    reasons = [key for key in HEAT_KEYS if key in oil]
-    if values.get("ehl", "film_model") == "thermal" and "name" not in oil:
-        reasons.append('ehl.film_model = "thermal"')
-    for key in HEAT_KEYS:
-        if reasons and key not in oil:
-            yield CaseProblem(("lubricant", key), MISSING, f"needed with {reasons[0]}")
+def _heat_faults(oil: Oil) -> Iterator[CaseProblem]:
+    """A class of oils stands for heat properties that are not known."""
+    for key in CLASS_KEYS:
+        if key in oil.keys and oil.of_library:
+            found = f"found with the oil {shown(oil.keys['name'])}, which has heat properties"
+            yield CaseProblem(("lubricant", key), found, "allowed with an oil of the case")
+    index, fall = CLASS_KEYS[1], HEAT_KEYS["viscosity_temperature"]
+    if index in oil.keys and fall in oil.keys:
+        yield CaseProblem(("lubricant", index), f"found together with {fall}", "allowed: one")
 
 
 def lubricant(oil: Oil, temperature: float) -> Lubricant:
@@ -656,19 +672,12 @@ def lubricant(oil: Oil, temperature: float) -> Lubricant:
         measured_at = measured_at if constants else of_library
         given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
     given.setdefault("temperature", temperature)
-    if HEAT_KEYS[0] in keys:
-        given["thermal"] = ThermalProperties(
-            conductivity=keys["thermal_conductivity_W_m_K"],
-            specific_heat=keys["specific_heat_J_kg_K"],
-            viscosity_temperature=keys["viscosity_temperature_1_K"],
-            expansion=keys.get("thermal_expansion_1_K", 0.0),
-        )
     given |= constants
     _set_viscosity(given, keys)
     result = Lubricant(**with_coefficient(given, keys))
     warn_of_temperature(result, measured_at)
     _warn_of_pour_point(oil, result.name, temperature)
-    return result
+    return replace(result, thermal=_heat(result, keys))
 
 
 def _warn_of_pour_point(oil: Oil, name: str, temperature: float) -> None:
@@ -685,6 +694,14 @@ def _warn_of_pour_point(oil: Oil, name: str, temperature: float) -> None:
         "the oil does not flow, films and torque are extrapolated beyond what it can be",
         stacklevel=2,
     )
+
+
+def _heat(oil: Lubricant, keys: dict[str, Any]) -> ThermalProperties:
+    """Heat properties of the case, else of the library, else of the class of the oil."""
+    base = BaseOil(keys.get("base_oil", BaseOil.MINERAL))
+    heat = heat_of(oil, base, keys.get("viscosity_index"))
+    own = {field: keys[key] for field, key in HEAT_KEYS.items() if key in keys}
+    return replace(heat, **own, ranges=replace(heat.ranges, **dict.fromkeys(own, 0.0)))
 
 
 def _of_library(

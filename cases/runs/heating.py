@@ -389,7 +389,7 @@ def _model_heat(
 
 
 def conducts(case: Case) -> bool:
-    """Tell whether the heat properties of oil and bodies are known.
+    """Tell whether the heat properties of the bodies are known.
 
     Parameters
     ----------
@@ -403,8 +403,7 @@ def conducts(case: Case) -> bool:
     """
     bodies = case.bearing
     materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
-    known = all(m.thermal_conductivity and m.specific_heat for m in materials)
-    return case.lubricant.thermal is not None and known
+    return all(m.thermal_conductivity and m.specific_heat for m in materials)
 
 
 def case_conductances(

@@ -39,6 +39,7 @@ from math import exp, inf, log, sqrt
 from typing import NamedTuple
 
 from ..conditions import ContactConditions, moes_groups, speed_load_material
+from ..oil.assumed_heat import heat_of
 
 # a film thicker than this fraction of R_x lies in a gap that is no paraboloid: outside the model
 MAX_FILM_OVER_RADIUS = 0.02
@@ -190,25 +191,17 @@ def thermal_loading(conditions: ContactConditions) -> float:
     Parameters
     ----------
     conditions : ContactConditions
-        the contact; its lubricant has thermal properties
+        the contact; heat properties that its oil lacks are assumed
 
     Returns
     -------
     float
         L_T [-]
-
-    Raises
-    ------
-    ValueError
-        if the lubricant has no thermal properties
     """
     oil = conditions.lubricant
-    if oil.thermal is None:
-        raise ValueError(
-            "thermal properties of the lubricant are needed for the thermal loading parameter"
-        )
-    slope = oil.thermal.viscosity_temperature
-    return oil.viscosity * slope * conditions.entrainment_speed**2 / oil.thermal.conductivity
+    heat = heat_of(oil)
+    slope = heat.viscosity_temperature / heat.conductivity
+    return oil.viscosity * slope * conditions.entrainment_speed**2
 
 
 def film_reduction_gupta(pressure_ratio: float, loading: float, slide_roll_ratio: float) -> float:

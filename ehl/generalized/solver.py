@@ -48,6 +48,7 @@ from ..multigrid.full_multigrid import (
 )
 from ..multigrid.history import CENTRAL, MINIMUM, start_history
 from ..multigrid.levels import Multigrid
+from ..oil.assumed_heat import with_heat
 from ..oil.rheology import (
     FilmState,
     Rheology,
@@ -385,7 +386,8 @@ def solve_generalized(
     rheology : Rheology
         shear law of the oil
     solids : tuple[SolidThermal, SolidThermal] | None, optional
-        thermal properties of body 1 and body 2; None: uniform temperature
+        thermal properties of body 1 and body 2, those of the oil are assumed where it has none;
+        None: uniform temperature
     oil_temperature : float | None, optional
         temperature of the oil that flows in; None: that of the lubricant's operation [K]
     options : SolverOptions | None, optional
@@ -399,8 +401,7 @@ def solve_generalized(
     Raises
     ------
     ValueError
-        if the lubricant lacks a temperature or thermal properties that heat needs, or conditions
-        have an inlet film
+        if the lubricant lacks a temperature that heat needs, or conditions have an inlet film
     """
     options = options or SolverOptions()
     if rheology.newtonian and solids is None:
@@ -419,6 +420,7 @@ def solve_generalized(
     )
     heat = None
     if solids is not None:
+        conditions = replace(conditions, lubricant=with_heat(conditions.lubricant))
         heat = FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)
     flow = GeneralizedFlow(conditions=conditions, rheology=rheology, heat=heat)
     start = perf_counter()

@@ -334,6 +334,20 @@ class DensityLaw(Enum):
     TAIT = "tait"
 
 
+# expansion of a mineral oil, between those of the library's [1/K]
+MINERAL_EXPANSION = 6.5e-4
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeatRanges:
+    """Relative ranges of heat properties to either side; zero of those that are known [-]."""
+
+    conductivity: float = 0.0
+    specific_heat: float = 0.0
+    viscosity_temperature: float = 0.0
+    expansion: float = 0.0
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ThermalProperties:
     """Thermal properties of an oil for a solve with heat, SI."""
@@ -343,9 +357,10 @@ class ThermalProperties:
     # beta = -d(ln eta)/dT at ambient pressure and the temperature of operation [1/K]; not used by
     # laws that depend on temperature themselves
     viscosity_temperature: float
-    expansion: float = 0.0  # -d(ln rho)/dT [1/K]
+    expansion: float = MINERAL_EXPANSION  # -d(ln rho)/dT [1/K]
     # change of both under pressure and over temperature; None: k and c constant
     under_pressure: FittedHeat | VolumeHeat | None = None
+    ranges: HeatRanges = HeatRanges()  # of assumed values
 
     def __post_init__(self) -> None:
         require_positive(self, "conductivity", "specific_heat")

@@ -36,6 +36,7 @@ from oilfilm.bearing.rating.life import (
 from oilfilm.bearing.rings.compliance import response_of
 from oilfilm.bearing.rings.elastic_ring import ElasticRing
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.solid.bodies import RingResponse, Seat
 from oilfilm.ehl.units import MEGAPASCAL, MICROMETRE, from_si, to_si
 
@@ -519,9 +520,9 @@ def _advice(results: BearingResults, heating: SelfHeatingSolution) -> str:
     transfer = required_heat_transfer(state)
     if transfer is not None:
         ways.append(f"heat_transfer_W_K above {transfer:.3g}")
-    flow = None if oil.thermal is None else required_oil_flow(state)
-    if flow is not None and oil.thermal is not None:
-        volume = flow / (oil.density * oil.thermal.specific_heat)
+    flow = required_oil_flow(state)
+    if flow is not None:
+        volume = flow / (oil.density * heat_of(oil).specific_heat)
         ways.append(f"cooling_oil_mL_min above {from_si('flow_mL_min', volume):.2g}")
     ways = [f"in [friction] {' or '.join(ways)}"] if ways else []
     limit = from_si("temperature_C", state.film_temperature)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from oilfilm.cases.format.case import case_from_text
@@ -81,10 +83,6 @@ def test_free_volume_laws_of_a_library_oil():
     [
         (('material_1 = "bearing steel"', "reduced_modulus_GPa = 226.0"), "reduced_modulus_GPa with film_model"),
         (('material_2 = "bearing steel"', 'material_2 = "phenolic"'), "thermal_conductivity_W_m_K"),
-        (
-            ('name = "iso vg 32"', "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 20.0"),
-            "lubricant.thermal_conductivity_W_m_K: missing",
-        ),
     ],
 )
 def test_what_heat_needs(change, expected):
@@ -93,6 +91,40 @@ def test_what_heat_needs(change, expected):
         text = text.replace('material_2 = "bearing steel"\n', "")
     with pytest.raises(CaseError, match=expected):
         case_from_text(text, "case.toml")
+
+
+OWN = "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 20.0\n"
+
+
+def of_own(keys=""):
+    text = CONTACT.replace('"newtonian"', '"thermal"').replace('name = "iso vg 32"', OWN + keys)
+    return case_from_text(text, "case.toml").conditions.lubricant.thermal
+
+
+def test_heat_properties_that_are_left_out_are_those_of_the_base_oil():
+    """One key alone is enough; what is given has no range."""
+    mineral, ester = of_own(), of_own('base_oil = "ester"')
+    assert mineral.expansion == 6.5e-4
+    assert mineral.ranges.viscosity_temperature > 0.0
+    assert ester.conductivity > mineral.conductivity
+    given = of_own("thermal_conductivity_W_m_K = 0.15")
+    assert given == replace(mineral, conductivity=0.15, ranges=replace(mineral.ranges, conductivity=0.0))
+    by_index = of_own("viscosity_index = 160")
+    assert by_index.viscosity_temperature < mineral.viscosity_temperature
+    assert by_index.ranges.viscosity_temperature == 0.0
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        OWN + "viscosity_index = 100\nviscosity_temperature_1_K = 0.04",
+        'name = "iso vg 32"\nbase_oil = "ester"',
+        OWN + 'base_oil = "whale"',
+    ],
+)
+def test_a_class_of_oils_stands_for_what_is_not_known(keys):
+    with pytest.raises(CaseError, match=r"lubricant\.(viscosity_index|base_oil): found"):
+        case_from_text(CONTACT.replace('name = "iso vg 32"', keys), "case.toml")
 
 
 def test_moes_groups_have_no_lengths_to_shear():

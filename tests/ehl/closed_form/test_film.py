@@ -140,8 +140,6 @@ def test_reduction_by_heat_by_hand():
     thermal = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.05)
     heated = replace(CONTACT, entrainment_speed=2.0, lubricant=replace(OIL, thermal=thermal))
     assert thermal_loading(heated) == pytest.approx(0.0571429, rel=1e-6)
-    with pytest.raises(ValueError, match="thermal properties"):
-        thermal_loading(CONTACT)
     assert film_reduction_gupta(0.005, 0.1, -0.1) == pytest.approx(0.974907 / 1.064890, rel=1e-5)
 
 

@@ -20,6 +20,7 @@ from oilfilm.ehl.generalized import _heat_kernels, flow, solver
 from oilfilm.ehl.generalized import _heat_kernels as _kernels
 from oilfilm.ehl.generalized.film_heat import SMALLEST_PENDING_CHANGE, FilmHeat, film_section, wall_slopes
 from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.oil.lubricant import DensityLaw, ThermalProperties, oil_numbers
 from oilfilm.ehl.oil.rheology import Rheology, kernel_rheology
 from oilfilm.ehl.solid.heat import SolidThermal, history_weights, response_factor
@@ -393,8 +394,8 @@ def test_what_is_missing_is_named():
     )
     with pytest.raises(ValueError, match="thermal"):
         FilmHeat(conditions=contact, solids=(STEEL, STEEL))
-    with pytest.raises(ValueError, match="thermal"):
-        thermal_loading(contact)
+    assumed = heat_of(cold)
+    assert thermal_loading(contact) == thermal_loading(replace(contact, lubricant=replace(cold, thermal=assumed)))
     with pytest.raises(ValueError, match="conductivity"):
         SolidThermal(conductivity=0.0, density=1.0, specific_heat=1.0)
     with pytest.raises(ValueError, match="specific_heat"):
