@@ -54,14 +54,7 @@ SPREAD = 0.2  # of the loss 1 - s [-]
 # L_T beyond which no film was solved; the spread is twice as wide there [-]
 LARGEST_LOADING = 12.0
 
-# Heat properties of a mineral oil, for oils without their own. Conductivity: Larsson and
-# Andersson (2000), paraffinic mineral oil, second-hand [W/(m K)].
-MINERAL_CONDUCTIVITY = 0.137
-# beta = 0.110 (eta/Pa s)^0.282 [1/K], fitted to ISO VG 10 to 220 of the library from 40 to 100
-# degrees Celsius, within 22 %; its other oils have 0.51 to 1.31 of it
-MINERAL_FALL = 0.110
-MINERAL_FALL_POWER = 0.282
-ASSUMED_SPREAD = 0.35  # of the loss, more, of such an oil (0.51^0.55 to 1.31^0.55) [-]
+ASSUMED_SPREAD = 0.12  # of the loss, more, of oils whose heat properties are assumed [-]
 
 # constants of A_d/A_i = 1/(1 + c1 x + c2 x^2), Venner and Lubrecht (2000), as quoted by
 # Morales-Espejel and Brizmer (2011): circular contacts, pure rolling
@@ -278,14 +271,8 @@ def inlet_heat(conditions: ContactConditions, pressure: float) -> ThermalReducti
     ThermalReduction
         factor and its range [-]
     """
-    oil = conditions.lubricant
-    assumed = oil.thermal is None
-    if oil.thermal is None:
-        fall = MINERAL_FALL * oil.viscosity**MINERAL_FALL_POWER
-        slope = fall / MINERAL_CONDUCTIVITY
-    else:
-        slope = oil.thermal.viscosity_temperature / oil.thermal.conductivity
-    loading = oil.viscosity * slope * conditions.entrainment_speed**2
+    assumed = heat_of(conditions.lubricant).ranges.viscosity_temperature > 0.0
+    loading = thermal_loading(conditions)
     beyond = loading > LARGEST_LOADING
     spread = SPREAD * (2.0 if beyond else 1.0)
     spread += ASSUMED_SPREAD if assumed else 0.0
