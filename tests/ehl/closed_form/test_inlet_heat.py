@@ -53,8 +53,8 @@ def test_the_range_holds_the_value_and_widens_beyond_what_was_solved():
 def test_an_oil_without_heat_properties_is_a_mineral_oil_with_a_wider_range():
     known, assumed = share(), share(lubricant=replace(OIL, thermal=None))
     assert assumed.assumed and not known.assumed
-    assert assumed.value == pytest.approx(known.value, abs=0.02)
-    assert assumed.uncertainty > 2.0 * known.uncertainty
+    assert assumed.value == pytest.approx(known.value, abs=0.04)
+    assert assumed.uncertainty > 1.5 * known.uncertainty
 
 
 def test_a_light_contact_may_lose_all_or_nothing():
