@@ -21,7 +21,7 @@ OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, temperature=313.15)
 
 @pytest.mark.parametrize(("cold", "hot", "index"), [(73.30, 8.86, 92.43), (22.83, 5.05, 156.37)])
 def test_examples_of_the_standard(cold, hot, index):
-    """Walther's line through both viscosities has the slope that the index gives; the table is a part of the standard's."""
+    """Walther's line through both viscosities has the slope that the index gives."""
     line = log(log(cold + WALTHER) / log(hot + WALTHER)) / log(HOT / COLD)
     for nu, temperature in ((cold, COLD), (hot, HOT)):
         slope = line * (1.0 + WALTHER / nu) * log(nu + WALTHER) / temperature
