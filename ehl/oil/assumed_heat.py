@@ -19,7 +19,7 @@ Conductivity, heat capacity and expansion of mineral oil and polyalphaolefin: La
 indices enclose the library's oils of the class, but for the highly refined.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from functools import lru_cache
 from math import exp, log, log10
