@@ -331,7 +331,7 @@ class SelfHeatingProblem:
     """A bearing whose temperatures follow from its friction."""
 
     bearing: Bearing  # with its clearance at the reference temperature, before mounting
-    operation: Operation  # its temperature is where the search begins
+    operation: Operation  # its temperature counts where `enough` is given
     model: QuasistaticModel
     oil: Callable[[float], Lubricant]  # lubricant at a temperature [K]
     friction: FrictionModel  # heat of an equilibrium, its contacts and its oil
@@ -345,8 +345,8 @@ class SelfHeatingProblem:
     start: QuasistaticSolution | None = None  # an equilibrium nearby, where that is known
     contacts: tuple[BearingContact, ...] = ()  # of `start`, where they are known
     hottest: float = HIGHEST_TEMPERATURE  # of the films, beyond which no balance counts [K]
-    # step of the film temperature that is not taken any more, of who asks whether the one where
-    # the search begins is that of a balance [K]
+    # step of the film temperature that is not taken any more, of who asks whether that of the
+    # operation is one of a balance [K]
     enough: float = 0.0
 
     def clearance(self, temperatures: Array) -> float:

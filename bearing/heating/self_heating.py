@@ -3,21 +3,24 @@ friction, to heat.
 
 Friction depends on the temperatures by two numbers, that of the films T_f = w T and the clearance
 P_d(T): at both of them the equilibrium is solved, its friction is spread over the nodes, and the
-network gives the temperatures T', and with them T_f' and P_d'. Wanted is T_f' = T_f, P_d' = P_d:
-a parabola through the last states on T_f alone, then Newton's method on both with differences as
-its matrix, which gives the stability as well; without that, and the clearance, parabolas go on.
+network gives the temperatures T', and with them T_f' and P_d'. Wanted is T_f' = T_f, P_d' = P_d.
+
+There may be several such balances. The excess e(T_f) = T_f' - T_f is looked at from the coldest
+surroundings to the hottest film, and between two states as well where it turns towards zero; each
+change of its sign is a balance, a stable one where e falls. A bearing that warms up from ambient
+goes up where e > 0, down where e < 0, and stays at the next balance: that one is refined, by
+parabolas on T_f, then by Newton's method on both numbers with differences as its matrix, which
+gives the stability as well; without that, and the clearance, parabolas go on.
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy
 
 from oilfilm.ehl.arrays import Array, lagrange_weights
 from oilfilm.ehl.units import ZERO_CELSIUS
 
-from .friction_heat import UndrivenBallsError
 from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 from .limits import HeatBalance
 from .network import NODES
@@ -27,7 +30,10 @@ from .paths import Surroundings
 NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]
 CLEARANCE_TOLERANCE = 1.0e-10  # [m]
-MOST_STEPS = 30  # of the film temperature alone: friction over it may fall and rise
+MOST_STEPS = 30  # of the film temperature alone between two states of a balance
+SCAN_STEP = 8.0  # of the film temperature in search of all balances, at most [K]
+TURN_STEPS = 4  # of a parabola to where the excess turns between two states
+BALANCE_TOLERANCE = 0.02  # of balances that a warm-up does not reach [K]
 LAST_STATES = 3  # that a step goes by: a parabola
 # fraction of the tolerance that line and parabola may differ by where the last is unchecked:
 # measured on 48 states of a 7012AC the parabola was better than that difference [-]; at most so
@@ -36,14 +42,18 @@ LAST_STATES = 3  # that a step goes by: a parabola
 EXTRAPOLATION_ERROR = 0.1
 EXTRAPOLATION_REACH = 0.02
 NEWTON_STEPS = 8
-# power of the viscosity that the friction goes with, for the first step: 0.37 to 0.46 in 24 of a
-# 7012AC with films of the atlas [-]
-POWER = 0.4
 LARGEST_STEP = 25.0  # [K]
-HOTTER = 10.0  # than a temperature at which the balls are not driven, where the search begins [K]
-HALVINGS = 4  # of a step to where they are not driven
 STEP = 0.5  # of the film temperature for differences [K]
 CLEARANCE_STEP = 0.5e-6  # likewise [m]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FoundBalance:
+    """One of the balances of friction and cooling."""
+
+    temperature: float  # of the films [K]
+    torque: float  # [N m]
+    stable: bool
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,6 +66,9 @@ class SelfHeatingSolution:
     state: HeatState | None = None  # the last one
     stability: Stability | None = None  # at the balance
     note: str = ""  # why there is no balance
+    # all balances up to the hottest films, by their temperature; the one above is that of a
+    # warm-up from ambient
+    balances: tuple[FoundBalance, ...] = ()
 
     @property
     def converged(self) -> bool:
@@ -142,7 +155,7 @@ def solve_self_heating(
     try:
         search = _Search(problem)
         alone = not (judged or search.floating)
-        start, temperature = _nearby(search, TOLERANCE if alone else NEAR)
+        start, temperature, others = _nearby(search, TOLERANCE if alone else NEAR)
         if temperature is None and start.film_temperature >= problem.hottest:
             return SelfHeatingSolution(
                 model=model,
@@ -150,25 +163,56 @@ def solve_self_heating(
                 balance=_balance(start, search, converged=False),
                 state=start,
                 note=_no_balance(problem.hottest),
+                balances=others,
             )
         if alone:
-            return _of_temperature(model, search, start, temperature)
-        state, slopes, converged = _converged_state(search, start)
+            return _of_temperature(model, search, start, temperature, others)
+        state, slopes, converged = _newton(search, start)
         stable = _stability(problem, state, slopes) if judged else None
     except ValueError as error:
         return SelfHeatingSolution(model=model, around=around, balance=None, note=str(error))
+    balance = _balance(state, search, converged=converged)
     return SelfHeatingSolution(
         model=model,
         around=around,
-        balance=_balance(state, search, converged=converged),
+        balance=balance,
         state=state,
         stability=stable,
         note="" if converged else NOT_CONVERGED,
+        balances=with_refined(others, balance),
     )
 
 
+def with_refined(
+    balances: tuple[FoundBalance, ...], refined: HeatBalance
+) -> tuple[FoundBalance, ...]:
+    """Balances with temperature and torque of the one that was refined, the nearest of them.
+
+    Parameters
+    ----------
+    balances : tuple of FoundBalance
+        As found.
+    refined : HeatBalance
+        The one that a warm-up reaches.
+
+    Returns
+    -------
+    tuple of FoundBalance
+        As many; as they were where the refined one did not converge.
+    """
+    if not balances or not refined.converged:
+        return balances
+    near = min(balances, key=lambda one: abs(one.temperature - refined.temperature))
+    better = replace(near, temperature=refined.temperature, torque=refined.torque)
+    return tuple(better if one is near else one for one in balances)
+
+
 def _of_temperature(
-    model: str, search: _Search, state: HeatState, temperature: float | None
+    model: str,
+    search: _Search,
+    state: HeatState,
+    temperature: float | None,
+    balances: tuple[FoundBalance, ...],
 ) -> SelfHeatingSolution:
     """The last state with the film temperature of the balance [K]; None where it is not known."""
     balance = _balance(state, search, converged=temperature is not None)
@@ -180,6 +224,7 @@ def _of_temperature(
         balance=balance,
         state=state,
         note=NOT_CONVERGED if temperature is None else "",
+        balances=with_refined(balances, balance),
     )
 
 
@@ -219,113 +264,172 @@ def _is_converged(residual: Array) -> bool:
     return bool(abs(residual[0]) <= TOLERANCE and abs(residual[1]) <= CLEARANCE_TOLERANCE)
 
 
-def _nearby(search: _Search, tolerance: float) -> tuple[HeatState, float | None]:
-    """A state at or near the balance, found by the film temperature alone: the clearance is that
-    of the last state's temperatures, moved together; and the film temperature that is right to
-    `tolerance` [K], None where it was not found. At the hottest one there is none.
+def _excess(state: HeatState) -> float:
+    """Film temperature that follows less that of the state [K]: zero in a balance."""
+    return state.resulting_temperature - state.film_temperature
+
+
+def _nearby(
+    search: _Search, tolerance: float
+) -> tuple[HeatState, float | None, tuple[FoundBalance, ...]]:
+    """A state at or near the balance that a warm-up from ambient reaches, the film temperature
+    that is right to `tolerance` [K], and all balances. The temperature is None where it was not
+    found; the state is then the hottest one where there is no balance.
     """
     problem = search.problem
-    around = problem.around
-    coldest = min(around.ambient, around.oil_supply)
-    at = min(max(problem.operation.temperature, coldest), problem.hottest)
-    state = _initial_state(search, at)
-    at = state.film_temperature
-    low: float | None = None
-    high: float | None = None
-    known: list[tuple[float, float]] = []  # temperatures and what is found above each [K]
-    for _ in range(MOST_STEPS):
-        excess = state.resulting_temperature - state.film_temperature
-        if abs(excess) <= tolerance:
-            return state, at
-        low, high = (at, high) if excess > 0.0 else (low, at)
-        if at >= problem.hottest and excess > 0.0:
+    if problem.enough:  # begun at the balance of a search before
+        state = _state(search, problem.operation.temperature, None)
+        if abs(_excess(state)) <= tolerance:
+            return state, state.film_temperature, ()
+    states = _scan(search)
+    brackets = [
+        (low, high)
+        for low, high in zip(states, states[1:], strict=False)
+        if (_excess(low) > 0.0) != (_excess(high) > 0.0)
+    ]
+    reached = _reached(problem.around.ambient, states, brackets)
+    others = tuple(
+        _found(search, bracket, BALANCE_TOLERANCE)
+        for bracket in brackets
+        if bracket is not reached
+    )
+    if reached is None:
+        return states[-1 if _excess(states[-1]) > 0.0 else 0], None, others
+    state, temperature = _between(search, reached, tolerance)
+    known = (*others, _listed(reached, state, temperature))
+    return state, temperature, tuple(sorted(known, key=lambda one: one.temperature))
+
+
+_Bracket = tuple[HeatState, HeatState]  # on both sides of a balance, the colder first
+
+
+def _reached(
+    ambient: float, states: Sequence[HeatState], brackets: Sequence[_Bracket]
+) -> _Bracket | None:
+    """The balance at which a warm-up from ambient [K] ends; None where it finds none."""
+    first = min(states, key=lambda state: abs(state.film_temperature - ambient))
+    if _excess(first) > 0.0:
+        above = (pair for pair in brackets if pair[0].film_temperature >= first.film_temperature)
+        return next(above, None)
+    below = [pair for pair in brackets if pair[1].film_temperature <= first.film_temperature]
+    return below[-1] if below else None
+
+
+def _found(search: _Search, bracket: _Bracket, tolerance: float) -> FoundBalance:
+    """The balance between two states."""
+    return _listed(bracket, *_between(search, bracket, tolerance))
+
+
+def _listed(bracket: _Bracket, state: HeatState, temperature: float | None) -> FoundBalance:
+    """A balance, stable where the excess falls from the one side of it to the other."""
+    at = state.film_temperature if temperature is None else temperature
+    stable = _excess(bracket[0]) > 0.0
+    return FoundBalance(temperature=at, torque=state.friction.torque, stable=stable)
+
+
+def _scan(search: _Search) -> list[HeatState]:
+    """States from the coldest surroundings to the hottest films, each begun at the one before, by
+    rising temperature; without those whose balls are not driven, or that have no equilibrium.
+    """
+    around = search.problem.around
+    hottest = search.problem.hottest
+    coldest = min(around.ambient, around.oil_supply, hottest)
+    count = int(np.ceil((hottest - coldest) / SCAN_STEP)) + 1
+    places = {*np.linspace(coldest, hottest, count).tolist(), min(around.ambient, hottest)}
+    states: list[HeatState] = []
+    lack: ValueError | None = None
+    for at in sorted(places):
+        try:
+            states.append(_state(search, at, states[-1] if states else None))
+        except ValueError as error:
+            lack = error
+    if not states:
+        raise lack or ValueError(_no_balance(hottest))
+    for n in range(len(states) - 2, 0, -1):
+        states[n : n + 1] = _turn(search, *states[n - 1 : n + 2])
+    return states
+
+
+def _turn(
+    search: _Search, before: HeatState, state: HeatState, after: HeatState
+) -> list[HeatState]:
+    """A state between two others, with those at which the excess, which turns near it towards
+    zero, passes zero or comes nearest.
+    """
+    sign = 1.0 if _excess(state) > 0.0 else -1.0
+    triple = [before, state, after]
+    for _ in range(TURN_STEPS):
+        at = [one.film_temperature for one in triple]
+        excess = [sign * _excess(one) for one in triple]
+        if not excess[0] >= excess[1] <= excess[2]:
             break
-        known = [*known[1 - LAST_STATES :], (at, excess)]
+        vertex = _vertex(at, excess)
+        if min(abs(vertex - one) for one in at) < STEP:
+            break
+        try:
+            new = _state(search, vertex, state)
+        except ValueError:
+            break
+        if sign * _excess(new) <= 0.0:
+            return sorted([state, new], key=lambda one: one.film_temperature)
+        ordered = sorted([*triple, new], key=lambda one: one.film_temperature)
+        least = min(range(1, 3), key=lambda n: sign * _excess(ordered[n]))
+        triple = ordered[least - 1 : least + 2]
+    return [state]
+
+
+def _vertex(x: Sequence[float], y: Sequence[float]) -> float:
+    """Vertex of the parabola through three points of which the middle one is the lowest, inside
+    them.
+    """
+    before = (y[1] - y[0]) / (x[1] - x[0])
+    after = (y[2] - y[1]) / (x[2] - x[1])
+    curvature = (after - before) / (x[2] - x[0])
+    vertex = 0.5 * (x[0] + x[1]) - 0.5 * before / curvature if curvature > 0.0 else x[1]
+    return min(max(vertex, x[0]), x[2])
+
+
+def _state(search: _Search, at: float, near: HeatState | None) -> HeatState:
+    """The state at a film temperature [K]; its clearance is that of the temperatures of a state
+    nearby, moved together, or of one temperature.
+    """
+    still = 0.0 if near is None else near.temperatures - near.resulting_temperature
+    return search.at(at, search.problem.clearance(still + np.full(len(NODES), at)))
+
+
+def _between(
+    search: _Search, bracket: _Bracket, tolerance: float
+) -> tuple[HeatState, float | None]:
+    """A state at or near the balance between two others, found by the film temperature alone: the
+    clearance is that of the last state's temperatures, moved together; and the film temperature
+    that is right to `tolerance` [K], None where it was not found.
+    """
+    low, high = (state.film_temperature for state in bracket)
+    known = [(state.film_temperature, _excess(state)) for state in bracket]
+    state = min(bracket, key=lambda one: abs(_excess(one)))
+    rising = known[1][1] > 0.0
+    for _ in range(MOST_STEPS):
+        if abs(_excess(state)) <= tolerance:
+            return state, state.film_temperature
         ahead = _extrapolated_root(known, tolerance)
-        if ahead is not None and coldest <= ahead <= problem.hottest:
+        if ahead is not None and low <= ahead <= high:
             return state, ahead
         wanted = _root(known)
-        if wanted is None and len(known) > 1:
-            wanted = at + _step(known)
-        elif wanted is None:
-            wanted = _by_viscosity(problem, state, coldest)
-        at = _bounded_step(wanted, at, (low, high), (coldest, problem.hottest))
-        state = _moved(search, state, at)
-        at = state.film_temperature
+        if wanted is None or not low < wanted < high:
+            wanted = 0.5 * (low + high)
+        state = _state(search, wanted, state)
+        excess = _excess(state)
+        low, high = (low, wanted) if (excess > 0.0) == rising else (wanted, high)
+        known = [*known[1 - LAST_STATES :], (wanted, excess)]
     return state, None
 
 
-def _initial_state(search: _Search, at: float) -> HeatState:
-    """A state at a temperature, or at the next higher one at which thinner oil lets the races
-    drive the balls [K].
-    """
-    places = [at, *np.arange(at + HOTTER, search.problem.hottest, HOTTER).tolist()]
-    return _driven(search, places, lambda there: np.full(len(NODES), there))
-
-
-def _moved(search: _Search, state: HeatState, at: float) -> HeatState:
-    """A state at another temperature; where the balls are not driven there, at the next higher one
-    at which they are, or, on the way down, before that [K]. Its clearance is that of the last
-    state's temperatures, moved together.
-    """
-    before = state.film_temperature
-    hottest = search.problem.hottest
-    if at > before:
-        places = [*np.arange(at, hottest, HOTTER).tolist(), hottest]
-    else:
-        places = [before + (at - before) * 0.5**k for k in range(HALVINGS + 1)]
-    still = state.temperatures - state.resulting_temperature
-    return _driven(search, places, lambda there: still + there)
-
-
-def _driven(
-    search: _Search, places: Sequence[float], temperatures: Callable[[float], Array]
-) -> HeatState:
-    """The state at the first of some film temperatures at which the balls are driven, its
-    clearance by the temperatures of the nodes [K].
-    """
-    *others, last = places
-    for at in others:
-        try:
-            return search.at(at, search.problem.clearance(temperatures(at)))
-        except UndrivenBallsError:
-            continue
-    return search.at(last, search.problem.clearance(temperatures(last)))
-
-
-def _by_viscosity(problem: SelfHeatingProblem, state: HeatState, coldest: float) -> float:
-    """Temperature of the balance, at most a step away, if the heat of a state went with a power
-    of the viscosity alone [K].
-    """
-    rise = max(state.resulting_temperature - coldest, 0.0)
-
-    def surplus(at: float) -> float:
-        thinner = problem.oil(at).viscosity / state.viscosity
-        return coldest + rise * thinner**POWER - at
-
-    low = max(state.film_temperature - LARGEST_STEP, coldest)
-    high = min(state.film_temperature + LARGEST_STEP, problem.hottest)
-    if surplus(low) <= 0.0:
-        return low
-    if surplus(high) >= 0.0:
-        return high
-    return float(scipy.optimize.brentq(surplus, low, high, xtol=0.1 * NEAR))
-
-
 def _root(states: list[tuple[float, float]]) -> float | None:
-    """Temperature [K] at which nothing is found above it, by the polynomial of temperatures over
-    what was found at the last ones; None where that does not fall from one to the next.
+    """Temperature [K] at which the excess is zero, by the polynomial of temperatures over that of
+    the last ones; None where it neither rises nor falls all along.
     """
     whole = _crossing(states)
     return _crossing(states[-2:]) if whole is None else whole
-
-
-def _step(states: list[tuple[float, float]]) -> float:
-    """Twice the last step, or what is found above the last temperature if that is more, toward the
-    balance: it lies beyond where what is found above does not fall [K].
-    """
-    (before, _), (at, excess) = states[-2:]
-    return float(np.copysign(max(2.0 * abs(at - before), abs(excess)), excess))
 
 
 def _extrapolated_root(states: list[tuple[float, float]], tolerance: float) -> float | None:
@@ -344,31 +448,10 @@ def _extrapolated_root(states: list[tuple[float, float]], tolerance: float) -> f
 def _crossing(states: list[tuple[float, float]]) -> float | None:
     """The root of `_root`, by the polynomial through all these states."""
     at, excess = np.array(sorted(states)).T
-    if at.size > 1 and (np.diff(excess) < 0.0).all() and (np.diff(at) > 0.0).all():
+    slope = np.diff(excess) if at.size > 1 else np.zeros(1)
+    if ((slope < 0.0).all() or (slope > 0.0).all()) and (np.diff(at) > 0.0).all():
         return float(lagrange_weights(excess, 0.0) @ at)
     return None
-
-
-def _bounded_step(
-    wanted: float, at: float, bracket: tuple[float | None, float | None], ends: tuple[float, float]
-) -> float:
-    """A step of at most `LARGEST_STEP` within what is known of the balance [K]."""
-    low, high = bracket
-    wanted = min(max(wanted, at - LARGEST_STEP), at + LARGEST_STEP)
-    wanted = min(max(wanted, ends[0]), ends[1])
-    if low is not None and high is not None and not low < wanted < high:
-        wanted = 0.5 * (low + high)
-    return wanted
-
-
-def _converged_state(search: _Search, start: HeatState) -> tuple[HeatState, Slopes, bool]:
-    """Newton's method from a state near the balance; where that does not lead to it, as where the
-    friction rises and falls on the way, from one that is right in its film temperature.
-    """
-    state, slopes, converged = _newton(search, start)
-    if converged:
-        return state, slopes, converged
-    return _newton(search, _nearby(search, TOLERANCE)[0])
 
 
 def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes, bool]:

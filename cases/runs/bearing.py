@@ -19,6 +19,7 @@ from oilfilm.bearing.films.film import ContactFilm, Films
 from oilfilm.bearing.films.operating_film import OilAtInlets, solved_films, supplied_films
 from oilfilm.bearing.films.unsolved_films import formula_film
 from oilfilm.bearing.friction.friction_sources import FilmTraction, LawTraction
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution, with_refined
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution, bearing_frequencies
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
@@ -307,11 +308,12 @@ def run_case(
     run = partial(_run, workers=workers, notify=notify, solve=solve, equilibria=equilibria)
     if case.file.operation.temperature != SELF_HEATED:
         return run(case, on_films_solved=on_films_solved)
-    warmed = with_temperature(case, equilibria=equilibria)
+    first = self_heated(case, judged=False, equilibria=equilibria)
+    warmed = with_temperature(case, first)
     if case.films.model is FilmModel.THERMAL:
         warmed = _by_rough_films(case, warmed, run)
     for _ in range(WARM_ROUNDS):
-        results = run(warmed)
+        results = _with_all_balances(run(warmed), first)
         heating = results.heating
         if heating is None or heating.balance is None or not heating.converged:
             cold = without_heat_balance(case, heating, warmed)
@@ -321,6 +323,17 @@ def run_case(
             break
         warmed = with_temperature(case, heating)
     return _in_balance(results, warmed)
+
+
+def _with_all_balances(
+    results: BearingResults, first: SelfHeatingSolution | None
+) -> BearingResults:
+    """The results with the balances of the search from ambient, where theirs began at its end."""
+    heating = results.heating
+    if first is None or heating is None or heating.balance is None or heating.balances:
+        return results
+    balances = with_refined(first.balances, heating.balance)
+    return replace(results, heating=replace(heating, balances=balances))
 
 
 def _by_rough_films(case: Case, warmed: Case, run: Callable[[Case], BearingResults]) -> Case:

@@ -200,6 +200,10 @@ HEATING = quantities(
     *("viscosity_mPa_s", "clearance_um"),
     null="there is no balance of friction and cooling",
 )
+HEAT_BALANCE = quantities(
+    ("temperature_C", "film temperature of a balance", "temperature"),
+    ("torque_N_mm", "torque there", "torque"),
+)
 CONTACT_CONDUCTANCE = quantities(
     ("contact_conductance_W_K", "heat conductance through the film", "value"),
     ("contact_conductance_low_W_K", "its low end", "low"),

@@ -58,6 +58,7 @@ from .bearing_quantities import (
     DUTY_CYCLE,
     ELECTRICAL,
     FILM_LIFE,
+    HEAT_BALANCE,
     HEATING,
     LIFE_RATING,
     LOAD_CASE,
@@ -70,6 +71,7 @@ from .bearing_quantities import (
     ROW,
     STABILITY,
     STABILITY_KEYS,
+    TORQUE,
 )
 from .contact_quantities import (
     contact_messages,
@@ -156,6 +158,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "supply": supply_block(results),
         "decay": decay_block(results),
         "self_heating": heating_block(results),
+        "heat_balances": balance_blocks(results),
         **network_blocks(results),
         "reference_speed_rpm": results.reference_speed_rpm,
         "electrical": _electrical(results),
@@ -387,6 +390,38 @@ def heating_block(results: BearingResults) -> dict[str, Any]:
     }
 
 
+def balance_blocks(results: BearingResults) -> list[dict[str, Any]]:
+    """All balances of friction and cooling, by their temperature.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Temperature, torque and stability of each; empty without a heat balance.
+    """
+    found = () if results.heating is None else results.heating.balances
+    return [{**values_of(one, HEAT_BALANCE), "stable": one.stable} for one in found]
+
+
+def _balances_text(heating: SelfHeatingSolution) -> str:
+    """Several balances, and the start that leads to each."""
+    ambient = from_si("temperature_C", heating.around.ambient)
+    parts = [
+        f"{from_si('temperature_C', one.temperature):.1f} C ({TORQUE.in_unit(one.torque):.3g} N mm"
+        f"{'' if one.stable else ', unstable'})"
+        for one in heating.balances
+    ]
+    return (
+        f"self_heating: {len(parts)} balances of friction and cooling: {', '.join(parts)}; from "
+        f"ambient, {ambient:.3g} C, the bearing warms to the one above, from beyond an unstable "
+        "one it goes on to the next"
+    )
+
+
 def _balanced(results: BearingResults) -> SelfHeatingSolution | None:
     """The balance of heat, where there is one."""
     heating = results.heating
@@ -506,6 +541,8 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
                 f"self_heating: heats with the torque of {heating.model} "
                 "(friction.heating_torque), which is not the total"
             )
+        if len(heating.balances) > 1:
+            yield _balances_text(heating)
         if heating.note and heating.note not in results.messages:
             yield f"self_heating: {heating.note}"
 

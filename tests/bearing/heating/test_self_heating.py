@@ -27,6 +27,7 @@ from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.starved import starved_torque
 from oilfilm.ehl import ViscosityLaw
 
+pytestmark = pytest.mark.filterwarnings("ignore:lubricant")  # the search goes beyond the data of the oil
 STEEL = load_material("bearing steel")
 ML_MIN = 1e-6 / 60.0
 MODEL = QuasistaticModel(ball_kinematics=BallKinematics.HALF_AND_HALF)
@@ -108,7 +109,6 @@ def test_the_margin_counts_how_friction_falls(bearing):
     assert (found.state.temperatures <= found.stability.hottest).all()
 
 
-@pytest.mark.filterwarnings("ignore:lubricant")  # the search goes beyond the data of the oil
 def test_friction_that_rises_with_temperature_runs_away(bearing):
     """A torque proportional to T - T_a: the margin is 1 - M' w/h in the limit of one node, below 0 beyond."""
 
@@ -179,3 +179,53 @@ def test_torque_at_an_inlet_film(bearing):
     isoviscous = contact_conditions(solution, replace(lubricant, viscosity_law=ViscosityLaw.ISOVISCOUS))
     with pytest.raises(ValueError, match="no formula"):
         starved_torque(solution, isoviscous, lubricant, friction, PrescribedInlet(layer=1e-6))
+
+
+# a made-up torque over the temperature of the films [N m]: falls, rises to a bump at 360 K, falls
+PLAIN, BUMP, PLACE, WIDTH = 0.02, 0.06, 360.0, 12.0
+
+
+def bumped(height):
+    def heat(solution, contacts, lubricant):
+        warmth = (solution.operation.temperature - PLACE) / WIDTH
+        parts = {"rolling": PLAIN + height * np.exp(-(warmth**2))}
+        return heat_of_torque(parts, solution, formula_conductances(solution, contacts))
+
+    return heat
+
+
+@pytest.mark.parametrize("ambient", [298.15, 283.15])
+def test_all_balances_are_found_and_the_one_of_a_warm_up_is_reported(bearing, ambient):
+    """Power P(T) of one node against h (T - T_a): three balances, of which cold ambient reaches the coldest."""
+    conductance = 0.45
+    around = replace(AROUND, ambient=ambient, oil_supply=ambient, conductance=conductance)
+    study = warm(bearing, friction=bumped(BUMP), around=around, reference=None)
+    found = solve_self_heating(study, "bump")
+    assert found.converged
+    kinds = [one.stable for one in found.balances]
+    assert kinds == [True, False, True]
+    assert found.balance.temperature == pytest.approx(found.balances[0].temperature, abs=1e-3)
+    stability = [
+        solve_self_heating(
+            replace(study, operation=replace(study.operation, temperature=one.temperature), enough=0.5), "bump"
+        ).stability.margin
+        > 0.0
+        for one in found.balances
+    ]
+    assert stability == kinds
+    above = replace(around, ambient=found.balances[1].temperature + 2.0, conductance=conductance)
+    hot = solve_self_heating(replace(study, around=replace(above, oil_supply=ambient)), "bump")
+    assert hot.balance.temperature > found.balances[1].temperature
+
+
+def test_balances_close_to_each_other_between_two_states_are_seen(bearing):
+    """A narrow bump whose top just exceeds the cooling: the excess turns at it, within one step of the search."""
+    study = warm(bearing, friction=bumped(0.0), reference=None)
+    alone = solve_self_heating(study, "plain")
+    assert [one.stable for one in alone.balances] == [True]
+    seen = 0
+    for height in np.linspace(0.0, 0.08, 9):
+        found = solve_self_heating(replace(study, friction=bumped(height)), "bump")
+        assert [one.stable for one in found.balances] == [True, False] * (len(found.balances) // 2) + [True]
+        seen += len(found.balances) > 1
+    assert 0 < seen < 9
