@@ -19,6 +19,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.units import (
     from_si,
     is_si,
@@ -311,14 +312,32 @@ class Results:
         Returns
         -------
         dict[str, Any]
-            Version, case, converged, messages.
+            Version, case, converged, messages, and those of them that are warnings.
         """
+        everything = [*self.messages, *messages]
         return {
             "oilfilm": self.version,
             "case": self.case,
             "converged": converged,
-            "messages": [*self.messages, *messages],
+            "messages": everything,
+            "warnings": [message for message in everything if is_warning(message)],
         }
+
+
+def is_warning(message: str) -> bool:
+    """Check whether a message changes a decision.
+
+    Parameters
+    ----------
+    message : str
+        Message of results.
+
+    Returns
+    -------
+    bool
+        True of a `Caution`, and of what did not converge.
+    """
+    return isinstance(message, Caution) or "not converged" in message
 
 
 def titled(title: str, *parts: RenderableType) -> Group:

@@ -15,6 +15,7 @@ gives it. (One source, Yao et al. 2022, prints the opposite sign.)
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.options import require_finite
 
 from ..geometry import Bearing, Race
@@ -360,7 +361,7 @@ def _messages(
         tight = fit is not None and getattr(fit, f"{ring}_interference") > 0.0
         if tight and running.get(f"{ring}_interference", 0.0) <= 0.0:
             text = f"the {ring} ring comes loose on its seat, the fit is lost in operation"
-            yield f"clearance: {text}"
+            yield Caution(f"clearance: {text}")
 
 
 def cage_clearance(

@@ -177,7 +177,7 @@ def balances_over_speed(
         if the start is no balance
     """
     if not abs(start.resulting_temperature - start.film_temperature) <= TEMPERATURE_TOLERANCE:
-        raise ValueError("the branch must start from a balance of friction and cooling")
+        raise ValueError("no steady temperature at the speed of the case")
     newton = _Newton(problem)
     first = _BranchPoint(start.film_temperature, np.array([0.0, start.clearance]), start)
     below, _, _ = _follow(newton, first, -1.0, notify)

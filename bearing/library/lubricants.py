@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.oil.assumed_heat import BaseOil, heat_of
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
@@ -289,7 +290,8 @@ def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     low, high = entry["range_C"]
     if not low <= temperature - ZERO_CELSIUS <= high:
         celsius = f"{temperature - ZERO_CELSIUS:.1f} C"
-        warnings.warn(f"lubricant {key!r}: {celsius} is outside {low} to {high} C", stacklevel=2)
+        text = f"lubricant {key!r}: {celsius} is outside {low} to {high} C"
+        warnings.warn(Caution(text), stacklevel=2)
     constants = oil_constants(entry, temperature)
     laws = _laws_of_set(entry) | {name: law for name, law in laws.items() if law is not None}
     alpha = _coefficient_of_law(entry, laws.get("viscosity_law"), constants, temperature)

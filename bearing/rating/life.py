@@ -22,6 +22,7 @@ import numpy as np
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.closed_form.hertz import hertz_contact
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.units import HOUR, MILLIMETRE, MILLION, RPM, ZERO_CELSIUS
 
@@ -255,7 +256,7 @@ def overload(life: LifeRating) -> Iterator[str]:
     safeties = {"S_0": life.static_safety_factor, "static safety by pressure": life.static_safety}
     low = [f"{name} = {value:.3g}" for name, value in safeties.items() if value and value < 1.0]
     if low:
-        yield (
+        yield Caution(
             f"life: {', '.join(low)}, beyond the static rating: ball and race keep a deformation "
             "of more than 0.0001 of the ball diameter (ISO 76)"
         )
@@ -293,13 +294,13 @@ def _remarks(
                 "life: dynamic rating lowered for grooves wider than 0.52 (inner) or 0.53 "
                 "(outer) ball diameters"
             )
-    yield "life: kappa from the viscosity alone"
+    yield "life: kappa is the viscosity ratio of ISO 281"
     if rating.contamination_factor is None:
         yield f"{null} the case gives no [lubricant] contamination_factor"
     elif kappa < SMALLEST_KAPPA:
         yield f"{null} ISO 281 has no factor below kappa {SMALLEST_KAPPA}"
     if ratio > LARGEST_LOAD_SHARE:
-        yield (
+        yield Caution(
             f"life: the equivalent load is {ratio:.3g} of the dynamic rating, beyond ISO 281, "
             f"which ends at {LARGEST_LOAD_SHARE}"
         )

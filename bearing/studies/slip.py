@@ -34,6 +34,7 @@ HIRANO_CAVEAT = (
     "Hirano's criterion is cautious: simulations of a 7008 skid at a fourth to a fifth of the "
     "load that it asks for"
 )
+SIMULATED_SLIP = 0.25  # of Hirano's limit, below which simulations skid, likewise [-]
 LOAD_RTOL = 1.0e-7  # of critical loads [-]
 # search for a preload: first trial over the least possible one, growth, trials [-]. The first
 # must lie below 1; the balls share the load unevenly, so the last lies 700 times above. Loads of

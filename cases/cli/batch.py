@@ -23,6 +23,7 @@ from .terminal import (
     FAILED,
     NOT_CONVERGED,
     Json,
+    Notes,
     Output,
     Quiet,
     app,
@@ -113,6 +114,7 @@ def batch(
     ] = False,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Run many points of one case: factorial, listed, sampled."""
     # loads while this process plans
@@ -148,13 +150,13 @@ def batch(
             else:
                 done = _compute(plan, folder, wanted, choice, keep=keep, quiet=quiet)
             if shard is not None:
-                return _report_shard(done, choice, as_json=as_json, quiet=quiet)
+                return _report_shard(done, choice, as_json=as_json, quiet=quiet, notes=notes)
             with (
                 report_stored_points(folder if keep else None),
                 collect_results(done) as (results, columns),
             ):
                 _write(results, columns, folder, wanted)
-                return _report(results, columns, folder if keep else None, as_json, quiet)
+                return _report(results, columns, folder if keep else None, as_json, quiet, notes)
 
 
 def _check(wanted: _Wanted, limits: Any, *, single_writer: bool) -> None:
@@ -312,13 +314,19 @@ def _report_shard(done: Batch, choice: PointSelection, *, as_json: bool, quiet: 
 
 
 def _report(
-    results: BatchResults, columns: Columns, directory: Path | None, as_json: bool, quiet: bool
+    results: BatchResults,
+    columns: Columns,
+    directory: Path | None,
+    as_json: bool,
+    quiet: bool,
+    notes: bool,
 ) -> int:
     """Print summary or table; exit code, in which a lost worker is a failure of the machine."""
     from oilfilm.postprocess.batch.summary import batch_summary, batch_table, counts_of
 
     document = batch_summary(results, columns)
-    code = report(document, lambda: batch_table(results, columns), directory, as_json, quiet)
+    table = lambda: batch_table(results, columns)  # noqa: E731
+    code = report(document, table, directory, as_json, quiet, notes)
     counts = results.counts or counts_of(results)
     failed = counts.points - counts.done
     if failed:

@@ -29,7 +29,17 @@ from .output import (
     table_cost,
     temperatures_cost,
 )
-from .terminal import CaseName, Json, Output, Quiet, app, enter_context, guarded, progress_bar
+from .terminal import (
+    CaseName,
+    Json,
+    Notes,
+    Output,
+    Quiet,
+    app,
+    enter_context,
+    guarded,
+    progress_bar,
+)
 
 if TYPE_CHECKING:
     from oilfilm.ehl.traction_table.build import FilmSampler
@@ -57,6 +67,7 @@ def run(
     ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Run a bearing case: loads, film maps, pictures, VTK."""
     enter_context(compiled_ahead("bearing"))
@@ -85,7 +96,9 @@ def run(
                 save(stop.results, target, drawing)
                 print_message(f"finished films in {target}")
             raise KeyboardInterrupt from None
-    return report(summary(results), lambda: bearing_table(results), directory, as_json, quiet)
+    return report(
+        summary(results), lambda: bearing_table(results), directory, as_json, quiet, notes
+    )
 
 
 @app.command()
@@ -96,6 +109,7 @@ def contact(
     method: Annotated[Method, typer.Option(help="Discretisation.")] = Method.MULTIGRID,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Solve one lubricated contact from a [contact] table."""
     from ..runs.drawing import drawing_processes
@@ -120,12 +134,14 @@ def contact(
             progress(0, 1, "film")
             results = run_contact(loaded, finite_element=elements, workers=cores())
             save(results, directory, drawing, progress)
-    return report(summary(results), lambda: contact_table(results), directory, as_json, quiet)
+    return report(
+        summary(results), lambda: contact_table(results), directory, as_json, quiet, notes
+    )
 
 
 @app.command()
 @guarded
-def film(case: CaseName, as_json: Json = False, quiet: Quiet = False) -> int:
+def film(case: CaseName, as_json: Json = False, quiet: Quiet = False, notes: Notes = False) -> int:
     """Films of a contact, or of each contact of a bearing, by the film atlas, without a solve."""
     from oilfilm.postprocess.bearing.atlas import atlas_bearing_summary, atlas_bearing_table
     from oilfilm.postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
@@ -138,10 +154,10 @@ def film(case: CaseName, as_json: Json = False, quiet: Quiet = False) -> int:
     if isinstance(loaded, ContactCase):
         own = run_atlas_contact(loaded, case)
         document = atlas_contact_summary(own)
-        return report(document, lambda: atlas_contact_table(own), None, as_json, quiet)
+        return report(document, lambda: atlas_contact_table(own), None, as_json, quiet, notes)
     found = run_atlas_bearing(with_temperature(loaded), case)
     document = atlas_bearing_summary(found)
-    return report(document, lambda: atlas_bearing_table(found), None, as_json, quiet)
+    return report(document, lambda: atlas_bearing_table(found), None, as_json, quiet, notes)
 
 
 @app.command()
@@ -154,6 +170,7 @@ def slip(
     ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Map gross slip of the balls after Hirano, and the minimum preload, from a [slip] table."""
     loaded = load_bearing(case, "slip maps need a bearing")
@@ -174,7 +191,7 @@ def slip(
 
     save_with(lambda folder: write_slip(results, folder), directory)
     document = slip_summary(results)
-    return report(document, lambda: slip_table(results), directory, as_json, quiet)
+    return report(document, lambda: slip_table(results), directory, as_json, quiet, notes)
 
 
 @app.command()
@@ -197,6 +214,7 @@ def stiffness(
     ] = 0.0,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Stiffness of a bearing over speed, also as a bearing element for the rotor code ROSS."""
     from oilfilm.ehl.units import RPM
@@ -213,13 +231,17 @@ def stiffness(
 
     save_with(lambda folder: write_stiffness(results, folder), directory)
     document = stiffness_summary(results)
-    return report(document, lambda: stiffness_table(results), directory, as_json, quiet)
+    return report(document, lambda: stiffness_table(results), directory, as_json, quiet, notes)
 
 
 @app.command()
 @guarded
 def shaft(
-    case: CaseName, output: Output = None, as_json: Json = False, quiet: Quiet = False
+    case: CaseName,
+    output: Output = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """A shaft on its bearings: loads, deflection, each bearing's results, critical speeds."""
     enter_context(compiled_ahead("bearing"))
@@ -236,7 +258,8 @@ def shaft(
     from oilfilm.postprocess.shaft.write import shaft_table, write_shaft
 
     save_with(lambda folder: write_shaft(results, folder), directory)
-    return report(shaft_summary(results), lambda: shaft_table(results), directory, as_json, quiet)
+    document = shaft_summary(results)
+    return report(document, lambda: shaft_table(results), directory, as_json, quiet, notes)
 
 
 @app.command()
@@ -255,6 +278,7 @@ def temperatures(
     ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Temperatures of a bearing over its speed, up to the limit, and over time from the start."""
     from ..runs.interrupt import interruptible
@@ -272,7 +296,7 @@ def temperatures(
 
     save_with(lambda folder: write_temperatures(results, folder), directory)
     document = temperatures_summary(results)
-    return report(document, lambda: temperatures_table(document), directory, as_json, quiet)
+    return report(document, lambda: temperatures_table(document), directory, as_json, quiet, notes)
 
 
 @app.command()
@@ -315,6 +339,7 @@ def table(
     ] = 0,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Tabulate shear traction of a bearing's contacts over load, speed and sliding."""
     loaded = load_bearing(case, "a traction table needs a bearing", own_table=False)
@@ -351,7 +376,7 @@ def table(
         if path is not None:
             save_tables(results, path)
     document = traction_summary(results)
-    return report(document, lambda: traction_table(results), path, as_json, quiet)
+    return report(document, lambda: traction_table(results), path, as_json, quiet, notes)
 
 
 @contextmanager

@@ -11,7 +11,7 @@ from ..format.rules import CaseError
 from ..runs.interrupt import finish_first
 from .batch import Workers
 from .output import lock_output_directory, report
-from .terminal import Json, Output, Quiet, app, enter_context, guarded, progress_bar
+from .terminal import Json, Notes, Output, Quiet, app, enter_context, guarded, progress_bar
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -38,6 +38,7 @@ def optimise(
     ] = False,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Search the keys of a case for the best designs within limits."""
     from ..format.shipped import find_optimisation
@@ -59,7 +60,7 @@ def optimise(
     with finish_first(f"results in {directory}"):
         document = write_optimisation(found, directory)
     table = lambda: optimisation_table(found)  # noqa: E731
-    return report(document, table, directory if keep else None, as_json, quiet)
+    return report(document, table, directory if keep else None, as_json, quiet, notes)
 
 
 def _scratch() -> Path:

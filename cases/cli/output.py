@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from ..runs.films import Progress
 
 
+MOST_WARNINGS = 3  # below a table
 LONG = 5.0  # work that takes less is not announced [s]
 # processor time of a film on 257 nodes, which grows with their square; measured on one core of
 # 2.5 GHz, the ball on disc and the contacts of the 6208
@@ -222,8 +223,9 @@ def report(
     directory: Path | None,
     as_json: bool,
     quiet: bool,
+    notes: bool = False,
 ) -> int:
-    """Print a summary or its table, and the parts that did not converge.
+    """Print a summary or its table, then warnings, and the parts that did not converge.
 
     Parameters
     ----------
@@ -237,19 +239,24 @@ def report(
         True: the summary instead of the table.
     quiet : bool
         True: neither table nor notes.
+    notes : bool, default False
+        True: notes as well.
 
     Returns
     -------
     int
         Exit code.
     """
-    if directory is not None and not quiet:
-        print_message(f"results in {directory}")
     if as_json:
         print_json(document)
     elif not quiet:
-        print_notes(document["messages"])
         print_table(table())
+        print_warnings(document.get("warnings", ()))
+        if notes:
+            print_notes(document["messages"])
+    if directory is not None and not quiet:
+        hint = "" if notes or as_json else "; assumptions and remarks: --notes"
+        print_message(f"results in {directory}{hint}")
     if document["converged"]:
         return 0
     print_message("oilfilm: not converged; the results are flagged:")
@@ -257,6 +264,22 @@ def report(
     for message in reasons or document["messages"]:
         print_message(f"  {message}")
     return NOT_CONVERGED
+
+
+def print_warnings(warnings: Iterable[str]) -> None:
+    """Print the first warnings, without what did not converge, each up to its first semicolon.
+
+    Parameters
+    ----------
+    warnings : Iterable[str]
+        Warnings of the results.
+    """
+    wrapper = TextWrapper(80, "warning: ", "         ", break_long_words=False)
+    shown = [message for message in warnings if not _of_failure(message)]
+    for message in shown[:MOST_WARNINGS]:
+        print_message(wrapper.fill(message.partition("; ")[0]))
+    if len(shown) > MOST_WARNINGS:
+        print_message(f"warning: {len(shown) - MOST_WARNINGS} more in the results (warnings)")
 
 
 def print_notes(messages: Iterable[str]) -> None:
@@ -315,7 +338,8 @@ def film_seconds(options: SolverOptions) -> float:
 
 
 def run_cost(case: Case, workers: int) -> tuple[str, float]:
-    """Work and time of a run; equal contacts are solved once.
+    """Work and time of a run; equal contacts are solved once, and a tolerance is most often met
+    on half of the nodes that it may take.
 
     Parameters
     ----------
@@ -330,12 +354,16 @@ def run_cost(case: Case, workers: int) -> tuple[str, float]:
         Description, and time [s].
     """
     films = run_films(case)
-    text = f"at most {films} films on at most {case.solver.max_points} nodes"
-    return f"{text}, {workers} at a time", films * film_seconds(case.solver) / workers
+    points = case.solver.max_points
+    if case.solver.wanted_tolerance is not None:
+        points = (points + 1) // 2
+    seconds = films * FILM_SECONDS * (points / FILM_POINTS) ** 2 / min(workers, max(films, 1))
+    text = f"about {films} films on {points} nodes, {workers} at a time"
+    return text, seconds + TORQUE_SECONDS
 
 
 def run_films(case: Case) -> int:
-    """Films of a run at most.
+    """Films of a run, about: of balls that loads in one plane press alike one.
 
     Parameters
     ----------
@@ -348,8 +376,16 @@ def run_films(case: Case) -> int:
         Number of films [-].
     """
     maps = case.film_maps
-    balls = case.bearing.balls * len(case.rows or (None,))
-    balls = balls if isinstance(maps, str) else min(balls, len(maps))
+    rows = len(case.rows or (None,))
+    balls = rows * case.bearing.balls
+    if not isinstance(maps, str):
+        return 2 * min(balls, len(maps))
+    given = case.operation
+    directions = (given.force, given.displacement)
+    turns = (given.moment, given.tilt)
+    if not any(own[-1] for own in directions) and not any(own[0] for own in turns):
+        radial = any(own[1] for own in (*directions, *turns))
+        balls = rows * (case.bearing.balls // 2 + 1 if radial else 1)
     return 0 if maps == "none" else 2 * balls
 
 

@@ -33,6 +33,7 @@ from .terminal import (
     NOT_CONVERGED,
     CaseName,
     Json,
+    Notes,
     Output,
     Quiet,
     app,
@@ -76,13 +77,19 @@ Window = Annotated[
 @app.command()
 @guarded
 def vibration(
-    case: CaseName, output: Output = None, as_json: Json = False, quiet: Quiet = False
+    case: CaseName,
+    output: Output = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Vibration of a bearing by waviness, defects and passing balls, with its films."""
-    return run_and_report(case, output, as_json=as_json, quiet=quiet)
+    return run_and_report(case, output, as_json=as_json, quiet=quiet, notes=notes)
 
 
-def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool) -> int:
+def run_and_report(
+    case: CaseName, output: Output, *, as_json: bool, quiet: bool, notes: bool
+) -> int:
     """Compute the vibration of a case, write it and print it.
 
     Parameters
@@ -95,6 +102,8 @@ def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool
         True: the summary instead of the table.
     quiet : bool
         True: neither table nor notes.
+    notes : bool
+        True: notes as well.
 
     Returns
     -------
@@ -122,7 +131,7 @@ def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool
     hurry = Event()
     save_with(lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set)
     document = vibration_summary(results)
-    return report(document, lambda: vibration_table(document), directory, as_json, quiet)
+    return report(document, lambda: vibration_table(document), directory, as_json, quiet, notes)
 
 
 @app.command()
@@ -136,6 +145,7 @@ def dynamics(
     window: Window = None,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Simulate a bearing over time: balls, cage and inner ring."""
     enter_context(compiled_ahead("motion"))
@@ -146,7 +156,7 @@ def dynamics(
         print_message(
             "oilfilm: with [form] or [support] as 'oilfilm vibration': the cage turns the balls"
         )
-        return run_and_report(case, output, as_json=as_json, quiet=quiet)
+        return run_and_report(case, output, as_json=as_json, quiet=quiet, notes=notes)
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
         allowed = "allowed: a .gif file, and results that are written (-o)"
@@ -171,7 +181,7 @@ def dynamics(
         document = dynamics_summary(results)
         if animation is not None and directory is not None:
             _animate(directory, animation, shown)
-        return report(document, lambda: dynamics_table(document), directory, as_json, quiet)
+        return report(document, lambda: dynamics_table(document), directory, as_json, quiet, notes)
 
 
 def _history_folder(directory: Path | None) -> AbstractContextManager[str | Path]:
@@ -262,6 +272,7 @@ def transient(
     movie: Annotated[bool, typer.Option(help="Draw the film over time as a .gif.")] = True,
     as_json: Json = False,
     quiet: Quiet = False,
+    notes: Notes = False,
 ) -> int:
     """Solve one contact over time: load, speed, waviness, dents, impact.
 
@@ -302,7 +313,7 @@ def transient(
     from oilfilm.postprocess.contact.transient_summary import transient_summary, transient_table
 
     document = transient_summary(results)
-    return report(document, lambda: transient_table(document), directory, as_json, quiet)
+    return report(document, lambda: transient_table(document), directory, as_json, quiet, notes)
 
 
 def _steps_folder(directory: Path) -> Path:

@@ -73,6 +73,9 @@ Json = Annotated[
     typer.Option("--json", help="Print the summary as JSON; files are then written with -o only."),
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no table.")]
+Notes = Annotated[
+    bool, typer.Option("--notes", help="Print assumptions and remarks below the table, too.")
+]
 FIRST_LINE = 5.0  # after the start of the work [s]; each further one after twice the time
 LONGEST_SILENCE = 60.0  # [s]
 ANEW = "compute the results again"

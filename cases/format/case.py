@@ -228,7 +228,8 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
             raise CaseError([error.fault.text(name, key_lines(text))], [error.fault]) from error
         except ValueError as error:  # a bound of the physics that no table knows
             raise CaseError(f"{name}: {error}") from error
-    notes = tuple(dict.fromkeys(str(warning.message) for warning in caught))
+    # their texts, which may be of a kind
+    notes = tuple(dict.fromkeys(warning.message.args[0] for warning in caught))
     case = replace(case, warnings=notes)
     if isinstance(file, BearingFile) and isinstance(case, Case) and file.load_cases:
         return replace(case, load_cases=tuple(_load_cases(file, name, text, notes)))

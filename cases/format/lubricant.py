@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 
 from oilfilm.bearing.library.lubricants import list_lubricants, load_lubricant, lubricant_data
 from oilfilm.ehl import DensityLaw, Lubricant, ViscosityLaw
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.oil.assumed_heat import BaseOil, heat_of
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
@@ -309,13 +310,13 @@ def warn_of_temperature(oil: Lubricant, measured_at: float | None) -> None:
     expansion = None if doolittle is None else doolittle.occupied_expansion
     follows = oil.tait.bulk_modulus_temperature > 0.0 or expansion is not None
     if abs(oil.temperature - measured_at) > SAME_TEMPERATURE and not follows:
-        warnings.warn(
+        text = (
             f"lubricant {oil.name!r}: constants of Tait and Doolittle of "
             f"{measured_at - ZERO_CELSIUS:g} C are "
             f"taken at {oil.temperature - ZERO_CELSIUS:g} C; only viscosity and "
-            "density at ambient pressure follow it",
-            stacklevel=2,
+            "density at ambient pressure follow it"
         )
+        warnings.warn(Caution(text), stacklevel=2)
 
 
 class OilTable(Table):
@@ -689,11 +690,11 @@ def _warn_of_pour_point(oil: Oil, name: str, temperature: float) -> None:
     if end is None or celsius >= end:
         return
     origin = " (an estimate by the grade, lubricant.pour_point_C)" if given is None else ""
-    warnings.warn(
+    text = (
         f"lubricant {name!r}: {celsius:.0f} C lies below its pour point, {end:g} C{origin}: "
-        "the oil does not flow, films and torque are extrapolated beyond what it can be",
-        stacklevel=2,
+        "the oil does not flow, films and torque are extrapolated beyond what it can be"
     )
+    warnings.warn(Caution(text), stacklevel=2)
 
 
 def _heat(oil: Lubricant, keys: dict[str, Any]) -> ThermalProperties:

@@ -24,8 +24,9 @@ from oilfilm.bearing.films.film import (
 from oilfilm.bearing.films.unsolved_films import too_thick
 from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from oilfilm.bearing.heating.network import Conductance
-from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
+from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT, SIMULATED_SLIP
 from oilfilm.ehl.closed_form.film import LARGEST_LOADING
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.units import from_si, to_si
 
 from ..contact.summary import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
@@ -410,11 +411,13 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
         )
         if contact.conditions is not None and too_thick(contact.conditions):
             reason = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
+            reason = Caution(reason)
         absent_film = film is None and solution is None
         if contact.conditions is None or (absent_film and complete):
             absent.setdefault((contact.race.value, reason), []).append(str(contact.ball))
     for (race, reason), balls in absent.items():
-        yield f"{race} race, {balls_text(balls)}: film null, {reason}"
+        kind = type(reason)  # light contacts are no choice of the case
+        yield kind(f"{race} race, {balls_text(balls)}: film null, {reason}")
     if absent:
         yield f"contacts: residual and mass_imbalance null where {NO_FILM}"
     pairs = zip(results.contacts, films, strict=True)
@@ -435,16 +438,22 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
 
 
 def _gross_slip(results: BearingResults) -> Iterator[str]:
-    """Warn if under an axial load no ball reaches the ratio below which Hirano's balls slipped."""
+    """Tell if under an axial load no ball reaches the ratio below which Hirano's balls slipped;
+    warn where simulations slip, too.
+    """
     ratios = [c.hirano_ratio for c in results.contacts if c.hirano_ratio is not None]
     if not ratios or abs(float(results.quasistatic.ring_force[0])) == 0.0:
         return
     largest = max(ratios)
-    if largest < HIRANO_LIMIT:
+    if largest < SIMULATED_SLIP * HIRANO_LIMIT:
+        yield Caution(
+            f"contacts: all balls slip grossly (hirano_ratio at most {largest:.2g}); speeds, "
+            "films and torque of rolling balls do not hold (oilfilm slip, oilfilm dynamics)"
+        )
+    elif largest < HIRANO_LIMIT:
         yield (
-            f"contacts: hirano_ratio is at most {largest:.2g}, below {HIRANO_LIMIT:g}: by "
-            "Hirano's criterion all balls slip grossly, and speeds, films and torque of rolling "
-            f"balls do not hold. {HIRANO_CAVEAT} (oilfilm slip, oilfilm dynamics)"
+            f"contacts: hirano_ratio is at most {largest:.2g}, below the {HIRANO_LIMIT:g} that "
+            f"Hirano asks for. {HIRANO_CAVEAT}; oilfilm dynamics shows whether balls slip"
         )
 
 
@@ -516,13 +525,13 @@ def heat_messages(films: Films) -> Iterator[str]:
     widest = max(share.uncertainty / share.value for share in shares)
     oil = ", with the heat properties of a mineral oil (assumed)" if shares[0].assumed else ""
     yield (
-        f"contacts: the heat of their inlets leaves {ends} of the isothermal films "
+        f"contacts: inlet shear heating (included) leaves {ends} of the isothermal films "
         f"(isothermal_film_..., flooded_film_... too), by a formula fitted to films "
         f"solved with heat{oil}, its spread, up to {100.0 * widest:.2g} %, in their error bars; "
         '[ehl] film_model = "thermal" solves them with it'
     )
     if any(share.beyond for share in shares):
-        yield (
+        yield Caution(
             "contacts: the heat of the inlets lies beyond the range of its formula (thermal "
             f"loading parameter above {LARGEST_LOADING:g}): films, lambda, kappa and life by them "
             "are guesses"
@@ -633,7 +642,7 @@ def _cut_messages(results: BearingResults, race: Race) -> Iterator[str]:
         ball = min(cut, key=lambda name: cut[name][1].distance_ratio)
         pressure, worst = cut[ball]
         kind = "estimated shoulder" if worst.estimated else "shoulder"
-        yield (
+        yield Caution(
             f"contacts: the {kind} of the {race.value} ring cuts the ellipse of "
             f"{balls_text(list(cut))}, at ball {ball} {worst.length_share:.1%} of its length and "
             f"{worst.load_share:.1%} of its load; film, pressure and stresses of these contacts "

@@ -85,7 +85,8 @@ KINDS = (  # what one colour stands for, and the components of the models that a
 SVG = "http://www.w3.org/2000/svg"
 METADATA = ("Creator", "Date", "Format", "Type")  # of SVG, left out
 VISIBLE = 1.0e-4  # of the largest torque: smaller parts are not drawn
-DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
+DODGE = 2.3  # points of the two races stand this far beside their azimuth [deg]
+NUDGE = 1.1  # central and minimum film stand so far to the left and right [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
 # contour lines of small maps over the central film [-]
 FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])
@@ -437,8 +438,9 @@ def _film_points(axes: Axes, azimuth: Any, films: list[ContactFilm], race: str) 
             for which in ("value", "error")
         )
         style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4}
-        style |= {"capsize": 3, "linewidth": 0.9, "label": f"{race} race, {name}"}
-        axes.errorbar(azimuth, value, error, fmt=marker, **style)
+        style |= {"capsize": 2, "linewidth": 0.9, "label": f"{race} race, {name}"}
+        beside = -NUDGE if name == "central" else NUDGE
+        axes.errorbar(azimuth + beside, value, error, fmt=marker, **style)
 
 
 def _pressure_points(axes: Axes, azimuth: Any, fields: list[ContactSolution], race: str) -> None:

@@ -36,6 +36,7 @@ from oilfilm.bearing.rating.life import (
 from oilfilm.bearing.rings.compliance import response_of
 from oilfilm.bearing.rings.elastic_ring import ElasticRing
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.solid.bodies import RingResponse, Seat
 from oilfilm.ehl.units import MEGAPASCAL, MICROMETRE, from_si, to_si
@@ -98,6 +99,7 @@ CYCLE_MESSAGE = (
     "of films without a solve; films, torque and pictures are those of [operation]"
 )
 AGREEMENT = 1.0  # of temperatures that count as one [K]
+LONG_LIFE = 1e6  # life of which no more is printed [h]
 AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
 RELUBRICATION = "relubrication_interval_h"
 SMALL_TENSION = 1e3  # of a loose seat, not worth a message [Pa]
@@ -166,7 +168,6 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "timing_s": dict(results.timing),
     }
     head = results.head(results.converged, _bearing_messages(results))
-    head["messages"] = [*temperature_messages(results), *head["messages"]]
     return plain_document(head | document)
 
 
@@ -209,11 +210,12 @@ def _electrical_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _bearing_messages(results: BearingResults) -> Iterator[str]:
-    yield from results.broken_laws
+    yield from temperature_messages(results)
+    yield from map(Caution, results.broken_laws)
     yield from oil_messages(results)
     state = results.quasistatic
     if not state.converged or ";" in state.message:  # free directions, friction beyond its limit
-        yield f"equilibrium of ring and balls: {state.message}"
+        yield Caution(f"equilibrium of ring and balls: {state.message}")
     for group in distinct_contacts(results):
         if group.solution is not None:
             yield from solution_messages(group.label, group.solution)
@@ -354,7 +356,7 @@ def hours_text(basic: float, modified: float | None) -> str:
 
 
 def hours(life: float) -> str:
-    """Hours to three figures, without a power of ten.
+    """Hours to three figures, without a power of ten; beyond `LONG_LIFE` that alone.
 
     Parameters
     ----------
@@ -366,6 +368,8 @@ def hours(life: float) -> str:
     str
         Hours with their unit.
     """
+    if life > LONG_LIFE:
+        return f"> {LONG_LIFE:_.0f} h".replace("_", "\N{NO-BREAK SPACE}")
     return f"{in_figures(life, 3)} h"
 
 
@@ -493,7 +497,7 @@ def temperature_messages(results: BearingResults) -> Iterator[str]:
     balanced = heating.balance.temperature
     given = results.quasistatic.operation.temperature
     if abs(balanced - given) > AGREEMENT:
-        yield (
+        yield Caution(
             "two temperatures: loads, clearance, films, torque and life are those of "
             f"operation.temperature_C = {from_si('temperature_C', given):.4g}, the block "
             f"self_heating that of {from_si('temperature_C', balanced):.4g} C, where friction and "
@@ -690,7 +694,7 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
     else:
         yield (
             f"life.{RELUBRICATION}: rule for lithium grease, a horizontal shaft and clean "
-            "surroundings, with the temperature of the oil; the grease maker's data go before it"
+            "surroundings, at the oil's temperature; the grease maker's data take precedence"
         )
     if results.clearance is None:
         yield (
@@ -734,7 +738,7 @@ def _cage_messages(results: BearingResults) -> Iterator[str]:
     elif cage.land < 0.0:
         given = (results.case.get("cage") or {}).get("land_clearance_um")
         if given is not None and to_si("land_clearance_um", given) + cage.land <= 0.0:
-            yield (
+            yield Caution(
                 "clearance: at its temperature the cage has no clearance left on its land, "
                 f"{given:g} um less {-from_si('cage_land_change_um', cage.land):.3g} um"
             )
@@ -763,12 +767,10 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
     if life is None:
         return rows
     available = values_of(life, (*LIFE_RATING, *LOAD_RATING))
-    revolutions = available["basic_reference_rating_Mrev"]
-    basic = available["basic_reference_rating_h"]
     kappa = available["kappa"]
-    if revolutions is None:
+    if available["basic_reference_rating_Mrev"] is None:
         rows["rating life"] = _why_none(life.messages)
-    if revolutions is not None and basic is not None:
+    elif available["basic_reference_rating_h"] is not None:
         rows["rating life"] = _life_text(available)
     if (interval := relubrication_time(results)) is not None:
         time = hours(from_si(RELUBRICATION, interval))
@@ -791,9 +793,8 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
 
 
 def _life_text(available: dict[str, Any]) -> str:
-    """Basic life with its revolutions, and the modified one with its factor."""
-    turns = in_figures(available["basic_reference_rating_Mrev"], 4)
-    text = f"L10h {hours(available['basic_reference_rating_h'])} ({turns} million revolutions)"
+    """Basic life, and the modified one with its factor."""
+    text = f"L10h {hours(available['basic_reference_rating_h'])}"
     if available["modified_reference_rating_h"] is None:
         return text
     modified = hours(available["modified_reference_rating_h"])
@@ -834,6 +835,8 @@ def film_row(available: dict[str, Any]) -> dict[str, str]:
     if ends[1] is None or ends[2] is None:
         return {"life by the films": text}
     low, high = hours(ends[1]), hours(ends[2])
+    if low == high and ends[1] != ends[2]:  # to the figures that are printed
+        return {"life by the films": text}
     band = f"{low} to {high}" if low != high else _no_band(available)
     return {"life by the films": f"{text} ({band})"}
 
@@ -959,7 +962,7 @@ def ring_messages(state: QuasistaticSolution) -> Iterator[str]:
             yield f"{body.race} ring: pressed by its supports at {', '.join(places)}"
         tension = seat_tension(state, body)
         if tension > SMALL_TENSION:
-            yield (
+            yield Caution(
                 f"{body.race} ring: its seat does not open: opposite the load it pulls with up to "
                 f"{tension / MEGAPASCAL:.3g} MPa, where a loose ring would lift off and bend more"
             )
@@ -1092,8 +1095,7 @@ def row_messages(results: BearingResults) -> Iterator[str]:
     """
     rows = len(results.quasistatic.rows)
     if rows > 1:
-        own = "each row's own stand in rows"
-        yield f"cage_speed_rpm, frequencies_Hz: mean over {rows} rows, {own}"
+        yield f"cage_speed_rpm, frequencies_Hz: mean over {rows} rows; each row in `rows`"
 
 
 def row_lines(state: QuasistaticSolution) -> dict[str, str]:
@@ -1196,7 +1198,7 @@ def strength_messages(results: BearingResults) -> Iterator[str]:
         share = ring.strength_share
         tension = from_si("tension_MPa", ring.hoop_tension)
         if share is not None and share > LARGE_SHARE:
-            yield (
+            yield Caution(
                 f"strength: the {name} has a hoop tension of {tension:.4g} MPa, {share:.0%} of "
                 f"the bending strength of {ring.material.name}, beyond {LARGE_SHARE:.0%}"
             )

@@ -9,7 +9,8 @@ from oilfilm.bearing.films.operating_film import of_driven_balls
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.torque.breakdown import NAMES, TorqueBreakdown
 from oilfilm.bearing.torque.integrated import SolvedShear
-from oilfilm.bearing.torque.models import ModelTorque
+from oilfilm.bearing.torque.models import COMPUTED_RATING, ModelTorque
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.units import from_si
 
 from ..netcdf_write import DataGroup, Variables
@@ -31,6 +32,7 @@ from .results import BearingResults
 WITHOUT_SEALS = ", without seals"
 CHURNING_SHARE = 0.2  # of the total, from which it is said beside it [-]
 VISIBLE_LAG = 0.03  # of the orbit speed, from which it is said [-]
+BEYOND = "*"  # mark of a torque outside the range of its model
 LARGE_SHARE = 0.05  # of the torque: from there on it is reported what the layer decides
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
 FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
@@ -217,7 +219,7 @@ def oil_messages(results: BearingResults) -> Iterator[str]:
     if torque is None or torque.chosen != "integrated" or torque.inlet is None:
         return
     if torque.inlet.limit:
-        yield f"torque_N_mm.total: an estimate, {torque.inlet.limit}"
+        yield Caution(f"torque_N_mm.total: an estimate, {torque.inlet.limit}")
 
 
 def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
@@ -255,7 +257,7 @@ def _lag_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[s
     if torque.chosen != "integrated" or lag is None or lag < VISIBLE_LAG:
         return
     kinematics = results.quasistatic.model.ball_kinematics.value
-    yield (
+    yield Caution(
         f"torque_N_mm.total: the balls slide, driven against drag and rolling resistance their "
         f"orbits are {lag:.1%} slower than by '{kinematics}', "
         "whose speeds films, frequencies and cage_speed_rpm have"
@@ -302,11 +304,12 @@ def _churning_message(results: BearingResults, torque: TorqueBreakdown) -> Itera
         return
     assumed = "friction.oil_fraction" in results.case.get("assumed", ())
     source = "an assumption" if assumed else "as the case gives it"
-    yield (
+    message = (
         f"torque_N_mm.total: {share:.0%} of it is churning, drag of the balls in a cavity that "
         f"oil fills to {fraction:.2g} (friction.oil_fraction, {source}), proportional to it"
         f": half as much oil takes {0.5 * share * TORQUE.value(torque):.3g} N mm off"
     )
+    yield Caution(message) if assumed else message
 
 
 def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
@@ -322,9 +325,12 @@ def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
     if shear.closed:
         text = ", balls in traction equilibrium, as traction of the contacts"
     if kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
-        text += f"; '{kinematics.value}' holds for loads and films only"
+        text += (
+            f"; loads and films assume '{kinematics.value}' without gross sliding, the torque "
+            "solves it"
+        )
     if driven:
-        text += f"; balls {driven} are driven by the cage, their inner contacts cannot drive them"
+        text += f"; balls {driven} slip at the inner race, driven by the cage"
     return text
 
 
@@ -346,7 +352,7 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
         return {}
     models = shown_torques(results)
     others = [
-        f"{title} {TORQUE.value(model):.4g}"
+        f"{title} {TORQUE.value(model):.4g}{BEYOND * bool(_doubts(model))}"
         for (name, model), title in zip(models.items(), shown_titles(models), strict=True)
         if name != torque.chosen
     ]
@@ -357,6 +363,29 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
     if seal := torque.models[torque.chosen].components.get("seal"):
         rows["friction torque"] += f", {TORQUE.in_unit(seal):.4g} of it the contact seals"
     return rows | ({"other models": ", ".join(others)} if others else {})
+
+
+def mark_legend(results: BearingResults) -> list[str]:
+    """Line that explains the mark of models; none where no model has one.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    list[str]
+        One line or none.
+    """
+    chosen = None if results.torque is None else results.torque.chosen
+    marked = [_doubts(own) for name, own in shown_torques(results).items() if name != chosen]
+    return [f"{BEYOND} outside the range of the model"] if any(marked) else []
+
+
+def _doubts(model: ModelTorque) -> list[str]:
+    """Remarks on a bearing or an operation that a model was not made for."""
+    return [remark for remark in model.remarks if remark != COMPUTED_RATING]
 
 
 def rolling_messages(results: BearingResults) -> Iterator[str]:
@@ -396,11 +425,9 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
             f"{part.value(extent):.4g}" for part in ROLLING_EXTENT
         )
         yield (
-            f"torque_N_mm: the rolling part, {within} N mm with an uncertainty of {uncertainty}, "
-            "is what inlet heating and replenishment leave of that of contacts with a layer of "
-            f"{layer:g} um at their inlets (lubricant.flooded_layer_um); twice the layer adds "
-            f"{doubling}, the boxes of the "
-            f"films alone have {box}"
+            f"torque_N_mm: rolling resistance {within} ± {uncertainty} N mm with a layer of "
+            f"{layer:g} um at the inlets (lubricant.flooded_layer_um), {doubling} more with twice "
+            f"the layer, {box} of the boxes of the films alone"
         )
 
 
@@ -490,7 +517,7 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         return
     yield from _unsolved_message(results)
     if torque.starved is not None and torque.starved.oil_fraction >= 1.0:
-        yield (
+        yield Caution(
             "supply: the flow would fill the cavity within supply_residence_s, it counts as full; "
             "drag and starved torque are an upper bound, not a prediction"
         )
@@ -586,7 +613,7 @@ def _outside_message(films: Films, results: BearingResults) -> Iterator[str]:
         if film is not None and not film.supply.inside
     ]
     if names:
-        yield (
+        yield Caution(
             "supply: outside the contacts that the law of starvation was solved for, with the "
             f"shares of the nearest ones ({', '.join(names)})"
         )

@@ -24,6 +24,7 @@ from ..quantities import (
     STIFFNESS_HEADLINES,
     STIFFNESS_ORDER,
     facts_table,
+    in_ranges,
     number,
     number_table,
     titled,
@@ -47,7 +48,7 @@ from .summary import (
     row_lines,
     strength_rows,
 )
-from .torque import decay_group, supply_rows, torque_rows
+from .torque import decay_group, mark_legend, supply_rows, torque_rows
 
 GEOMETRY = (
     *("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"),
@@ -247,19 +248,45 @@ def _contacts_table(results: BearingResults) -> Table:
 def _contact_rows(
     available: Sequence[tuple[ContactRecord, dict[str, Any]]], keys: list[str], most: int
 ) -> Iterator[list[str]]:
-    """Cells of every contact, films with at most so many decimals, and a line for each row."""
+    """Cells of every contact, films with at most so many decimals, and a line for each row; equal
+    balls of a row stand once.
+    """
     several = len({record.contact.row for record, _ in available}) > 1
     row = None if several else available[0][0].contact.row
-    for record, values in available:
-        contact = record.contact
-        if contact.row != row:
-            row = contact.row
+    groups: dict[tuple[tuple[Any, ...], ...], list[BearingContact]] = {}
+    for n in range(0, len(available), 2):
+        cells = _ball_cells(available[n : n + 2], keys, most)
+        groups.setdefault(cells, []).append(available[n][0].contact)
+    for cells, contacts in groups.items():
+        if contacts[0].row != row:
+            row = contacts[0].row
             yield [f"row {row}"]
-        is_inner = contact.race.value == "inner"
-        azimuth = f"{degrees(contact.azimuth) % 360.0:.0f}"
-        place = [str(contact.ball), azimuth] if is_inner else ["", ""]
-        cells = [_contact_cell(record, values, key, most) for key in keys]
-        yield [*place, contact.race.value, *cells, _flags(record.film)]
+        names = in_ranges([str(one.ball) for one in contacts])
+        first, last = (
+            f"{degrees(one.azimuth) % 360.0:.0f}" for one in (contacts[0], contacts[-1])
+        )
+        joint = "," if len(contacts) == 2 else "\N{EN DASH}"
+        # the last azimuth below the first one
+        places = [[names, first], ["", ""]]
+        if len(contacts) > 1:
+            places = [[names, first + joint], ["", last]]
+        for place, (_, *texts) in zip(places, cells, strict=True):
+            yield [*place, *texts]
+
+
+def _ball_cells(
+    ball: Sequence[tuple[ContactRecord, dict[str, Any]]], keys: list[str], most: int
+) -> tuple[tuple[Any, ...], ...]:
+    """Row, race and quantities of both contacts of a ball as they are printed."""
+    return tuple(
+        (
+            record.contact.row,
+            record.contact.race.value,
+            *(_contact_cell(record, values, key, most) for key in keys),
+            _flags(record.film),
+        )
+        for record, values in ball
+    )
 
 
 def _contact_cell(record: ContactRecord, available: dict[str, Any], key: str, most: int) -> str:
@@ -285,4 +312,5 @@ def _legend(results: BearingResults) -> list[str]:
     flags = "".join(_flags(s) for s in results.solutions)
     meanings = {"!": "! not converged", "?": "? film not resolved on this grid"}
     lines = ["  ".join(text for flag, text in meanings.items() if flag in flags)] if flags else []
+    lines += mark_legend(results)
     return lines

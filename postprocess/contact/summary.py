@@ -15,6 +15,7 @@ from oilfilm.bearing.supply.track import SolvedPass
 from oilfilm.ehl import ContactConditions, ContactSolution, ViscosityLaw
 from oilfilm.ehl.atlas.films import atlas_disagreements
 from oilfilm.ehl.closed_form import film as film_formulas
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.traction import NormalResponse
 from oilfilm.ehl.traction.instruments import OIL_PERMITTIVITY, FilmInstruments, film_instruments
 from oilfilm.ehl.traction.rolling_moment import RollingMoment, rolling_moment
@@ -579,18 +580,19 @@ def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
         A message.
     """
     if solution.message != "converged":
-        yield f"{name}: {solution.message}"
+        message = f"{name}: {solution.message}"
+        yield message if solution.resolved else Caution(message)
     film = solution.film_minimum_dimensionless
     if solution.converged and solution.resolved and film.uncertainty > WIDE_ERROR * film.value:
         is_film = film.value > 0.0
         share = f"{film.uncertainty / film.value:.0%}" if is_film else "more than all"
-        yield f"{name}: error bar of the minimum film is {share} of it; try more points"
+        yield Caution(f"{name}: error bar of the minimum film is {share} of it; try more points")
     for which, own, other in atlas_disagreements(solution):
         unit = solution.film_scale or 1.0
         ratio = own.value * unit / other.value - 1.0
         bars = f"{own.relative_uncertainty:.1%} and {other.uncertainty / other.value:.1%}"
         flooded = "" if solution.supply is None else "flooded "
-        yield (
+        yield Caution(
             f"{name}: the {flooded}{which} film is {ratio:+.1%} off that of the film atlas, more "
             f"than both error bars, {bars}: try more points; if they change nothing, the atlas is "
             "off, whose error bars enclose 19 films of 20"

@@ -1,6 +1,5 @@
 """One HTML page of a result folder that needs no other file; for whatever has a summary."""
 
-import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -15,16 +14,6 @@ REPORT_FILE = "report.html"
 GENERATOR = '<meta name="generator" content="oilfilm'
 MAX_ROWS = 500  # of a table that unfolds
 HEADER = 1000  # characters within which the generator stands
-DOUBTS = (
-    "not converged",
-    "not resolved",
-    "error bar",
-    "no film was computed",
-    "arbitrary",
-    "failed",
-    "lost",
-    "beyond",
-)
 
 
 def write_report(directory: str | Path) -> Path:
@@ -87,27 +76,27 @@ def report_page(folder: Path) -> str:
             title=str(title),
             source=case.get("source") if isinstance(case, dict) else None,
             cards=cards,
-            warnings=[str(message) for message in summary["messages"] if is_urgent(str(message))],
+            warnings=summary.get("warnings", ()),
             sections=[section for section in sections if section[2].strip()],
         )
     )
 
 
-def is_urgent(message: str) -> bool:
-    """True of a message that states a doubt about a result, and not only why a value is null.
+def remarks(summary: dict[str, Any]) -> list[str]:
+    """Messages of a summary that are no warnings.
 
     Parameters
     ----------
-    message : str
-        Message of a summary.
+    summary : dict[str, Any]
+        Summary of the results.
 
     Returns
     -------
-    bool
-        True if it does.
+    list[str]
+        In their order.
     """
-    doubtful = any(word in message for word in DOUBTS)
-    return doubtful and ("not converged" in message or not re.search(r"\bnull\b", message))
+    warnings = summary.get("warnings", ())
+    return [str(message) for message in summary["messages"] if message not in warnings]
 
 
 def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
@@ -120,8 +109,7 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
     yield "vibration", "Vibration", vibration_section(summary, folder)
     yield "more", "Further results", further_results(summary)
     yield "pictures", "Further pictures", _further_pictures(summary, folder)
-    others = (message for message in summary["messages"] if not is_urgent(str(message)))
-    yield "notes", "Notes", html.notes(others)
+    yield "notes", "Notes", html.notes(remarks(summary))
     yield "versions", "Versions and times", html.versions(summary)
 
 

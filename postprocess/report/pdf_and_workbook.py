@@ -22,7 +22,7 @@ from ..files import read_summary
 from ..plot_style import INK, RC, REFERENCE
 from ..quantities import is_number, number
 from .html import without_noise
-from .page import is_urgent
+from .page import remarks
 
 MOST_SHEET_ROWS = 1_048_576  # of a sheet, by the format
 LONGEST_NAME = 31  # characters of the name of a sheet, by the format
@@ -92,7 +92,9 @@ def sheets(folder: Path) -> dict[str, Sheet]:
     """
     summary = read_summary(folder)
     case = summary["case"]
-    results = {key: value for key, value in summary.items() if key not in ("case", "messages")}
+    results = {
+        key: value for key, value in summary.items() if key not in ("case", "messages", "warnings")
+    }
     result = {"Results": _facts(results)}
     if isinstance(case, dict):
         result["Input"] = _facts(case)
@@ -235,8 +237,7 @@ def _headline(summary: dict[str, Any], name: str) -> Iterator[str]:
     state = "converged" if summary["converged"] else "NOT CONVERGED"
     yield f"oilfilm {summary['oilfilm']}, {state}"
     yield from wrap(f"source of the input: {case['source']}", WIDTH) if case.get("source") else ()
-    urgent = [str(text) for text in summary["messages"] if is_urgent(str(text))]
-    yield from _section("Warnings", _paragraphs(urgent))
+    yield from _section("Warnings", _paragraphs(summary.get("warnings", ())))
     yield from _section("Main results", _main_lines(summary))
 
 
@@ -245,8 +246,7 @@ def _lines(summary: dict[str, Any], folder: Path) -> Iterator[str]:
     for name, sheet in sheets(folder).items():
         is_facts = sheet[0][:2] == ["block", "quantity"]
         if name == "Messages":
-            texts = [str(text) for text in summary["messages"] if not is_urgent(str(text))]
-            yield from _section("Notes", _paragraphs(texts))
+            yield from _section("Notes", _paragraphs(remarks(summary)))
         else:
             yield from _section(name, _fact_lines(sheet) if is_facts else _table_lines(sheet))
 

@@ -42,6 +42,8 @@ from .vtk import DISPLACEMENT, DISTANCE, ring_files
 
 LOAD_COLOUR = "#b3202c"
 ROUND_OFF = 1e-6  # a load below this share of the other one is noise of the equilibrium [-]
+MARGIN = 0.02  # of texts, of the picture [-]
+TITLE_HEIGHT = 0.945  # likewise
 LONGEST = 1.3  # arrow of the largest load over the radius of the bore [-]
 SHORTEST = 0.45  # arrow of a smaller load, likewise [-]
 SPAN = 1.1  # of the arrow of a rotation [rad]
@@ -119,7 +121,9 @@ def add_loads(plotter: Any, force: Array, room: Room) -> tuple[Label, ...]:
             continue
         direction = part / sizes[name]
         length = max(LONGEST * sizes[name] / largest, SHORTEST) * room.bore
-        start = -0.5 * length * direction
+        start = (
+            room.front * np.array(X) - 0.5 * length * direction
+        )  # before the face, which hides no head
         # beside the shaft, the axes are on its other side
         place = start + 0.35 * length * direction + 0.42 * room.bore * np.cross(X, direction)
         if name == "axial":  # in front of the bore, out of it or into it
@@ -197,7 +201,7 @@ def add_axes(plotter: Any, room: Room, turn: float) -> tuple[Label, ...]:
         Names of the axes as labels.
     """
     origin = about_axis(turn) @ (room.front, -0.25 * room.bore, -0.45 * room.bore)
-    length = 0.4 * room.bore
+    length = 0.3 * room.bore
     labels = []
     for name, direction in AXES.items():
         arrow = pv.Arrow(start=origin, direction=direction, scale=length, **FORM)
@@ -305,8 +309,9 @@ class Scene:
     def add_texts(self) -> None:
         """Title, note, colour bar and labels of a picture."""
         scale = self.options.scale
-        for text, corner, size in ((self.title, "upper_left", 17), (self.note, "lower_left", 13)):
-            self.plotter.add_text(text, position=corner, font_size=int(size * scale), color=INK)
+        for text, height, size in ((self.title, TITLE_HEIGHT, 17), (self.note, MARGIN, 13)):
+            place: Any = {"position": (MARGIN, height), "viewport": True}
+            self.plotter.add_text(text, font_size=int(size * scale), color=INK, **place)
         if self.colours is not None:
             parts.add_colour_bar(self.plotter, self.mapper, self.colours.label, scale)
         if self.labels:
@@ -402,7 +407,8 @@ def _add_bearing(scene: Scene, directory: Path, tree: xarray.DataTree) -> None:
     if scene.options.quantity == "displacement":
         _add_deformed_rings(scene, directory, bodies, (balls, diameter / MILLIMETRE))
     else:
-        scene.note = _note(placement) if patches else "no films in these results"
+        of_film = "operating film; " if scene.options.quantity == "film" else ""
+        scene.note = of_film + _note(placement) if patches else "no films in these results"
         parts.add_bodies(scene.plotter, bodies)
         _add_patches(scene, patches, 0.5 * diameter, placement)
         scene.spots = tuple(

@@ -46,10 +46,9 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
     tables = (results.over_temperature or results.tables).values()
     converged = all(table.converged for table in tables)
     full_converged = [s.converged for table in results.tables.values() for s in table.full_solves]
-    head = results.head(converged and all(full_converged), _messages(results))
-    if not converged:
-        reason = "a traction table misses its tolerance or a film did not converge"
-        head["messages"].insert(0, f"not converged: {reason}")
+    reason = "a traction table misses its tolerance or a film did not converge"
+    failure = [] if converged else [f"not converged: {reason}"]
+    head = results.head(converged and all(full_converged), [*failure, *_messages(results)])
     return head | {"tables": races, "timing_s": results.timing}
 
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 import errno
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -92,22 +94,44 @@ def test_json_is_all_there_is_on_standard_output(tmp_path):
     assert answer.stderr == ""
 
 
-def test_notes_tell_what_bears_on_the_numbers(tmp_path):
-    """Oil beyond its data, an ellipse cut by the shoulder, estimated geometry: on standard error, 80 columns wide."""
+def test_numbers_first_then_what_changes_a_decision_then_notes(tmp_path):
+    """Oil beyond its data, an ellipse cut by the shoulder; estimated geometry with --notes: on standard error."""
     (tmp_path / "warm.toml").write_text(
         'schema_version = 1\n[bearing]\nname = "6205"\n[lubricant]\nname = "ISO VG 68"\n[operation]\n'
         'inner_speed_rpm = 1000.0\naxial_load_N = 9000.0\ntemperature_C = 150.0\n[ehl]\nfilm_maps = "none"\n'
     )
+    warnings = ("150.0 C is outside 20.0 to 100.0 C", "cuts the ellipse of balls", "beyond ISO 281")
     answer = oilfilm("run", "warm.toml")
-    told = " ".join(answer.stderr.split())
+    said = " ".join(answer.stderr.split())
     assert answer.exit_code == 0
+    assert said.count("warning: ") == 3
+    assert all(words in said for words in warnings)
+    assert "note: " not in said and "--notes" in said
+    assert answer.output.index("friction torque") < answer.output.index("warning: ")
+    noted = oilfilm("run", "warm.toml", "--notes")
+    told = " ".join(noted.stderr.split())
     assert told.count("note: ") >= 3
-    for words in ("internal geometry is estimated", "150.0 C is outside 20.0 to 100.0 C", "cuts the ellipse of balls"):
+    for words in ("internal geometry is estimated", *warnings):
         assert words in told
     assert "null" not in told
-    assert max(map(len, answer.stderr.splitlines())) <= 80
+    assert max(map(len, noted.stderr.splitlines())) <= 80
+    document = json.loads(oilfilm("run", "warm.toml", "--json").stdout)
+    assert len(document["warnings"]) == 3 and set(document["warnings"]) < set(document["messages"])
     for option in ("--quiet", "--json"):
-        assert "note:" not in oilfilm("run", "warm.toml", option).stderr
+        assert not re.search("note:|warning:", oilfilm("run", "warm.toml", option).stderr)
+
+
+def test_more_than_three_warnings_are_counted(capsys):
+    output.print_warnings([f"doubt {n}; what to do" for n in range(5)] + ["film: not converged: stalled"])
+    shown = capsys.readouterr().err.splitlines()
+    assert shown == [*(f"warning: doubt {n}" for n in range(3)), "warning: 2 more in the results (warnings)"]
+
+
+def test_the_cost_counts_contacts_that_differ():
+    """All balls of an axially loaded bearing are alike, those on both sides of a radial load in pairs."""
+    axial, radial = load_case("7008_axial"), load_case("6208_full_ceramic")
+    assert output.run_films(replace(axial, film_maps="all")) == 2
+    assert output.run_films(radial) == 10
 
 
 def test_the_case_of_a_result_is_a_case(tmp_path):

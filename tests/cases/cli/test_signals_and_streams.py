@@ -228,7 +228,7 @@ def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
     output.report_cost(output.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
     assert capsys.readouterr().err == ""
     output.report_cost(output.run_cost(case, 1), quiet=False)
-    text = "oilfilm: at most 18 films on at most 257 nodes, 1 at a time: about 11 s\n"
+    text = "oilfilm: about 10 films on 257 nodes, 1 at a time: about 7 s\n"
     assert capsys.readouterr().err == text
     output.report_cost(output.table_cost(513, 3, 2), quiet=False)
     assert capsys.readouterr().err.endswith("360 films on 513 nodes or more, 2 at a time: about 7 min\n")

@@ -54,7 +54,7 @@ def test_every_film_is_printed_with_heat_and_the_isothermal_one_beside(name):
         assert contact["lambda_ratio"] == pytest.approx(contact["film_minimum_um"] / together)
     heaviest = max(films, key=lambda contact: contact["load_N"])
     assert heaviest["inlet_heat_share"] < 0.9
-    assert any("heat of their inlets leaves" in message for message in found["messages"])
+    assert any("inlet shear heating (included) leaves" in message for message in found["messages"])
 
 
 def test_friction_takes_the_film_with_heat():

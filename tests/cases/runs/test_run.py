@@ -197,7 +197,9 @@ def test_films_say_what_heat_in_the_inlet_leaves():
         share = 1.0 / (1.0 + 1.52 * loading**0.66 * pressure**0.352 / light)
         assert one["inlet_heat_share"] == pytest.approx(share, rel=1e-9)
     shares = [one["inlet_heat_share"] for one in contacts]
-    text = next(message for message in summary(results)["messages"] if "heat of their inlets leaves" in message)
+    text = next(
+        message for message in summary(results)["messages"] if "inlet shear heating (included) leaves" in message
+    )
     assert f"leaves {min(shares):.2g} to {max(shares):.2g} of the isothermal films" in text
     assert "assumed" not in text
     assert any("heat properties of a mineral oil (assumed)" in text for text in summary(run_case(plain))["messages"])

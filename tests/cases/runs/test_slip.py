@@ -118,11 +118,14 @@ def test_a_case_without_slip_is_refused():
     assert "[slip]" in result.output
 
 
-@pytest.mark.parametrize(("axial", "told"), [(40.0, True), (600.0, False)])
-def test_gross_slip_by_hirano_is_told(axial, told):
-    """7008 at 5000 r/min under thrust: his ratio of 10 needs some 360 N."""
+@pytest.mark.parametrize(
+    ("axial", "warned", "noted"), [(40.0, True, False), (250.0, False, True), (600.0, False, False)]
+)
+def test_gross_slip_is_a_warning_where_simulations_slip(axial, warned, noted):
+    """7008 at 5000 r/min under thrust: Hirano's ratio of 10 needs some 360 N, simulations slip at a quarter of it."""
     case = load_case("7008_axial")
     found = summary(run_case(replace(case, operation=replace(case.operation, force=(axial, 0.0, 0.0)))))
-    messages = [message for message in found["messages"] if "by Hirano's criterion all balls slip" in message]
-    assert bool(messages) is told
-    assert all("a fourth to a fifth" in message for message in messages)
+    assert any("all balls slip grossly" in message for message in found["warnings"]) is warned
+    cautious = [message for message in found["messages"] if "a fourth to a fifth" in message]
+    assert bool(cautious) is noted
+    assert not set(cautious) & set(found["warnings"])

@@ -9,9 +9,10 @@ import pytest
 from rich.console import Console
 
 from oilfilm.bearing.films.film import NO_HEAT
-from oilfilm.bearing.torque.models import summed
+from oilfilm.bearing.torque.breakdown import TorqueBreakdown
+from oilfilm.bearing.torque.models import COMPUTED_RATING, ModelTorque, summed
 from oilfilm.postprocess.bearing.summary import film_row, probability_text
-from oilfilm.postprocess.bearing.torque import shown_titles
+from oilfilm.postprocess.bearing.torque import mark_legend, shown_titles, torque_rows
 from oilfilm.postprocess.bearing.write import bearing_table
 from oilfilm.postprocess.contact.write import contact_table
 
@@ -27,7 +28,11 @@ def test_bearing_fits_80_columns(bearing_results):
     text = printed(bearing_results)
     assert max(len(line.rstrip()) for line in text.splitlines()) <= 80
     assert "…" not in text
-    assert text.count("inner") == 9
+    assert text.count("inner") == 3  # balls alike stand once
+    rows = text.splitlines()
+    pair, rest = (next(n for n, row in enumerate(rows) if row.split()[:1] == [ball]) for ball in ("2,", "3–8"))
+    assert rows[pair].split()[:4] == ["2,", "9", "40,", "inner"] and rows[pair + 1].split()[:2] == ["320", "outer"]
+    assert rows[rest].split()[:3] == ["3–8", "80–", "inner"] and rows[rest + 1].split()[:2] == ["280", "outer"]
     assert "1596." in text
     stiffness = bearing_results.quasistatic.stiffness.diagonal() / 1e6
     assert f"axial {stiffness[0]:.4g} N/µm, radial {stiffness[1]:.4g} N/µm" in text
@@ -120,13 +125,32 @@ def test_wide_numbers_take_decimals_from_the_films(bearing_results):
 
 
 def test_the_life_at_a_limit_says_so_in_place_of_a_band():
-    known = {f"modified_reference_rating_contacts_{end}h": 1.44e6 for end in ("", "low_", "high_")}
+    known = {f"modified_reference_rating_contacts_{end}h": 1.44e5 for end in ("", "low_", "high_")}
     limit = rating_lines(known | {"a_iso_contacts": 50.0, "kappa_film": 21.8})
-    assert limit == "L10mh 1440000 h (a_ISO at its limit of 50)"
+    assert limit == "L10mh 144000 h (a_ISO at its limit of 50)"
     assert "counts as κ 4, the limit of ISO 281" in rating_lines(known | {"a_iso_contacts": 20.4, "kappa_film": 7.8})
     assert "error bars of the films" in rating_lines(known | {"a_iso_contacts": 20.4, "kappa_film": 0.8})
-    known["modified_reference_rating_contacts_low_h"] = 1.2e6
-    assert "(1200000 h to 1440000 h)" in rating_lines(known | {"a_iso_contacts": 20.4, "kappa_film": 0.8})
+    known["modified_reference_rating_contacts_low_h"] = 1.2e5
+    assert "(120000 h to 144000 h)" in rating_lines(known | {"a_iso_contacts": 20.4, "kappa_film": 0.8})
+
+
+def test_a_life_of_more_than_a_million_hours_is_that():
+    known = {f"modified_reference_rating_contacts_{end}h": 1.4e6 for end in ("", "low_", "high_")}
+    known |= {"a_iso_contacts": 20.4, "kappa_film": 0.8, "modified_reference_rating_contacts_low_h": 1.2e6}
+    assert rating_lines(known).replace("\N{NO-BREAK SPACE}", " ") == "L10mh > 1 000 000 h"
+
+
+def test_a_model_outside_its_range_is_marked(bearing_results):
+    """Where it is printed: SKF's beside bearings of ceramic, not Coulomb's."""
+    models = {
+        "integrated": summed({"rolling": 0.1}),
+        "skf": replace(summed({"rolling": 9.2}), remarks=("the load is too small",)),
+        "palmgren": replace(summed({"load": 0.2}), remarks=(COMPUTED_RATING,)),
+    }
+    torque = TorqueBreakdown(models=models | dict.fromkeys(("coulomb",), ModelTorque()), coefficient=0.1)
+    results = replace(bearing_results, torque=torque)
+    assert torque_rows(results)["other models"] == "SKF 9200*, Palmgren 200"
+    assert mark_legend(results) == ["* outside the range of the model"]
 
 
 def test_films_too_thin_for_a_life_say_so():

@@ -12,11 +12,13 @@ from operator import itemgetter
 import pytest
 
 from oilfilm.bearing.library.bearings import load_catalogue_entry
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.units import unit_of, without_unit
 from oilfilm.postprocess.files import SUMMARY_FILE
+from oilfilm.postprocess.quantities import is_warning
 from oilfilm.postprocess.report.bearing import torque_section
 from oilfilm.postprocess.report.html import cards, estimated_keys, facts, number, text
-from oilfilm.postprocess.report.page import further_results, is_urgent, report_page, write_report
+from oilfilm.postprocess.report.page import further_results, remarks, report_page, write_report
 
 VOID = {"meta", "img", "br", "rect", "line"}
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
@@ -171,14 +173,16 @@ def test_headline_names_the_ball_and_stars_estimates(folder):
 @pytest.mark.parametrize(
     ("message", "urgent"),
     [
-        ("outer race, ball 1: converged but unresolved: error bar 28% of the film", True),
+        (Caution("outer race, ball 1: converged but unresolved: error bar 28% of the film"), True),
         ("inner race, ball 1: not converged: film null", True),
         ("contacts: residual and mass_imbalance null where no film was computed", False),
         ("life: null, no rating was asked for", False),
     ],
 )
 def test_warnings_only_where_there_is_something_to_warn_of(message, urgent):
-    assert is_urgent(message) is urgent
+    assert is_warning(message) is urgent
+    summary = {"messages": [message, "a note"], "warnings": [message] * urgent}
+    assert remarks(summary) == ["a note"] if urgent else [message, "a note"]
 
 
 def test_a_single_contact_and_one_of_moes_groups(contact_folder, moes_folder):
