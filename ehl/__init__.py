@@ -10,6 +10,7 @@ generalized    - generalized Reynolds equation of Yang and Wen (1990), with heat
 grid           - rectangular grids of the contact solver and their hierarchy
 kernel_sources - files that make up the compiled kernels of this program, and their contents as one
                  number
+messages       - the kind of messages that change a decision
 multigrid      - multigrid solution of the Reynolds and film equations
 oil            - the oil: density, viscosity, rheology and their numbers for compiled kernels
 options        - options of the contact solver

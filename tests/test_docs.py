@@ -200,7 +200,7 @@ def test_the_result_of_the_first_page_is_that_of_the_shipped_case():
     (block,) = re.findall(r"^```text\n(.*?)^```$", INDEX, re.DOTALL | re.MULTILINE)
     ball, seen = "", 0
     for line in block.splitlines():
-        number = re.match(r" +(\d) +\d+ +inner", line)
+        number = re.match(r" +(\d)\D.* inner ", line)
         ball = number[1] if number else ball
         race = re.search(r" (inner|outer) +([\d.]+) +([\d.]+)", line)
         if race is None:
@@ -213,7 +213,7 @@ def test_the_result_of_the_first_page_is_that_of_the_shipped_case():
             decimals = len(number.partition(".")[2])
             assert f"{expected[f'{place} {key}']:.{decimals}f}" == number, (place, key)
         seen += 1
-    assert seen == 5
+    assert seen == 5  # three kinds of balls, without the contacts that carry no load
     assert f"cage speed         {expected['cage_speed_rpm']:.1f} r/min" in block
 
 
