@@ -149,7 +149,7 @@ def read_object(path: Path, kind: type[T]) -> T:
     try:
         name, document = json.loads(arrays.pop("document").tobytes())
         if name != path.stem:
-            raise ValueError(f"of another name: {name}")
+            raise ValueError(f"holds {name}")
         thing: T = from_document(document, kind, arrays)
     except DAMAGE as problem:
         raise DamagedFileError(f"{path}: damaged: {problem}") from problem

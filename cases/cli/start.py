@@ -5,6 +5,12 @@ import signal
 import sys
 from types import FrameType
 
+BAD_INPUT = 2
+LIBRARIES = (
+    *("lazy_loader", "numpy", "scipy", "numba", "pydantic", "typer", "rich", "xarray", "h5netcdf"),
+    *("h5py", "skfem", "pyamg", "meshio", "pyvista", "vtk", "matplotlib", "xlsxwriter", "jinja2"),
+    *("markupsafe", "sklearn", "distributed", "pyarrow", "oilfilm"),
+)
 ABORTED = 130  # typer's own answer to an interrupt outside commands
 NOT_CONVERGED = 1  # also typer's answer to input that ends
 INTERRUPTED = 3
@@ -15,6 +21,10 @@ def main() -> None:
     """Entry point of the command; after an interrupt it does not wait for work under way."""
     signal.signal(signal.SIGINT, _leave)
     signal.signal(signal.SIGTERM, _leave)
+    os.environ["PYTHONSAFEPATH"] = "1"  # of all processes that it starts
+    if hidden := hidden_library():
+        os.write(2, f"oilfilm: {hidden}\n".encode(errors="replace"))
+        sys.exit(BAD_INPUT)
     import gc
 
     from ..runs.interrupt import end_after_signal, end_now, interrupt, print_message
@@ -41,6 +51,26 @@ def main() -> None:
     if code == INTERRUPTED:
         end_now(INTERRUPTED)
     sys.exit(code if output_is_written() else code or FAILED)
+
+
+def hidden_library() -> str:
+    """Say which file hides a library, as where PYTHONPATH names the folder of a `numpy.py`.
+
+    Returns
+    -------
+    str
+        One line; empty where there is none.
+    """
+    for folder in filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep)):
+        try:
+            names = set(os.listdir(folder))
+        except OSError:
+            continue
+        for name in LIBRARIES:
+            if f"{name}.py" in names:
+                file = os.path.join(folder, f"{name}.py")
+                return f"{file} hides the library {name}; rename it, or change PYTHONPATH"
+    return ""
 
 
 def _leave(_number: int, _frame: FrameType | None) -> None:

@@ -102,7 +102,7 @@ def _warm_up(kind: str) -> "subprocess.Popen[bytes]":
     """A process that compiles the kernels for a kind of work and prints nothing."""
     nothing = subprocess.DEVNULL
     return subprocess.Popen(
-        [sys.executable, "-m", f"{__package__}.warm_up", kind],
+        [sys.executable, "-P", "-m", f"{__package__}.warm_up", kind],
         stdin=nothing,
         stdout=nothing,
         stderr=nothing,

@@ -80,10 +80,10 @@ def start_fork_server(modules: Sequence[str]) -> None:
     if not has_fork_server():
         return
     set_forkserver_preload(list(modules))
-    resource_tracker.ensure_running()  # else it is begun below, and lets interrupts through again
     wanted = own_packages() | dict.fromkeys(THREADS, "1")
     given = {name: os.environ.get(name) for name in wanted}
     os.environ.update(wanted)
+    resource_tracker.ensure_running()  # else it is begun below, and lets interrupts through again
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         forkserver.ensure_running()

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
-from multiprocessing import active_children, get_context
+from multiprocessing import active_children
 from time import perf_counter
 from typing import Any
 
@@ -33,7 +33,7 @@ from ..format.rules import CaseError
 from ..version import version
 from .equilibrium import equilibrium_solver
 from .films import Progress
-from .processes import end_workers, prepare_worker
+from .processes import end_workers, prepare_worker, start_fork_server, worker_context
 
 # centrifugal force a source evidently used, over the true one [-]
 PRINTED_FORCE = {"half centrifugal force": 0.5}
@@ -162,7 +162,8 @@ def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Map
     pool = None
     others = set(active_children())
     if workers > 1:
-        context = get_context("spawn")
+        start_fork_server([__name__])
+        context = worker_context()
         pool = ProcessPoolExecutor(workers, mp_context=context, initializer=prepare_worker)
 
     def stage(state: str, total: int) -> Mapper:

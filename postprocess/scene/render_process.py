@@ -180,7 +180,7 @@ def run_python(arguments: list[str], patience: float | None) -> None:
     reader, writer = os.pipe()
     try:
         process = subprocess.run(
-            [sys.executable, *arguments],
+            [sys.executable, "-P", *arguments],
             env=environment,
             stdin=reader,
             capture_output=True,

@@ -27,6 +27,7 @@ JSON = (
     "bearing/dynamics/simulation.py",
     "postprocess/scene/render_process.py",  # words of the parent process
 )
+STARTERS = ("cases/runs/kernel_cache.py", "cases/runs/processes.py", "postprocess/scene/render_process.py")
 RUN = {"eval", "exec", "compile", "__import__"}
 
 
@@ -86,4 +87,17 @@ def test_results_are_opened_by_one_function():
     names = ("open_dataset", "open_datatree", "open_mfdataset", "load_dataset")
     wrong = [place for name in names for _, place in called("xarray", name)]
     wrong += [place for name in names for _, place in called("xr", name)]
+    assert nothing(wrong)
+
+
+def test_processes_do_not_look_for_modules_where_they_are_started():
+    """`python -P`: the folder of the user is no place of libraries; `start_fork_server` says it in the environment."""
+    wrong = [
+        at(name, node)
+        for name, node in nodes(ast.List)
+        if node.elts and ast.unparse(node.elts[0]) == "sys.executable" and ast.unparse(node.elts[1]) != "'-P'"
+    ]
+    wrong += [place for name, place in called("subprocess", "run") if name not in STARTERS]
+    wrong += [place for name, place in called("subprocess", "Popen") if name not in STARTERS]
+    wrong += [at(name, node) for name, node in nodes(ast.Constant) if node.value == "spawn" and name not in STARTERS]
     assert nothing(wrong)
