@@ -10,6 +10,7 @@ import io
 import json
 import lzma
 import os
+import re
 import stat
 import struct
 import zipfile
@@ -23,6 +24,10 @@ LARGEST_TEXT = 2**28  # of JSON, whose objects take some twenty times its size [
 # bytes of content that a byte of a file may stand for: of npz files, whose shipped ones have up to
 # 3, and of LZMA in them and of summaries, where tables of traction have 30
 DEFLATED, PACKED = 4, 200
+# what a terminal acts upon, and what turns the direction of writing; tabs and line ends are text
+CONTROL = "\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069"
+CONTROLS = re.compile(f"[{CONTROL}]")
+ESCAPED = re.compile(rf"[{CONTROL}]|\\[bfe]|\\[uUx](?:0*[01789][0-9a-fA-F]|20[0-6])")
 DAMAGE = (
     zipfile.BadZipFile,
     zlib.error,
@@ -133,9 +138,49 @@ def parse_json(content: str | bytes, name: str) -> Any:
         if it is no JSON
     """
     try:
-        return json.loads(content if isinstance(content, str) else content.decode("utf-8"))
+        text = content if isinstance(content, str) else content.decode("utf-8")
+        document = json.loads(text)
+        if ESCAPED.search(text) and has_control_characters(document):
+            raise ValueError("control characters in a text")
     except DAMAGE as problem:
         raise DamagedFileError(f"{name} is damaged: {problem}") from problem
+    return document
+
+
+def has_control_characters(document: Any) -> bool:
+    """Tell whether a text of a document acts upon a terminal.
+
+    Parameters
+    ----------
+    document : Any
+        text, or tables and lists of them
+
+    Returns
+    -------
+    bool
+        true if one does
+    """
+    if isinstance(document, dict):
+        return any(map(has_control_characters, (*document, *document.values())))
+    if isinstance(document, list):
+        return any(map(has_control_characters, document))
+    return isinstance(document, str) and CONTROLS.search(document) is not None
+
+
+def visible(text: str) -> str:
+    """A text for a terminal, its control characters written out.
+
+    Parameters
+    ----------
+    text : str
+        any text
+
+    Returns
+    -------
+    str
+        the text without them
+    """
+    return CONTROLS.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def entries_of(stream: IO[bytes], name: str, fault: str = "damaged") -> dict[str, bytes]:

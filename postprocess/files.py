@@ -16,6 +16,7 @@ CsvTable = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
 PLAIN = frozenset((str, int, bool, type(None)))
 LARGEST = sys.float_info.max
 SUMMARY_FILE = "summary.json"
+FORMULA = frozenset("=+-@\t\r")  # begin a formula in programs that open tables
 CONTACTS_FILE = "contacts.csv"
 
 
@@ -166,7 +167,7 @@ def write_csv(
     """
     with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow(header)
+        writer.writerow([_csv_cell(name, "") for name in header])
         writer.writerows([_csv_cell(value, number) for value in row] for row in rows)
 
 
@@ -175,7 +176,17 @@ def _csv_cell(value: Any, number: str) -> Any:
         return ""
     if isinstance(value, float):
         return f"{value:{number}}" if number else repr(float(value))
+    if isinstance(value, str) and value[:1] in FORMULA and value[1:] and not _is_number(value):
+        return f"'{value}"  # a text for them
     return json.dumps(value) if isinstance(value, list | dict) else value
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def attempt(name: str, write: Callable[[], object]) -> tuple[str, ...]:

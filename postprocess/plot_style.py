@@ -1,7 +1,9 @@
 """Common to all plots: type sizes, colours, colour maps, the part of a contact shown, saving."""
 
 import io
+import re
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -11,10 +13,14 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import Colormap, ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.mathtext import MathTextParser
+from matplotlib.text import Text
 
 from oilfilm.bearing.files import write_bytes
 from oilfilm.ehl.arrays import Array
 
+# as in a text: no blanks beside the signs, no digit behind them, else they are amounts
+FORMULA = re.compile(r"(\$(?=\S)[^$\n]*(?<=\S)\$(?!\d))")
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
 FORMATS = (".png", ".pdf", ".svg")  # of pictures
@@ -266,12 +272,37 @@ def save(figure: Figure, path: Path) -> None:
     if kind not in FORMATS:
         raise ValueError(f"{path.name}: allowed: a file that ends in {', '.join(FORMATS)}")
     figure.set_dpi(DPI)
+    keep_dollars(figure)
     content = io.BytesIO()
     if kind == ".png":
         FigureCanvasAgg(figure).print_png(content, pil_kwargs={"compress_level": PNG_COMPRESSION})
     else:
         figure.savefig(content, format=kind[1:])
     write_bytes(path, content.getvalue())
+
+
+def keep_dollars(figure: Figure) -> None:
+    """Draw dollar signs that enclose no formula, as in titles of users, as they are.
+
+    Parameters
+    ----------
+    figure : Figure
+        Drawn figure, changed.
+    """
+    for text in figure.findobj(Text):
+        assert isinstance(text, Text)
+        words = text.get_text()
+        if "$" in words:
+            text.set_text("".join(map(_as_drawn, FORMULA.split(words))))
+
+
+def _as_drawn(part: str) -> str:
+    """A formula as it is, if matplotlib can draw it; else with its dollar signs escaped."""
+    if FORMULA.fullmatch(part):
+        with suppress(ValueError):
+            MathTextParser("path").parse(part)
+            return part
+    return re.sub(r"(?<!\\)\$", r"\\$", part)
 
 
 def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:

@@ -16,6 +16,7 @@ from math import prod
 from pathlib import Path
 from typing import Any, overload
 
+from oilfilm.ehl.foreign_files import read_file
 from oilfilm.ehl.units import unit_of
 from oilfilm.postprocess.batch.results import result_names
 
@@ -666,7 +667,7 @@ def _current_digest(name: str) -> str:
 
 @lru_cache(maxsize=64)
 def _file_digest(name: str, _changed: int, _size: int) -> str:
-    return digest(Path(name).read_bytes())
+    return digest(read_file(Path(name)))
 
 
 def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseProblem]:

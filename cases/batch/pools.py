@@ -10,6 +10,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
+from oilfilm.ehl.foreign_files import read_file
 from oilfilm.postprocess.batch.store import DONE
 
 from ..format.rules import CaseError
@@ -282,7 +283,7 @@ class ClusterPool(Pool):
         if any(task.tables != tables for task in block):
             raise ValueError("a block of points of several traction tables")
         if tables not in self._tables:
-            content = Path(tables).read_bytes()
+            content = read_file(Path(tables))
             self._tables[tables] = self._client.scatter(content, broadcast=True)
         return self._timed(block, self._tables[tables])
 

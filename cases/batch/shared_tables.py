@@ -23,7 +23,7 @@ from oilfilm.bearing.friction.tables import (
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
 from oilfilm.ehl.data_files import object_as_bytes, read_object
-from oilfilm.ehl.foreign_files import DamagedFileError
+from oilfilm.ehl.foreign_files import DamagedFileError, read_file
 from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.film import FilmSample, film_sample
@@ -384,7 +384,7 @@ def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
         save_race_tables(shared_tables(sweep, name, progress), path)
         return
     tables_of_file(sweep.table)  # damaged ones are reported before anything is copied
-    write_file(path, sweep.table.read_bytes())
+    write_file(path, read_file(sweep.table))
 
 
 def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:

@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from oilfilm.ehl.foreign_files import read_file
 from oilfilm.postprocess.batch.results import Design
 
 from ..format.case import Case, ContactCase, case_of_document
@@ -219,7 +220,7 @@ def _with_tables(
     documents = [checked[point.number - 1][1].document for point in points]
     named = {p.number: name for p, name in zip(points, sharing, strict=True) if name is not None}
     table = _table_file(file, named, examples, source)
-    given = None if table is None else digest(table.read_bytes())
+    given = None if table is None else digest(read_file(table))
     return table, with_table_names(points, sharing, documents, given, file.table_points)
 
 

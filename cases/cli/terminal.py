@@ -26,7 +26,7 @@ import typer
 
 from oilfilm.bearing.files import is_disk_failure
 from oilfilm.bearing.library.plugins import PluginError
-from oilfilm.ehl.foreign_files import DamagedFileError
+from oilfilm.ehl.foreign_files import DamagedFileError, visible
 
 from ..format.rules import CaseError
 from ..runs.interrupt import interrupt, print_message
@@ -254,7 +254,7 @@ def print_lines(text: str) -> None:
     text : str
         The text.
     """
-    print(text, flush=True)  # noqa: T201
+    print(visible(text), flush=True)  # noqa: T201
 
 
 def print_json(document: object) -> None:
@@ -278,7 +278,7 @@ def print_table(table: RenderableType) -> None:
     """
     from rich.console import Console
 
-    Console().print(table)
+    Console(markup=False).print(table)
 
 
 def _print_version(requested: bool) -> None:

@@ -1,5 +1,6 @@
 """A case document: read, checked as a whole, with every fault at once."""
 
+import re
 import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
@@ -9,6 +10,8 @@ from types import ModuleType
 from typing import Any
 
 from pydantic import TypeAdapter
+
+from oilfilm.ehl.foreign_files import ESCAPED, DamagedFileError, has_control_characters, read_file
 
 from . import (
     bearing,
@@ -51,6 +54,14 @@ from .transient import FeatureTable, TransientTable
 from .vibration import FormTable, SupportTable, VibrationTable
 
 LARGEST_FILE = 1_000_000  # [bytes]
+# parts of a dotted key, brackets in one another, characters of a name or a number outside quotes:
+# the memory of tomllib grows with the square of the first, and no case has more than a few
+MOST_PARTS, MOST_DEPTH, LONGEST_WORD = 16, 32, 200
+# texts and comments, closed or not, words, and what joins them, as TOML reads them
+TOKEN = re.compile(
+    r'''"""(?:\\[\s\S]|[^\\])*?(?:"{3,5}|\Z)|'{3}[\s\S]*?(?:'{3,5}|\Z)'''
+    r"""|"(?:\\.|[^"\\\n])*"?|'[^'\n]*'?|\#[^\n]*|[\w+-]+|[.\[\]{}=,\n]"""
+)
 NOT_OFFERED = "minimum dissipation"
 WHY_NOT_OFFERED = (
     "not offered, since it jumps between the two race controls and has no balance there; allowed: "
@@ -214,11 +225,11 @@ def read_text(path: Path) -> str:
         If it cannot be read.
     """
     try:
-        data = path.read_bytes() if path.stat().st_size <= LARGEST_FILE else None
+        data = read_file(path, LARGEST_FILE)
     except OSError as error:
         raise CaseError(f"{path}: cannot be read: {error.strerror or error}") from None
-    if data is None:
-        raise CaseError(f"{path}: larger than {LARGEST_FILE} bytes; allowed: a case file")
+    except DamagedFileError as error:
+        raise CaseError(f"{error}; allowed: a case file") from None
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -276,19 +287,45 @@ def parse(text: str, name: str) -> dict[str, Any]:
     CaseError
         If it is no TOML, with the line.
     """
+    _require_bounded(text, name)
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         line = _syntax_line(str(error), text)
         raise CaseError(f"{name}:{line}: not valid TOML: {error}") from None
-    except RecursionError:
-        raise CaseError(f"{name}:1: not usable: brackets are nested too deeply") from None
-    except ValueError:
-        too_long = "a whole number has thousands of digits"
-        raise CaseError(f"{name}:1: not usable: {too_long}") from None
     if not document:
         raise CaseError(f"{name}:1: the file is empty; see 'oilfilm init'")
+    if has_control_characters(document):
+        place = ESCAPED.search(text)
+        line = text.count("\n", 0, place.start() if place else 0) + 1
+        raise CaseError(f"{name}:{line}: not usable: control characters in a text")
     return document
+
+
+def _require_bounded(text: str, name: str) -> None:
+    """`CaseError` where a text has longer keys, deeper brackets or longer words than a case."""
+    parts = depth = 0
+    dotted = False
+    for token in TOKEN.finditer(text):
+        word = token[0]
+        if word == ".":
+            dotted = True
+            continue
+        parts = parts + 1 if dotted else 1
+        dotted = False
+        depth += (word in "[{") - (word in "]}")
+        fault = (
+            f"a key of more than {MOST_PARTS} parts"
+            if parts > MOST_PARTS
+            else "brackets are nested too deeply"
+            if depth > MOST_DEPTH
+            else f"a name or number of more than {LONGEST_WORD} characters"
+            if len(word) > LONGEST_WORD and word[0] not in "\"'#"
+            else ""
+        )
+        if fault:
+            line = text.count("\n", 0, token.start()) + 1
+            raise CaseError(f"{name}:{line}: not usable: {fault}")
 
 
 def _syntax_line(message: str, text: str) -> int:

@@ -3,6 +3,8 @@
 import tomllib
 from pathlib import Path
 
+from oilfilm.ehl.foreign_files import LARGEST_TEXT, read_file
+
 from .rules import CaseError, nearest_name
 
 LIBRARY = Path(__file__).parents[1] / "library"
@@ -137,7 +139,7 @@ def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
 
 def _one_of(name: str, own: Path, shipped: Path | None, kind: str) -> Path:
     """The user's own file; `CaseError` if a shipped one of the same name says something else."""
-    if shipped is not None and own.read_bytes() != shipped.read_bytes():
+    if shipped is not None and read_file(own, LARGEST_TEXT) != shipped.read_bytes():
         raise CaseError(
             f"{name}: {own} and the shipped {kind} {name} differ; write {own} for the file, or "
             "give it another name"

@@ -9,6 +9,7 @@ import numpy as np
 
 from oilfilm.ehl import ContactConditions, MoesConditions
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.foreign_files import LARGEST_TEXT, read_file
 from oilfilm.ehl.transient.inputs import (
     Course,
     Dent,
@@ -297,7 +298,8 @@ def read_columns(key: KeyPath, file: str, allowed: str) -> Array:
         If the file cannot be read, or holds something else.
     """
     try:
-        text = Path(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
+        text = read_file(Path(file), LARGEST_TEXT).decode("utf-8")
+        text = text.replace(",", " ").replace(";", " ")
         return np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
     except OSError as error:
         finding = f"{file} cannot be read: {error.strerror or error}"

@@ -15,6 +15,8 @@ from time import sleep
 from types import FrameType
 from typing import TypeVar
 
+from oilfilm.ehl.foreign_files import visible
+
 T = TypeVar("T")
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
@@ -31,7 +33,7 @@ def print_message(text: str) -> None:
         The message.
     """
     with suppress(OSError, ValueError):
-        print(text, file=sys.stderr, flush=True)  # noqa: T201
+        print(visible(text), file=sys.stderr, flush=True)  # noqa: T201
 
 
 def interrupt(_number: int, _frame: FrameType | None) -> None:

@@ -18,6 +18,7 @@ from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from oilfilm.bearing.library.bearings import estimated_fields
+from oilfilm.ehl.foreign_files import read_file
 from oilfilm.ehl.units import from_si, unit_symbol, value_with_error, without_unit
 
 from ..batch.results import MAIN_QUANTITY, thinnest_film
@@ -428,7 +429,7 @@ def picture(path: Path, caption: str, *, wide: bool = False) -> Markup:
     """
     if not path.is_file():
         return Markup()
-    data = base64.b64encode(path.read_bytes()).decode("ascii")
+    data = base64.b64encode(read_file(path)).decode("ascii")
     return render("pieces", "picture", f"data:image/png;base64,{data}", caption, wide)
 
 

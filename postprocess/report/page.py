@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from oilfilm.ehl.foreign_files import open_file
 from oilfilm.ehl.units import unit_symbol
 
 from ..files import read_summary, write_text
@@ -38,8 +39,9 @@ def write_report(directory: str | Path) -> Path:
     path = folder / REPORT_FILE
     page = report_page(folder)
     if path.exists():
-        head = path.read_text(encoding="utf-8", errors="replace")[:HEADER]
-        if GENERATOR not in head:
+        with open_file(path) as file:
+            head = file.read(HEADER)
+        if GENERATOR.encode() not in head:
             raise ValueError(f"{path} was not written by oilfilm and will not be replaced")
     write_text(path, page)
     return path

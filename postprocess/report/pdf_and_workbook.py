@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 
 from oilfilm.bearing.files import atomic_path
+from oilfilm.ehl.foreign_files import LARGEST_TEXT, read_file
 from oilfilm.ehl.units import unit_symbol, without_unit
 
 from ..batch.results import MAIN_QUANTITY, MOST_COMPONENTS, components, main_results
@@ -27,6 +28,7 @@ from .page import remarks
 MOST_SHEET_ROWS = 1_048_576  # of a sheet, by the format
 LONGEST_NAME = 31  # characters of the name of a sheet, by the format
 BATCH_TABLE = "batch"  # of every number of a batch's points
+AS_TEXT = ("strings_to_formulas", "strings_to_urls", "strings_to_numbers")  # which they stay
 FORBIDDEN = str.maketrans(dict.fromkeys("[]:*?/\\", " "))  # in names of sheets
 Sheet = tuple[list[str], list[list[Any]]]  # header and rows
 PAGE = (8.27, 11.69)  # A4 [in]
@@ -63,7 +65,8 @@ def write_workbook(directory: str | Path, file: str | Path) -> Path:
     folder = Path(directory)
     path = Path(file)
     content = BytesIO()
-    with xlsxwriter.Workbook(content, {"in_memory": True, "nan_inf_to_errors": True}) as book:
+    options = {"in_memory": True, "nan_inf_to_errors": True} | dict.fromkeys(AS_TEXT, False)
+    with xlsxwriter.Workbook(content, options) as book:
         bold = book.add_format({"bold": True, "text_wrap": True, "valign": "top"})
         for name, (header, rows) in sheets(folder).items():
             sheet = book.add_worksheet(name.translate(FORBIDDEN)[:LONGEST_NAME])
@@ -168,8 +171,8 @@ def _heading(key: str) -> str:
 
 def _csv_sheet(path: Path) -> Sheet:
     """A table of the folder, its numbers as numbers."""
-    with path.open(newline="", encoding="utf-8") as file:
-        header, *rows = list(csv.reader(file)) or [[]]
+    text = read_file(path, LARGEST_TEXT).decode("utf-8")
+    header, *rows = list(csv.reader(text.splitlines(keepends=True))) or [[]]
     return header, [list(map(_cell, row)) for row in rows]
 
 
@@ -179,7 +182,7 @@ def _cell(text: str) -> Any:
     try:
         return float(text) if text else None
     except ValueError:
-        return text
+        return text.removeprefix("'")
 
 
 def write_pdf(directory: str | Path, file: str | Path) -> Path:
@@ -325,6 +328,6 @@ def _picture_page(paths: Sequence[Path]) -> Figure:
     for k, path in enumerate(paths):
         box = (MARGIN, 1.0 - MARGIN - (k + 1) * height, 1.0 - 2.0 * MARGIN, 0.96 * height)
         axes = figure.add_axes(box)
-        axes.imshow(imread(path), interpolation="none")
+        axes.imshow(imread(BytesIO(read_file(path))), interpolation="none")
         axes.set_axis_off()
     return figure

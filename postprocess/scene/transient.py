@@ -22,7 +22,15 @@ from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from ..contact.transient_plots import MILLISECOND, film_span, shown
 from ..dynamics.results import open_history
 from ..files import write_text
-from ..plot_style import CAGE_COLOUR, COLOUR_MAPS, INK, INNER_COLOUR, OUTER_COLOUR, RC
+from ..plot_style import (
+    CAGE_COLOUR,
+    COLOUR_MAPS,
+    INK,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    RC,
+    keep_dollars,
+)
 from .geometry import Surface, ring_shape, ring_surface
 from .render_process import read_request, write_gif
 from .scene import AnimationOptions
@@ -169,6 +177,7 @@ def _picture(solution: TransientSolution, frame: Frame, title: str) -> Image.Ima
     top_pressure = float(solution.series("pressure_maximum").max()) / GIGAPASCAL
     pressure.set_ylim(0.0, 1.05 * top_pressure)
     pressure.set_ylabel("pressure [GPa]", color=OUTER_COLOUR)
+    keep_dollars(figure)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     return Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
