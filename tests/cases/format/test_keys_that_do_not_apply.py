@@ -69,7 +69,11 @@ WRONG = [
         "traction_table",
         '"nowhere.zip" cannot be read',
     ),
-    (added("coefficient", 'traction = "table"', 'traction_table = "a\\u0000b"'), "traction_table", "control characters"),
+    (
+        added("coefficient", 'traction = "table"', 'traction_table = "a\\u0000b"'),
+        "traction_table",
+        "control characters",
+    ),
     (
         added("coefficient", "heat_transfer_W_K = 1.0", 'heating_torque = "starved"') + SURFACE,
         "[friction]",
