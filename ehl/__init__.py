@@ -5,7 +5,9 @@ atlas          - films of flooded contacts from a table of solved ones
 closed_form    - closed-form references: Hertz contact and stress, film formulas
 compiled       - how kernels are compiled, and when they count as out of date
 conditions     - operating conditions of one lubricated contact
+data_files     - arrays and objects in files: npz without pickle, and JSON
 finite_element - independent finite-element solution of the lubricated contact
+foreign_files  - files of others: how they are opened, and what they may be
 generalized    - generalized Reynolds equation of Yang and Wen (1990), with heat
 grid           - rectangular grids of the contact solver and their hierarchy
 kernel_sources - files that make up the compiled kernels of this program, and their contents as one

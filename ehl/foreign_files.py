@@ -23,8 +23,9 @@ LARGEST = 2**32  # of a file [bytes]
 LARGEST_TEXT = 2**28  # of JSON, whose objects take some twenty times its size [bytes]
 # bytes of content that a byte of a file may stand for: of npz files, whose shipped ones have up to
 # 3, and of LZMA in them and of summaries, where tables of traction have 30
-DEFLATED, PACKED = 4, 200
-# what a terminal acts upon, and what turns the direction of writing; tabs and line ends are text
+DEFLATED = 4
+PACKED = 200
+# a terminal acts upon these, or they turn the direction of writing; tabs and line ends are text
 CONTROL = "\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069"
 CONTROLS = re.compile(f"[{CONTROL}]")
 ESCAPED = re.compile(rf"[{CONTROL}]|\\[bfe]|\\[uUx](?:0*[01789][0-9a-fA-F]|20[0-6])")

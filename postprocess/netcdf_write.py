@@ -1,4 +1,5 @@
-"""netCDF-4 files of results, written without xarray, and the files of a study.
+"""netCDF-4 files of results, written without xarray and looked through before it reads them, and
+the files of a study.
 
 Loading xarray and its libraries takes longer than writing the fields of a bearing.
 """
@@ -8,13 +9,14 @@ import json
 from collections.abc import Callable, Collection, Container, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import h5netcdf
 import h5py
 import numpy as np
 
 from oilfilm.bearing.files import atomic_path, require_room, write_bytes
+from oilfilm.ehl.foreign_files import DAMAGE, DamagedFileError, open_file
 
 from .files import SUMMARY_FILE, CsvTable, attempt, write_csv, write_json
 
@@ -28,6 +30,13 @@ FIELDS_FILE = "results.nc"
 FIELDS = ("P", "h", "T", "filled")  # over the plane of a contact, as float32
 COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 4, "shuffle": True}
 SPEED_COLUMN = "speed [r/min]"  # of studies over the speed of the inner ring
+# filters of HDF5 that are read: deflate, shuffle, a checksum; deflate packs a thousand equal bytes
+# into one
+FILTERS = {h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLETCHER32}
+PACKED_ONCE = 1100
+WITHOUT_VALUES = 64  # of a variable without values [bytes]
+NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -255,3 +264,58 @@ def write_study(files: StudyFiles, folder: Path, draw: Callable[[], object]) -> 
     write_dataset(files.variables, attributes, folder / FIELDS_FILE)
     write_json(document, folder / SUMMARY_FILE)
     return problems
+
+
+def open_netcdf(path: Path, opened: Callable[..., T]) -> T:
+    """Open a netCDF-4 file, which holds all of its data itself.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    opened : Callable[..., T]
+        xarray's function that opens it.
+
+    Returns
+    -------
+    T
+        What it has opened, read when it is used.
+
+    Raises
+    ------
+    DamagedFileError
+        If the file is damaged, leads to other files, or declares more than it holds.
+    """
+    try:
+        with open_file(path), h5py.File(path) as file:
+            _require_own_data(file, set())
+        return opened(path, engine="h5netcdf")
+    except (OSError, *DAMAGE) as error:
+        fault = f"{path} is damaged or not a netCDF-4 file: {error}"
+        raise DamagedFileError(fault) from error
+
+
+def _require_own_data(group: h5py.Group, seen: set[int]) -> None:
+    """ValueError where a link leads elsewhere, or a variable is larger than what is stored."""
+    for name in group:
+        if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+            raise ValueError(f"{name} leads elsewhere")
+        item = group[name]
+        place = h5py.h5o.get_info(item.id).addr
+        if place in seen:
+            raise ValueError(f"{name} leads elsewhere")
+        seen.add(place)
+        if isinstance(item, h5py.Group):
+            _require_own_data(item, seen)
+        elif isinstance(item, h5py.Dataset):
+            _require_own_values(name, item)
+
+
+def _require_own_values(name: str, data: h5py.Dataset) -> None:
+    layout = data.id.get_create_plist()
+    filters = {layout.get_filter(k)[0] for k in range(layout.get_nfilters())}
+    if data.is_virtual or layout.get_external_count() or not filters <= FILTERS:
+        raise ValueError(f"{name} is stored elsewhere")
+    is_variable = not bytes(data.attrs.get("NAME", b"")).startswith(NO_VARIABLE)
+    if is_variable and data.nbytes > PACKED_ONCE * (data.id.get_storage_size() + WITHOUT_VALUES):
+        raise ValueError(f"{name} declares more than it holds")

@@ -1,20 +1,17 @@
 """One loader for the folders of all commands."""
 
 import json
-from collections.abc import Callable
 from pathlib import Path
-from typing import TypeVar
 
-import h5py
 import numpy as np
 import xarray
 
-from oilfilm.ehl.foreign_files import DAMAGE, DamagedFileError, open_file, read_json
+from oilfilm.ehl.foreign_files import read_json
 
 from .dynamics.history import FORMAT as HISTORY_FORMAT
 from .dynamics.history import HISTORY_FILE
 from .files import SUMMARY_FILE
-from .netcdf_write import FIELDS_FILE, FORMAT
+from .netcdf_write import FIELDS_FILE, FORMAT, open_netcdf
 
 # kinds of results, as a file names them
 KINDS = (
@@ -27,13 +24,6 @@ KINDS = (
     "transient",
     "vibration",
 )
-# filters of HDF5 that are read: deflate, shuffle, a checksum; deflate packs a thousand equal bytes
-# into one
-FILTERS = {h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLETCHER32}
-PACKED_ONCE = 1100
-MARGIN = 64  # of a variable without values [bytes]
-NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
-T = TypeVar("T")
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"
 
 
@@ -88,61 +78,6 @@ def _data_file(path: Path) -> Path:
     if not path.is_file():
         raise ValueError(f"{path.parent} holds no results: {path.name} is missing")
     return path
-
-
-def open_netcdf(path: Path, opened: Callable[..., T]) -> T:
-    """Open a netCDF-4 file, which holds all of its data itself.
-
-    Parameters
-    ----------
-    path : Path
-        The file.
-    opened : Callable[..., T]
-        xarray's function that opens it.
-
-    Returns
-    -------
-    T
-        What it has opened, read when it is used.
-
-    Raises
-    ------
-    DamagedFileError
-        If the file is damaged, leads to other files, or declares more than it holds.
-    """
-    try:
-        with open_file(path), h5py.File(path) as file:
-            _require_own_data(file, set())
-        return opened(path, engine="h5netcdf")
-    except (OSError, *DAMAGE) as error:
-        fault = f"{path} is damaged or not a netCDF-4 file: {error}"
-        raise DamagedFileError(fault) from error
-
-
-def _require_own_data(group: h5py.Group, seen: set[int]) -> None:
-    """ValueError where a link leads elsewhere, or a variable is larger than what is stored."""
-    for name in group:
-        if not isinstance(group.get(name, getlink=True), h5py.HardLink):
-            raise ValueError(f"{name} leads elsewhere")
-        item = group[name]
-        place = h5py.h5o.get_info(item.id).addr
-        if place in seen:
-            raise ValueError(f"{name} leads elsewhere")
-        seen.add(place)
-        if isinstance(item, h5py.Group):
-            _require_own_data(item, seen)
-        elif isinstance(item, h5py.Dataset):
-            _require_own_values(name, item)
-
-
-def _require_own_values(name: str, data: h5py.Dataset) -> None:
-    layout = data.id.get_create_plist()
-    filters = {layout.get_filter(k)[0] for k in range(layout.get_nfilters())}
-    if data.is_virtual or layout.get_external_count() or not filters <= FILTERS:
-        raise ValueError(f"{name} is stored elsewhere")
-    is_variable = not bytes(data.attrs.get("NAME", b"")).startswith(NO_VARIABLE)
-    if is_variable and data.nbytes > PACKED_ONCE * (data.id.get_storage_size() + MARGIN):
-        raise ValueError(f"{name} declares more than it holds")
 
 
 def _with_summary(tree: xarray.DataTree, path: Path) -> xarray.DataTree:

@@ -19,7 +19,7 @@ from matplotlib.text import Text
 from oilfilm.bearing.files import write_bytes
 from oilfilm.ehl.arrays import Array
 
-# as in a text: no blanks beside the signs, no digit behind them, else they are amounts
+# a formula has no blanks beside its signs and no digit behind them; others are amounts
 FORMULA = re.compile(r"(\$(?=\S)[^$\n]*(?<=\S)\$(?!\d))")
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200

@@ -54,9 +54,9 @@ from .transient import FeatureTable, TransientTable
 from .vibration import FormTable, SupportTable, VibrationTable
 
 LARGEST_FILE = 1_000_000  # [bytes]
-# parts of a dotted key, brackets in one another, characters of a name or a number outside quotes:
-# the memory of tomllib grows with the square of the first, and no case has more than a few
-MOST_PARTS, MOST_DEPTH, LONGEST_WORD = 16, 32, 200
+MOST_PARTS = 16  # of a dotted key: the memory of tomllib grows with their square
+MOST_DEPTH = 32  # of brackets
+LONGEST_WORD = 200  # characters of a name or a number outside quotes
 # texts and comments, closed or not, words, and what joins them, as TOML reads them
 TOKEN = re.compile(
     r'''"""(?:\\[\s\S]|[^\\])*?(?:"{3,5}|\Z)|'{3}[\s\S]*?(?:'{3,5}|\Z)'''

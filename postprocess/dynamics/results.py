@@ -25,7 +25,7 @@ from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_sp
 from oilfilm.ehl.units import from_si
 
 from ..files import plain
-from ..open_results import open_netcdf
+from ..netcdf_write import open_netcdf
 from ..quantities import CAGE_SPEED, Results, by_key, quantities, rows_of, values_of
 from .history import FORMAT, HISTORY_FILE
 

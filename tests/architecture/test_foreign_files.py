@@ -13,7 +13,6 @@ READERS = {
     "ehl/foreign_files.py": {"zipfile", "lzma", "zlib"},
     "ehl/traction_table/compression.py": {"lzma"},  # packs; `unpacked` is its way back
     "postprocess/batch/store.py": {"sqlite3", "zlib"},
-    "postprocess/open_results.py": {"h5py"},
     "postprocess/netcdf_write.py": {"h5py", "h5netcdf"},
     "postprocess/dynamics/history.py": {"h5py", "h5netcdf"},
 }

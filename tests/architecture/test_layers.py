@@ -22,7 +22,7 @@ HOMES = {
     "matplotlib": ("postprocess/plot*.py", "postprocess/*/*.py"),
     "xarray": ("postprocess/open_results.py", "postprocess/*/*.py"),
     "h5netcdf": ("postprocess/netcdf_write.py", "postprocess/*/history.py"),
-    "h5py": ("postprocess/open_results.py", "postprocess/netcdf_write.py", "postprocess/*/history.py"),
+    "h5py": ("postprocess/netcdf_write.py", "postprocess/*/history.py"),
     "typer": ("cases/cli/*.py",),
     "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/optimise/*.py"),
     "pydantic_core": ("cases/format/*.py", "cases/batch/compute.py"),
