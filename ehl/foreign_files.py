@@ -184,7 +184,9 @@ def visible(text: str) -> str:
     return CONTROLS.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
-def entries_of(stream: IO[bytes], name: str, fault: str = "damaged") -> dict[str, bytes]:
+def entries_of(
+    stream: IO[bytes], name: str, fault: str = "damaged", most: int = DEFLATED
+) -> dict[str, bytes]:
     """Read the files of a zip archive, which may declare no more than it holds.
 
     Parameters
@@ -195,6 +197,8 @@ def entries_of(stream: IO[bytes], name: str, fault: str = "damaged") -> dict[str
         name of the file in messages
     fault : str, default 'damaged'
         message where it is none
+    most : int, default DEFLATED
+        bytes of content that a byte of the archive may stand for
 
     Returns
     -------
@@ -206,7 +210,7 @@ def entries_of(stream: IO[bytes], name: str, fault: str = "damaged") -> dict[str
         with zipfile.ZipFile(stream) as archive:
             entries = archive.infolist()
             packed = sum(entry.compress_size for entry in entries)
-            if packed > size or sum(entry.file_size for entry in entries) > DEFLATED * size:
+            if packed > size or sum(entry.file_size for entry in entries) > most * size:
                 raise DamagedFileError(f"{name}: {fault}: declares more than it holds")
             return {entry.filename: archive.read(entry) for entry in entries}
     except DamagedFileError:

@@ -114,6 +114,36 @@ def _check(name: str) -> tuple[str, ...]:
     return file.notes
 
 
+@app.command("import")
+@guarded
+def import_drive(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A drive in REXS: XML, JSON, ZIP.")],
+    bearing: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="Write a case of this bearing.")
+    ] = None,
+    shaft: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="Write a case of this shaft.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="CASE", help="The new case file.")
+    ] = None,
+) -> None:
+    """List the shafts and bearings of a drive in REXS, or write a case of one of them."""
+    from ..rexs import bearing_text, drive, listing_of, read_rexs, shaft_text
+
+    model = read_rexs(file)
+    if bearing is not None and shaft is not None:
+        raise CaseError("oilfilm import: --bearing and --shaft; allowed: one of them")
+    if bearing is None and shaft is None:
+        for line in listing_of(model):
+            print_lines(line)
+        return
+    if output is None:
+        raise CaseError("oilfilm import: -o CASE.toml is needed: the new case file")
+    text = shaft_text(drive(model), shaft) if shaft else bearing_text(drive(model), bearing or 1)
+    _write_new(output if output.suffix == ".toml" else Path(f"{output}.toml"), text)
+
+
 @app.command()
 @guarded
 def init(

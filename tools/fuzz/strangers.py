@@ -44,7 +44,16 @@ OTHER_OILS = ("pao 4", "pao 10", "pao 40", "mil-l-23699", "mil-l-7808", "fva 3")
 LUBRICATIONS = ("oil bath", "low oil bath", "oil jet", "grease", "oil air")
 FAR = 6.0  # torque over the larger, or the smaller over torque, of SKF and Palmgren: remarkable
 ROUNDING = 1.0e-9
-REASONS = ("not converged", "no equilibrium", "floats", "check failed", "no balance", "not self-heated", "is not", "cannot")
+REASONS = (
+    "not converged",
+    "no equilibrium",
+    "floats",
+    "check failed",
+    "no balance",
+    "not self-heated",
+    "is not",
+    "cannot",
+)
 STEPS = (1.0e-8, 1.0e-8, 1.0e-8, 1.0e-7, 1.0e-7)  # of the ring, for differences [m], [rad]
 STIFFNESS_TOLERANCE = 1.0e-3  # of differences, whose steps may lift a ball off [-]
 

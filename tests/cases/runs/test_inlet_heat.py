@@ -95,6 +95,6 @@ temperature_C = 60.0
 @pytest.mark.slow
 def test_fast_films_with_heat_need_no_fallback():
     """Oil that recirculates ahead of them takes heat upstream; without that they fell back on continuation."""
-    films = run_case(case_from_text(FAST, "case.toml")).films
+    films = run_case(case_from_text(FAST, "case.toml")).solutions
     assert [film.record.fallbacks for film in films if film is not None] == [(), (), ()]
     assert all(film.converged for film in films if film is not None)

@@ -20,7 +20,6 @@ from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_of_document, load_case
 from oilfilm.cases.format.traction import tables_of_file
 from oilfilm.cases.runs.traction_table import run_table
-from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.traction_table.build import TableOptions
 from oilfilm.ehl.traction_table.table import FullSolve
 from oilfilm.postprocess.traction.results import TractionResults, full_solve_entry, traction_summary
@@ -174,7 +173,7 @@ def test_bad_input(arguments, told, tmp_path, monkeypatch):
 
 def tables_at(path, oil):
     """Tables of both races for an oil, from a file with several temperatures."""
-    return tables_of_file(path)(oil, Rheology(eyring_stress=5e6))
+    return tables_of_file(path)(oil)
 
 
 @pytest.mark.slow

@@ -1,0 +1,115 @@
+"""Drives in REXS: a gearbox of three stages (FVA, Apache-2, beside its licence), faults in files."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from oilfilm.bearing.shaft.equilibrium import solve_shaft
+from oilfilm.cases.cli.main import app
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.format.shaft_case import load_shaft
+from oilfilm.cases.rexs import bearing_text, bearings, drive, gear_load, is_ball_bearing, read_rexs, shaft_text
+
+GEARBOX = Path(__file__).parents[1] / "data" / "rexs" / "SEW_3-stage_cylindrical_gearbox_1.0.rexs"
+
+
+@pytest.fixture(scope="module")
+def found():
+    return drive(read_rexs(GEARBOX))
+
+
+def as_json(model):
+    """The model in REXS' JSON."""
+    components = [
+        {
+            "id": c.id,
+            "type": c.type,
+            "name": c.name,
+            "attributes": [{"id": key, "unit": unit, "string": value} for key, (value, unit) in c.attributes.items()],
+        }
+        for c in model.components.values()
+    ]
+    relations = [
+        {"type": kind, "refs": [{"role": role, "id": number} for role, number in roles.items()]}
+        for kind, roles in model.relations
+    ]
+    return json.dumps({"model": {"version": model.version, "components": components, "relations": relations}})
+
+
+def test_all_bearings_are_listed_with_their_shafts(found):
+    listed = bearings(found.model)
+    assert [is_ball_bearing(bearing) for bearing, _ in listed].count(True) == 8
+    assert [shaft.id for _, shaft in listed] == ["4", "4", "5", "5", "36", "36", "36", "54", "54"]
+
+
+def test_speeds_and_torques_follow_the_teeth(found):
+    ratio = 67 / 23 * 76 / 13 * 87 / 14
+    assert found.speeds["54"] == pytest.approx(-1400.0 / ratio, rel=1e-12)
+    torque = -gear_load(found.stages[-1][1], found.tangential[-1])[1][0]
+    assert torque == pytest.approx(4724.562306435156 * ratio, rel=1e-9)  # 500 N m at the output
+
+
+def test_forces_of_a_mesh_are_equal_and_opposite(found):
+    for (one, other), tangential in zip(found.stages, found.tangential, strict=True):
+        assert gear_load(one, tangential)[0] == pytest.approx(-gear_load(other, tangential)[0], rel=1e-9)
+
+
+def test_the_first_pinion_is_pressed_against_its_turn(found):
+    pinion = found.stages[0][0]
+    force, _ = gear_load(pinion, found.tangential[0])
+    turning = np.cross([np.sign(found.speeds["4"]), 0.0, 0.0], pinion.towards)
+    assert force @ turning < 0.0  # a driver is held back
+    assert force @ pinion.towards < 0.0  # and pushed off its mate
+
+
+@pytest.mark.parametrize("number", [1, 2, 4])
+def test_shafts_with_ball_bearings_have_an_equilibrium(found, number, tmp_path):
+    path = tmp_path / "shaft.toml"
+    path.write_text(shaft_text(found, number), encoding="utf-8")
+    solution = solve_shaft(load_shaft(path).system)
+    assert solution.converged, solution.message
+
+
+def test_a_bearing_has_the_load_that_its_shaft_puts_on_it(found):
+    text = bearing_text(found, 3)
+    assert 'name = "6202"' in text
+    assert "force_N = [" in text
+
+
+def test_a_roller_bearing_is_refused_by_name(found):
+    with pytest.raises(CaseError, match="NUP204E"):
+        shaft_text(found, 3)
+
+
+def test_json_and_zip_hold_the_same_model(found, tmp_path):
+    text = as_json(found.model)
+    (tmp_path / "drive.json").write_text(text, encoding="utf-8")
+    with zipfile.ZipFile(tmp_path / "drive.rexsz", "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("drive.rexs", GEARBOX.read_bytes())
+    for name in ("drive.json", "drive.rexsz"):
+        assert shaft_text(drive(read_rexs(tmp_path / name)), 2) == shaft_text(found, 2)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b'<?xml version="1.0"?><!DOCTYPE m [<!ENTITY a "b">]><model>&a;</model>', "document type"),
+        (b"<model><components>", "not valid XML"),
+        (b"<drive/>", "not a REXS model"),
+        (b'{"model": []}', "not a REXS model in JSON"),
+        (b"<model><components/></model>", "rotational_speed"),
+    ],
+)
+def test_a_file_that_is_no_model_is_told_in_one_line(content, message, tmp_path):
+    path = tmp_path / "drive.rexs"
+    path.write_bytes(content)
+    answer = CliRunner().invoke(app, ["import", str(path), "--shaft", "1", "-o", str(tmp_path / "out.toml")])
+    assert answer.exit_code == 2
+    assert message in answer.stderr
+    assert not (tmp_path / "out.toml").exists()
