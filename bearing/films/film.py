@@ -116,6 +116,7 @@ class ContactFilm:
     )
     supply: SupplyFractions = FLOODED
     rolling_fraction: float = 1.0  # of the rolling moment that supply and inlet leave [-]
+    elastic_moment: float = 0.0  # of hysteresis, beside it [N m]
     asperity_load: float = 0.0  # fraction of the load on asperities [-]
     flooded_asperity_load: float = 0.0  # the same of the flooded film as computed [-]
     boundary_friction: float = 0.0  # of asperities, mu_b [-]

@@ -1,10 +1,14 @@
-"""Moment that resists the rolling of heavily loaded contacts, by a formula."""
+"""Moments that resist the rolling of heavily loaded contacts, of oil and of elastic hysteresis, by
+formulas.
+"""
 
 from math import pi, sqrt
 
 import scipy
 
 from oilfilm.ehl.conditions import ContactConditions
+
+from ..contacts.contact import BearingContact
 
 
 def moment_unit(conditions: ContactConditions) -> float:
@@ -52,3 +56,27 @@ def heavy_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x:
     beta = 4.0 / pi * float(scipy.special.ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
     width = 2.0 * semi_axis_y / c.radius_x
     return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
+
+
+def elastic_moment(contact: BearingContact, loss: float) -> float:
+    """Moment of elastic hysteresis that resists rolling, beta_a 3/16 Q b.
+
+    The energy stored in front of a rolling contact, of which the fraction beta_a is lost
+    (Greenwood, Minshall and Tabor, 1961): 3/16 Q b is the moment of the pressure ahead of the
+    centre. Its power is the moment times the rolling speed u_m/Rx.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of a bearing
+    loss : float
+        beta_a [-]
+
+    Returns
+    -------
+    float
+        moment [N m]; zero without load
+    """
+    if contact.hertz is None:
+        return 0.0
+    return loss * 3.0 / 16.0 * contact.load * contact.hertz.semi_axis_x

@@ -32,6 +32,7 @@ from .film import (
     first_same,
     solved_with_heat,
 )
+from .heavy_moment import elastic_moment
 from .unsolved_films import formula_films, formula_values, hertz_size
 
 
@@ -206,6 +207,7 @@ def operating_films(
     asperities: Asperities | None = None,
     rolling_factor: float = 1.0,
     unheated_factor: float = 1.0,
+    hysteresis: float = 0.0,
     box_inlet: bool = False,
 ) -> tuple[ContactFilm | None, ...]:
     """Films of contacts as the bearing runs.
@@ -225,6 +227,8 @@ def operating_films(
         That inlet heating and replenishment leave of the rolling moment [-].
     unheated_factor : float
         The same, more, of films that are not solved with heat [-].
+    hysteresis : float
+        Share of the elastic energy that the contacts lose in rolling, beta_a [-].
     box_inlet : bool
         Whether the heat of the inlet of a film behind a layer follows the rolling moment of the
         box, as results report it; else that of the oil up to the meniscus, as friction takes it.
@@ -235,9 +239,13 @@ def operating_films(
         None where there is no film.
     """
     left = (rolling_factor, rolling_factor * unheated_factor)
-    return tuple(
+    running = (
         None if film is None else _operating(film, contact, supply, asperities, left, box_inlet)
         for contact, film in zip(contacts, films, strict=True)
+    )
+    return tuple(
+        film and replace(film, elastic_moment=elastic_moment(contact, hysteresis))
+        for contact, film in zip(contacts, running, strict=True)
     )
 
 

@@ -25,8 +25,8 @@ from ..quasistatic.solution import QuasistaticSolution
 from .cage import (
     CageBalance,
     balance_cage,
+    ball_velocities,
     cage_driven_pocket_power,
-    orbit_velocities,
     rubbing_speeds,
     with_land,
 )
@@ -224,7 +224,7 @@ def balance_balls(
     kinematics = motion_map(solution, contacts)
     race_driven = loaded if driven is None else driven & loaded
     problem = _problem(solution, contacts, law, race_driven, kinematics)
-    problem = replace(problem, drag=resistance.drag(orbit_velocities(solution)))
+    problem = replace(problem, drag=resistance.drag(ball_velocities(solution)))
     if gyroscopic and not law.longitudinal_only:
         couple, matrix = _gyroscopic(solution, race_driven)
         problem = replace(problem, gyroscopic_couple=couple, gyroscopic_matrix=matrix)
@@ -260,7 +260,7 @@ def _problem(
         gyroscopic_couple=np.zeros((balls, 4)),
         gyroscopic_matrix=np.zeros((balls, 4, 4)),
         cage_force=np.zeros(balls),
-        drag=np.zeros(balls),
+        drag=np.zeros((balls, 4)),
         pocket=np.zeros(balls),
         rubbing=rubbing_speeds(solution),
         free=free,
@@ -372,6 +372,6 @@ def _resisted(
     load = np.where(problem.driven, solution.inner_load, 0.0)
     pocket = pocket_power(z, problem).sum()
     pocket += cage_driven_pocket_power(solution, problem, z, resistance).sum()
-    drag = float((problem.drag * (orbit_velocities(solution) + z[:, 0])).sum())
+    drag = float((problem.drag * (ball_velocities(solution) + z)).sum())
     power = ResistedPower(drag=drag, pocket=float(pocket))
     return with_land(power, solution, resistance, z, load) if load.any() else power

@@ -117,6 +117,24 @@ def orbit_velocities(solution: QuasistaticSolution) -> Array:
     return solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter
 
 
+def ball_velocities(solution: QuasistaticSolution) -> Array:
+    """Velocities of the balls: of their centres along the orbit, and of their rotation times the
+    radius.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    Array
+        velocities, shape (balls, 4) [m/s]
+    """
+    rotation = 0.5 * solution.bearing.ball_diameter * ball_speeds(solution)[1]
+    return np.column_stack([orbit_velocities(solution), rotation])
+
+
 def resisted_power(solution: QuasistaticSolution, resistance: Resistance) -> ResistedPower:
     """Power into the oil around the balls, pockets and the cage's land at the motion of an
     equilibrium.
@@ -137,7 +155,8 @@ def resisted_power(solution: QuasistaticSolution, resistance: Resistance) -> Res
     """
     speed = orbit_velocities(solution)
     load = solution.inner_load
-    drag = float((resistance.drag(speed) * speed).sum())
+    velocities = ball_velocities(solution)
+    drag = float((resistance.drag(velocities) * velocities).sum())
     if not load.any():
         return ResistedPower(drag=drag)
     no_change = np.zeros((load.size, 4))
@@ -195,8 +214,7 @@ def rubbing_speeds(solution: QuasistaticSolution) -> Array:
     Array
         speeds, shape (balls, 2) [m/s]
     """
-    radius = 0.5 * solution.bearing.ball_diameter
-    return np.asarray(radius * ball_speeds(solution)[1][:, :2])
+    return ball_velocities(solution)[:, 1:3]
 
 
 def _cage_force(
@@ -227,12 +245,12 @@ def _driven_power(solution: QuasistaticSolution, problem: MotionProblem, z: Arra
     zero of the others.
     """
     others = problem.first[~problem.driven[problem.first]]
-    speed = orbit_velocities(solution) + z[:, 0]
+    velocities = ball_velocities(solution) + z
     power = np.zeros(problem.driven.size)
     k = problem.start[others] + np.einsum("bckj,bj->bck", problem.slopes[others], z[others])
     gradient = problem.law.evaluate(k.reshape(-1, 4), contacts_of(others)).gradient
     heat = (gradient.reshape(k.shape) * (k - problem.ring_motion[others])).sum(axis=(1, 2))
-    power[others] = heat + (problem.drag * speed)[others]
+    power[others] = heat + (problem.drag * velocities).sum(axis=1)[others]
     return power[problem.first][problem.like]
 
 

@@ -99,7 +99,10 @@ class ShearedFilms:
 
     nodes: FilmNodes
     oil: Array  # (contacts,) share of the load on the oil [-]
-    pumping: Array  # (contacts, 4) minus the hydrodynamic rolling moment, its share along [N m]
+    # (contacts, 4) minus the moment that resists rolling, of oil and hysteresis, its share along
+    # [N m]
+    pumping: Array
+    elastic: Array  # (contacts,) share of hysteresis in it [-]
     rubbing: Array  # (contacts, 5) `Ellipses.numbers` of asperities
     rubs: NDArray[np.bool_]  # (contacts,) where there are any
     load: Array  # (contacts,) of those with a film, zero elsewhere [N]
@@ -228,7 +231,8 @@ def sheared_films(
     """
     share = np.array([0.0 if film is None else film.asperity_load for film in films])
     boundary = np.array([0.0 if film is None else film.boundary_friction for film in films])
-    moment = np.array([0.0 if film is None else film.rolling_moment for film in films])
+    elastic = np.array([0.0 if film is None else film.elastic_moment for film in films])
+    moment = np.array([0.0 if film is None else film.rolling_moment for film in films]) + elastic
     curvature = np.array([0.0 if c.hertz is None else 0.5 / c.hertz.radius_x for c in contacts])
     along = curvature - 2.0 / solution.bearing.ball_diameter
     zero = np.zeros_like(moment)
@@ -237,6 +241,7 @@ def sheared_films(
         nodes=nodes or film_nodes(solution, contacts, (films,), rheology)[0],
         oil=1.0 - share,
         pumping=np.stack([along * moment, zero, zero, moment], axis=1),
+        elastic=elastic / np.where(moment > 0.0, moment, 1.0),
         rubbing=contact_ellipses(solution, contacts, share * boundary).numbers,
         rubs=share * boundary > 0.0,
         load=np.array([0.0 if film is None else c.load for c, film in pairs]),

@@ -214,6 +214,7 @@ class FilmTraction(FrictionSource):
     # fraction of the rolling moment of flooded, isothermal films that inlet heating and
     # replenishment leave [-]
     rolling_factor: float = 1.0
+    hysteresis: float = 0.0  # share of the elastic energy lost in rolling, beta_a [-]
     # empty before `refresh`
     films: tuple[ContactFilm | None, ...] = ()
     loads: tuple[float, ...] = ()  # that the films were solved at [N]
@@ -277,6 +278,7 @@ class FilmTraction(FrictionSource):
             with_formulas(contacts, self.films),
             asperities=self.asperities,
             rolling_factor=self.rolling_factor,
+            hysteresis=self.hysteresis,
         )
         return film_law(solution, contacts, running, self.rheology, scale=scale)
 

@@ -33,7 +33,8 @@ class MotionProblem:
     gyroscopic_couple: Array  # (balls, 4) at the start [N]
     gyroscopic_matrix: Array  # (balls, 4, 4) its change with z [N s/m]
     cage_force: Array  # (balls,) push of the cage against the orbit of balls that drive it [N]
-    drag: Array  # (balls,) force of the oil against the orbit, along e_t [N]
+    # (balls, 4) of the oil against the orbit, along e_t, and against the rotation [N]
+    drag: Array
     # (balls,) friction of the pocket, mu times the push of the cage, against the ball's rotation
     # [N]
     pocket: Array
@@ -51,11 +52,11 @@ class MotionProblem:
 
 def _of_balls(problem: MotionProblem, balls: NDArray[np.int64]) -> tuple[Array, ...]:
     """Arguments of the kernels for the balls with these indices."""
-    along_orbit = (problem.cage_force + problem.drag)[balls, None] * np.eye(4)[0]
+    resisting = problem.cage_force[balls, None] * np.eye(4)[0] + problem.drag[balls]
     return (
         problem.start[balls],
         problem.slopes[balls],
-        problem.gyroscopic_couple[balls] + along_orbit,
+        problem.gyroscopic_couple[balls] + resisting,
         problem.gyroscopic_matrix[balls],
         problem.pocket[balls],
         problem.rubbing[balls],

@@ -276,7 +276,9 @@ class FilmsHeat:
         if operating is None:
             none = (None,) * len(contacts)
             operating = bearing_films(solution, contacts, none, self.friction, inlet)
-        resistance = self.friction.resistance(solution.bearing, oil)
+        resistance = self.friction.resistance(
+            solution.bearing, oil, solution.operation.shaft_speed
+        )
         if balance is None:
             balance = film_balance(solution, contacts, operating, rheology, resistance, self.last)
         if not balance.converged:

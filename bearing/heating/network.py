@@ -21,7 +21,7 @@ from oilfilm.ehl.arrays import Array
 STEFAN_BOLTZMANN = 5.670374e-8  # [W/(m^2 K^4)]
 # coefficient of a flat plate in laminar flow, Nu = C Pr^(1/3) Re^(1/2) [-]: theory (Pohlhausen,
 # 1921), and as Harris prints it (from memory, unverified), a tenth; which of them holds in a
-# bearing's cavity is open
+# bearing's cavity is open; the rings of NASA's bearing are those of the upper half
 PLATE = 0.332
 PLATE_HARRIS = 0.0332
 # Nu = 0.133 Re^(2/3) Pr^(1/3) of a shaft that turns in air, Re = omega d^2/nu < 4e5 (from memory,
@@ -216,7 +216,7 @@ def plate_coefficients(
 ) -> Conductance:
     """Coefficient of a wall to a fluid that passes it, C k Pr^(1/3) sqrt(u/(nu x)).
 
-    C between Harris' and that of theory, their geometric mean as the value (assumed).
+    C between Harris' and that of theory, their mean as the value (assumed).
 
     Parameters
     ----------
@@ -237,7 +237,7 @@ def plate_coefficients(
         coefficient per area with its range [W/(m^2 K)]
     """
     unit = conductivity * prandtl ** (1.0 / 3.0) * sqrt(speed / (viscosity * length))
-    return Conductance(sqrt(PLATE * PLATE_HARRIS) * unit, PLATE_HARRIS * unit, PLATE * unit)
+    return Conductance(0.5 * (PLATE + PLATE_HARRIS) * unit, PLATE_HARRIS * unit, PLATE * unit)
 
 
 def rotating_coefficient(speed: float, diameter: float) -> float:

@@ -22,7 +22,8 @@ import numpy as np
 from oilfilm.ehl.arrays import Array
 
 from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
-from .network import AMBIENT, OIL_SUPPLY, Conductance, HeatPath
+from .network import AMBIENT, OIL_SUPPLY, HeatPath
+from .paths import oil_path
 
 STEP = 8.0  # of the film temperature along the branch [K]
 SMALLEST_STEP = 0.5  # of the continuation, below which it ends [K]
@@ -339,13 +340,7 @@ def required_oil_flow(state: HeatState) -> float | None:
     others = tuple(path for path in state.network.paths if path.second != OIL_SUPPLY)
 
     def with_flow(conductance: float) -> tuple[HeatPath, ...]:
-        flow = HeatPath(
-            first="oil",
-            second=OIL_SUPPLY,
-            conductance=Conductance.exactly(conductance),
-            description="oil that passes through, rho c V",
-        )
-        return (*others, flow)
+        return (*others, oil_path(conductance))
 
     return _required(state, with_flow, SMALLEST_FLOW)
 

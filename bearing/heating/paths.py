@@ -198,12 +198,7 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
         yield _shaft_path(around, size, speed)
         yield _housing_path(around, size)
     if around.oil_flow > 0.0:
-        yield HeatPath(
-            first="oil",
-            second=OIL_SUPPLY,
-            conductance=Conductance.exactly(around.oil_flow),
-            description="oil that passes through, rho c V",
-        )
+        yield oil_path(around.oil_flow)
     if around.air_flow > 0.0:
         yield HeatPath(
             first="oil",
@@ -211,6 +206,29 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
             conductance=Conductance.exactly(AIR_CAPACITY * around.air_flow),
             description="air that passes through, rho c V",
         )
+
+
+def oil_path(flow: float) -> HeatPath:
+    """Heat that the oil takes along from the cavity, which has the mean of its temperatures at
+    inlet and outlet: 2 rho c V (T - T_in); rho c V of a cavity that is stirred, all of it as warm
+    as at the outlet.
+
+    Parameters
+    ----------
+    flow : float
+        rho c V [W/K]
+
+    Returns
+    -------
+    HeatPath
+        path from the oil to its supply
+    """
+    return HeatPath(
+        first="oil",
+        second=OIL_SUPPLY,
+        conductance=Conductance(2.0 * flow, flow, 2.0 * flow),
+        description="oil that passes through, rho c V, by its mean temperature",
+    )
 
 
 def _shaft_path(around: Surroundings, size: Dimensions, speed: float) -> HeatPath:

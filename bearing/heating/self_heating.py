@@ -25,7 +25,7 @@ from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 from .limits import HeatBalance
 from .network import NODES
 from .over_time import Slopes, Stability, heat_capacities, stability
-from .paths import Surroundings
+from .paths import Surroundings, oil_path
 
 NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]
@@ -91,7 +91,7 @@ class SelfHeatingSolution:
         if self.state is None:
             return None
         oil = float(self.state.temperatures[NODES.index("oil")])
-        return self.around.oil_flow * (oil - self.around.oil_supply)
+        return oil_path(self.around.oil_flow).conductance.value * (oil - self.around.oil_supply)
 
     @property
     def energy_error(self) -> float | None:

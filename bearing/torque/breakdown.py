@@ -1,7 +1,7 @@
 """All models of the friction torque of one bearing, side by side."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from oilfilm.ehl import Lubricant
@@ -13,7 +13,7 @@ from ..films.operating_film import OilAtInlets, supplied_films
 from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import Supply
-from .inputs import FrictionInput
+from .inputs import Assumption, FrictionInput
 from .integrated import SolvedShear
 from .models import (
     ROUND_OFF,
@@ -79,6 +79,8 @@ class TorqueBreakdown:
     starved: StarvedTorque | None = None  # at that supply
     behind_layers: bool = False  # films, and with them the integrated model, are at the supply
     inlet: InletFactors | None = None  # in the rolling part; None without an integrated torque
+    # of parts of the total that are assumed, by the name of the part
+    assumptions: dict[str, Assumption] = field(default_factory=dict)
 
     @property
     def chosen(self) -> str | None:
@@ -103,6 +105,16 @@ class TorqueBreakdown:
     def total(self) -> float | None:
         """Torque of the chosen model [N m]."""
         return None if self.chosen is None else self.models[self.chosen].total
+
+    @property
+    def assumed(self) -> dict[str, tuple[float, float]]:
+        """Ends of the range of each part of the total that is assumed [N m]."""
+        parts = {} if self.chosen != INTEGRATED else self.models[INTEGRATED].components
+        return {
+            name: (assumption.low * parts[name], assumption.high * parts[name])
+            for name, assumption in self.assumptions.items()
+            if parts.get(name)
+        }
 
     def _repr_html_(self) -> str:
         """All models side by side, for a notebook."""
@@ -210,6 +222,7 @@ def friction_torque(
         starved=starved,
         behind_layers=behind_layers,
         inlet=None if shear is None else inlet,
+        assumptions=friction.assumptions(solution.bearing),
     )
 
 

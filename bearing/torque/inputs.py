@@ -1,14 +1,35 @@
 """Input of the torque models."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from math import cos
+from typing import NamedTuple
 
 from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..films.asperities import Asperities, LoadSharing, Spectrum
-from ..friction.resistance import Cage, Resistance, resistance_of
+from ..friction.resistance import (
+    HYSTERESIS,
+    HYSTERESIS_RANGE,
+    SHIELDING,
+    SHIELDING_RANGE,
+    TYPICAL,
+    Cage,
+    Mixture,
+    Resistance,
+    resistance_of,
+)
 from ..geometry import Bearing
+from ..library.plugins import library_data
 from ..supply.supply import PrescribedInlet, Supply, cavity_volume, oil_fraction
 from . import skf
+
+
+class Assumption(NamedTuple):
+    """What decides a part of the torque unless it is given, and the ends of its range over it."""
+
+    text: str
+    low: float  # [-]
+    high: float  # [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,8 +55,9 @@ class FrictionInput:
     static_rating: float | None = None  # C_0 [N]
     dynamic_rating: float | None = None  # C [N]
     nominal_contact_angle: float = 0.0  # alpha of the rating formulas [rad]
-    hysteresis: float | None = None  # share of the elastic energy lost in rolling, beta_a [-]
-    cage: Cage | None = None
+    # share of the elastic energy lost in rolling, beta_a [-]; None: of hardened steel
+    hysteresis: float | None = None
+    cage: Cage = field(default_factory=Cage)
     oil_fraction: float | None = None  # share of the cavity filled with oil [-]
     # rms of inner race and balls, outer race and balls [m]
     roughness: tuple[float, float] | None = None
@@ -55,6 +77,39 @@ class FrictionInput:
     def film_friction(self) -> float:
         """mu_EHL [-]."""
         return skf.FULL_FILM_FRICTION[self.oil] if self.full_film is None else self.full_film
+
+    @property
+    def hysteresis_loss(self) -> float:
+        """beta_a [-]."""
+        return HYSTERESIS if self.hysteresis is None else self.hysteresis
+
+    def assumptions(self, bearing: Bearing) -> dict[str, Assumption]:
+        """Assumptions that parts of the torque are proportional to.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            the bearing
+
+        Returns
+        -------
+        dict[str, Assumption]
+            by the name of the part
+        """
+        found = {}
+        if self.hysteresis is None:
+            text = "share of the elastic energy lost in rolling"
+            found["hysteresis"] = _assumption(text, HYSTERESIS, HYSTERESIS_RANGE)
+        if self.cage.pocket_friction is None:
+            low, high = library_data(TYPICAL)["cage_friction"]["range"]
+            found["cage"] = _assumption("friction of pockets", self.cage.friction, (low, high))
+        if self.oil_share(bearing) is not None:
+            text = "shielding of balls behind each other"
+            found["drag"] = _assumption(text, SHIELDING, SHIELDING_RANGE)
+        elif self.drag_factor is None:
+            text = "V_M of the bath, read off a diagram"
+            found["drag"] = _assumption(text, 1.0, skf.DRAG_FACTOR_RANGE)
+        return found
 
     @property
     def asperities(self) -> Asperities | None:
@@ -87,8 +142,9 @@ class FrictionInput:
             return oil_fraction(self.scarce, cavity_volume(bearing))
         return self.oil_fraction
 
-    def resistance(self, bearing: Bearing, oil: Lubricant) -> Resistance:
-        """Resistance of balls and cage of a bearing: drag, land and pockets.
+    def resistance(self, bearing: Bearing, oil: Lubricant, speed: float) -> Resistance:
+        """Resistance of balls and cage of a bearing: drag in the mixture where the oil's share is
+        known, else in the bath, land and pockets.
 
         Parameters
         ----------
@@ -96,6 +152,8 @@ class FrictionInput:
             the bearing
         oil : Lubricant
             the oil
+        speed : float
+            of the rings against each other [rad/s]
 
         Returns
         -------
@@ -103,7 +161,49 @@ class FrictionInput:
             what holds the balls back beside the races
         """
         share = self.oil_share(bearing)
-        return resistance_of(self.cage, bearing, oil.viscosity, oil.density, share)
+        mixture = None
+        bath = 0.0
+        if share is None:
+            bath = self.bath_force(bearing, oil, speed)
+        elif share > 0.0:
+            mixture = Mixture(
+                oil_share=share,
+                density=oil.density,
+                viscosity=oil.viscosity,
+                ball_radius=0.5 * bearing.ball_diameter,
+            )
+        return resistance_of(self.cage, oil.viscosity, mixture, bath)
+
+    def bath_force(self, bearing: Bearing, oil: Lubricant, speed: float) -> float:
+        """Drag of the oil bath on each ball, which at the kinematic speed of its orbit takes the
+        power of SKF's torque.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            the bearing
+        oil : Lubricant
+            the oil
+        speed : float
+            of the rings against each other [rad/s]
+
+        Returns
+        -------
+        float
+            force [N]
+        """
+        torque = skf.bath_drag(
+            skf.bearing_kind(bearing),
+            skf.diameters(bearing),
+            self.lubrication,
+            self.oil_level,
+            speed,
+            oil.viscosity / oil.density,
+            self.drag_factor,
+        )
+        slope = bearing.ball_diameter / bearing.pitch_diameter * cos(self.nominal_contact_angle)
+        orbit = 0.25 * bearing.pitch_diameter * (1.0 - slope)  # of a ball over the ring's speed
+        return torque / (bearing.balls * orbit)
 
     def at_supply(self, supply: Supply | PrescribedInlet, bearing: Bearing) -> "FrictionInput":
         """The same of a bearing at another supply, with the oil that stands in its cavity.
@@ -132,3 +232,8 @@ class FrictionInput:
     def scarce(self) -> Supply | PrescribedInlet | None:
         """The supply that the torque is wanted at [m^3/s], [m]; None where it is flooded."""
         return None if self.flooded else self.supply
+
+
+def _assumption(text: str, value: float, ends: tuple[float, float]) -> Assumption:
+    low, high = ends
+    return Assumption(f"{text} {value:g} ({low:g} to {high:g})", low / value, high / value)

@@ -50,6 +50,7 @@ ONE_MOMENT = (
 NO_ROLLING_RESISTANCE = (
     "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"
 )
+NO_HYSTERESIS = "the friction law is that of the oil alone"
 NO_ASPERITIES = (
     "the friction law holds no minimum film, from which the share of asperities follows"
 )
@@ -70,6 +71,8 @@ class IntegratedTorque:
     shaft_power: float  # what the two rings feed into the contacts [W]
     heat: float  # what the contacts turn into heat [W]
     per_ball: Array  # (balls,) torque by ball [N m]
+    # of elastic hysteresis [N m]; None where the friction has none of it
+    hysteresis: float | None = 0.0
     # torque of asperities that touch [N m]; the oil's shear is then the rest. None where friction
     # has no share of them
     asperity: float | None = 0.0
@@ -85,7 +88,7 @@ class IntegratedTorque:
     @property
     def contacts(self) -> dict[str, float]:
         """Parts of the contacts that the friction distinguishes, by name [N m]."""
-        names = ("rolling", "sliding", "spin", "curvature", "asperity")
+        names = ("rolling", "hysteresis", "sliding", "spin", "curvature", "asperity")
         return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
 
     @property
@@ -388,6 +391,7 @@ def bearing_films(
         asperities=friction.asperities,
         rolling_factor=inlet.rolling,
         unheated_factor=inlet.unheated,
+        hysteresis=friction.hysteresis_loss,
     )
 
 
@@ -425,7 +429,7 @@ def films_torque(
         Torque [N m] under the hypothesis and in balance, and the operating films.
     """
     operating = bearing_films(solution, contacts, films, friction, inlet)
-    resistance = friction.resistance(solution.bearing, lubricant)
+    resistance = friction.resistance(solution.bearing, lubricant, solution.operation.shaft_speed)
     shear = solved_shear(solution, contacts, operating, rheology, resistance)
     existing = [film for film in operating if film is not None]
     return replace(
@@ -534,7 +538,11 @@ def law_torque(
         flooded = _balanced(parts, other) if other.converged else None
     missing = "curvature" if law.has_rolling_resistance else "rolling"
     reasons = {"curvature": ONE_MOMENT, "rolling": NO_ROLLING_RESISTANCE}
-    missing_components = {missing: reasons[missing], "asperity": NO_ASPERITIES}
+    missing_components = {
+        missing: reasons[missing],
+        "asperity": NO_ASPERITIES,
+        "hysteresis": NO_HYSTERESIS,
+    }
     return replace(shear, missing_components=missing_components, flooded=flooded)
 
 
@@ -550,11 +558,12 @@ def _law_torque(
     """
     x, y, spin, transverse = (-forces * motion).T
     none = np.zeros_like(x)
-    powers = np.stack([none, x + y, spin, transverse, none], axis=1)
+    powers = np.stack([none, x + y, spin, transverse, none, none], axis=1)
     torque = _torque_of_powers(solution, kinematics, powers, forces)
+    torque = replace(torque, asperity=None, hysteresis=None)
     if law.has_rolling_resistance:
-        return replace(torque, rolling=torque.curvature, curvature=None, asperity=None)
-    return replace(torque, rolling=None, asperity=None)
+        return replace(torque, rolling=torque.curvature, curvature=None)
+    return replace(torque, rolling=None)
 
 
 def integrated_torque(
@@ -587,21 +596,24 @@ def integrated_torque(
     rubbed = films.rub(motion, np.arange(motion.shape[0]))
     asperity = np.zeros_like(forces) if rubbed is None else -rubbed[0]
     x, y, spin, curvature = (-(forces - asperity + films.pumping) * motion).T
-    powers = [(films.pumping * motion).sum(axis=1), x + y, spin, curvature]
-    powers.append(-(asperity * motion).sum(axis=1))
+    rolling = (films.pumping * motion).sum(axis=1)
+    powers = [(1.0 - films.elastic) * rolling, x + y, spin, curvature]
+    powers += [-(asperity * motion).sum(axis=1), films.elastic * rolling]
     return _torque_of_powers(solution, kinematics, np.stack(powers, axis=1), forces)
 
 
 def _torque_of_powers(
     solution: QuasistaticSolution, kinematics: MotionMap, powers: Array, forces: Array
 ) -> IntegratedTorque:
-    """Sums over contacts of powers (contacts, 5) [W] as in `_film_powers` and of what the rings
-    feed in against all forces (contacts, 4).
+    """Sums over contacts of powers (contacts, 6) [W], of rolling, sliding, spin, curvature,
+    asperities and hysteresis, and of what the rings feed in against all forces (contacts, 4).
     """
     speed = solution.operation.shaft_speed
     shaft = -(forces * kinematics.ring).sum(axis=1)
     sums = np.column_stack([powers, shaft]).sum(axis=0)
-    rolling, sliding, spin, curvature, asperity = (float(power) / speed for power in sums[:5])
+    rolling, sliding, spin, curvature, asperity, hysteresis = (
+        float(power) / speed for power in sums[:-1]
+    )
     per_ball = np.bincount(
         kinematics.ball, powers.sum(axis=1) / speed, minlength=solution.azimuth.size
     )
@@ -611,8 +623,9 @@ def _torque_of_powers(
         spin=spin,
         curvature=curvature,
         asperity=asperity,
-        shaft_power=float(sums[5]),
-        heat=float(sums[:5].sum()),
+        hysteresis=hysteresis,
+        shaft_power=float(sums[-1]),
+        heat=float(sums[:-1].sum()),
         per_ball=per_ball.astype(np.float64),
         speed=speed,
     )

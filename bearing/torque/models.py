@@ -14,8 +14,8 @@ from oilfilm.ehl.units import MILLIMETRE, MILLION, RPM, from_si
 
 from ..contacts.contact import BearingContact
 from ..friction.balance import BalancedFriction
+from ..friction.cage import resisted_power
 from ..friction.coulomb import balanced_friction
-from ..friction.resistance import churning_power, land_power, pocket_power
 from ..geometry import Bearing, Race, shoulder_diameter
 from ..material import MaterialKind, load_material
 from ..quasistatic.solution import QuasistaticSolution
@@ -110,9 +110,9 @@ def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
 
 
 def cage_and_drag(
-    solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput, speed: float
+    solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> dict[str, float]:
-    """Torque of cage and churning, zero for what is not given.
+    """Torque of cage and drag at the motion of an equilibrium.
 
     Parameters
     ----------
@@ -122,23 +122,16 @@ def cage_and_drag(
         the oil
     friction : FrictionInput
         cage and oil in the cavity
-    speed : float
-        of the shaft [rad/s]
 
     Returns
     -------
     dict[str, float]
         "cage" and "drag" [N m]
     """
-    cage = drag = 0.0
-    if friction.cage is not None:
-        speeds = solution.operation.inner_speed, solution.operation.outer_speed
-        ring = speeds[friction.cage.outer_guided]
-        land = land_power(friction.cage, lubricant.viscosity, ring, solution.cage_speed)
-        cage = (land + pocket_power(friction.cage, solution.bearing, solution, land)) / speed
-    if friction.oil_fraction is not None:
-        drag = churning_power(solution, lubricant.density, friction.oil_fraction) / speed
-    return {"cage": cage, "drag": drag}
+    speed = solution.operation.shaft_speed
+    resistance = friction.resistance(solution.bearing, lubricant, speed)
+    power = resisted_power(solution, resistance)
+    return {"cage": (power.land + power.pocket) / speed, "drag": power.drag / speed}
 
 
 def coulomb_model(

@@ -467,13 +467,9 @@ def yao_model(
     ModelTorque
         The five terms [N m], or what is missing.
     """
-    needed = {
-        "friction.hysteresis_loss": friction.hysteresis,
-        "cage.pocket_friction": friction.cage,
-        "friction.oil_fraction": friction.oil_fraction,
-    }
+    needed = {"friction.oil_fraction": friction.oil_fraction}
     missing = [key for key, value in needed.items() if value is None]
-    if friction.hysteresis is None or missing:
+    if missing:
         return ModelTorque(note=f"needs {', '.join(missing)}")
     bearing = solution.bearing
     speed = solution.operation.shaft_speed
@@ -484,10 +480,10 @@ def yao_model(
         curvature = 0.0806 * c.load * c.semi_axis**2 / c.radius
         rotation += ratio * (1.0 - slope**2) * curvature * mu
         spin += spin_moment(c, mu) * sin(abs(c.angle))
-    resistance = cage_and_drag(solution, lubricant, friction, speed)
+    resistance = cage_and_drag(solution, lubricant, friction)
     return summed(
         {
-            "ME": hysteresis_torque(solution, contacts, friction.hysteresis),
+            "ME": hysteresis_torque(solution, contacts, friction.hysteresis_loss),
             "MD": rotation,
             "MS": spin,
             "MC": resistance["cage"],

@@ -36,6 +36,8 @@ FULL_FILM_FRICTION = {"mineral": 0.05, "synthetic": 0.04, "transmission fluid": 
 # catalogue bearings of 60, 62 and 63
 BALL_TO_SECTION = 0.3
 
+# V_M of a digitised diagram of low accuracy over the value read, estimated [-]
+DRAG_FACTOR_RANGE = (0.67, 1.33)
 PALMGREN_DATA = "palmgren.toml"
 BRANCH = 2000.0  # nu n [mm^2/s r/min] from which the viscous moment rises with the speed
 
@@ -265,7 +267,16 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
         rolling=rolling * NEWTON_MILLIMETRE if turning else 0.0,
         sliding=sliding * friction * NEWTON_MILLIMETRE,
         seal=_seal(bearing) * NEWTON_MILLIMETRE,
-        drag=_drag(bearing, operation, n, nu) * NEWTON_MILLIMETRE if turning else 0.0,
+        drag=bath_drag(
+            bearing.constants.kind,
+            (bearing.bore, bearing.outside_diameter),
+            operation.lubrication,
+            operation.oil_level,
+            operation.speed,
+            operation.viscosity,
+            operation.drag_factor,
+            bearing.rows,
+        ),
         inlet_shear_factor=inlet,
         replenishment_factor=replenished,
         friction_coefficient=friction,
@@ -453,26 +464,67 @@ def _seal(bearing: SkfBearing) -> float:
     return float(row["K_S1"] * (lip / MILLIMETRE) ** 2.25 + row["K_S2"])
 
 
-def _drag(bearing: SkfBearing, operation: SkfOperation, n: float, nu: float) -> float:
-    """0.4 V_M K_ball d_m^5 n^2 + 1.093e-7 n^2 d_m^3 (n d_m^2 f_t/nu)^-1.379 R_s; twice for a jet
-    [N mm].
+def bath_drag(
+    kind: Series,
+    diameters: tuple[float, float],
+    lubrication: Lubrication,
+    level: float,
+    speed: float,
+    viscosity: float,
+    stirred: float | None = None,
+    rows: int = 1,
+) -> float:
+    """Drag of the oil of a bath, 0.4 V_M K_ball d_m^5 n^2 + 1.093e-7 n^2 d_m^3 (n d_m^2
+    f_t/nu)^-1.379 R_s; twice for a jet.
+
+    The second part goes with nu^1.379, which no flow does beyond the range of the model: from its
+    end on it is continued in proportion to nu, as creeping flow resists.
+
+    Parameters
+    ----------
+    kind : Series
+        deep groove or angular contact
+    diameters : tuple[float, float]
+        bore and outside diameter [m]
+    lubrication : Lubrication
+        the way the oil comes to the bearing
+    level : float
+        H, above the lowest contact point of the outer raceway [m]
+    speed : float
+        of the rotating ring [rad/s]
+    viscosity : float
+        kinematic [m^2/s]
+    stirred : float | None, optional
+        V_M [-]; None: from the digitised diagram
+    rows : int, default 1
+        of balls [-]
+
+    Returns
+    -------
+    float
+        torque [N m]; zero without a level, of grease and oil-air
     """
-    dry = operation.lubrication in (Lubrication.GREASE, Lubrication.OIL_AIR)
-    if dry or operation.oil_level <= 0.0:
+    dry = lubrication in (Lubrication.GREASE, Lubrication.OIL_AIR)
+    if dry or level <= 0.0 or speed == 0.0:
         return 0.0
-    d, outside = bearing.bore / MILLIMETRE, bearing.outside_diameter / MILLIMETRE
-    geometry = bearing.constants.geometry
+    d, outside = (diameter / MILLIMETRE for diameter in diameters)
+    n = abs(speed) / RPM
+    nu = from_si("viscosity_mm2_s", viscosity)
+    geometry = geometry_factor(kind)
     mean = 0.5 * (d + outside)
-    level = min(operation.oil_level / MILLIMETRE, 1.2 * mean)
-    balls = bearing.rows * geometry * (d + outside) / (outside - d) * 1e-12
-    angle = 2.0 * acos(max(min((0.6 * mean - level) / (0.6 * mean), 1.0), -1.0))
-    wetted = sin(0.5 * angle) if angle <= pi else 1.0
+    depth = min(level / MILLIMETRE, 1.2 * mean)
     slenderness = (outside + d) / (outside - d)
+    balls = rows * geometry * slenderness * 1e-12
+    angle = 2.0 * acos(max(min((0.6 * mean - depth) / (0.6 * mean), 1.0), -1.0))
+    wetted = sin(0.5 * angle) if angle <= pi else 1.0
     surface = 0.36 * mean**2 * (angle - sin(angle)) * 0.05 * geometry * slenderness
-    stirred = drag_factor(level / mean) if operation.drag_factor is None else operation.drag_factor
-    churning = 0.4 * stirred * balls * mean**5 * n**2
-    stirring = 1.093e-7 * n**2 * mean**3 * (n * mean**2 * wetted / nu) ** -1.379 * surface
-    return (2.0 if operation.lubrication is Lubrication.OIL_JET else 1.0) * (churning + stirring)
+    factor = drag_factor(depth / mean) if stirred is None else stirred
+    churning = 0.4 * factor * balls * mean**5 * n**2
+    fitted = min(nu, RANGES["skf"].viscosity[1])
+    stirring = 1.093e-7 * n**2 * mean**3 * (n * mean**2 * wetted / fitted) ** -1.379 * surface
+    stirring *= nu / fitted
+    jets = 2.0 if lubrication is Lubrication.OIL_JET else 1.0
+    return jets * (churning + stirring) * NEWTON_MILLIMETRE
 
 
 def drag_factor(level: float) -> float:

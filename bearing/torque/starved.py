@@ -11,7 +11,7 @@ jet by an estimate. A flow therefore gives a band of films and torque, not a num
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from oilfilm.ehl.oil.lubricant import Lubricant
@@ -27,7 +27,7 @@ from ..films.operating_film import (
     of_driven_balls,
     supplied_films,
 )
-from ..friction.resistance import churning_power, contact_rolling_power
+from ..friction.resistance import contact_rolling_power
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import PrescribedInlet, Supply, cavity_volume, oil_fraction
 from .inputs import FrictionInput
@@ -120,8 +120,9 @@ def starved_torque(
     parts = _of_films(solution, contacts, friction, supplied)
     flooded = supplied_films(contacts, flooded_films(known), None, friction.asperities)
     ample = _of_films(solution, contacts, friction, flooded)
-    cage = cage_and_drag(solution, lubricant, friction, speed)["cage"]
-    drag = churning_power(solution, lubricant.density, fraction) / speed
+    in_cavity = replace(friction, supply=None, oil_fraction=fraction)
+    resisted = cage_and_drag(solution, lubricant, in_cavity)
+    cage, drag = resisted["cage"], resisted["drag"]
     driven = of_driven_balls(solution, contacts, supplied)
     return StarvedTorque(
         **parts._asdict(),

@@ -180,7 +180,9 @@ def torque_by_tables(
     oil = (case.lubricant, case.rheology)
     require_fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
     source = LawTraction(laws=dict(tables))
-    traction = resisted_traction(source, case.friction, case.bearing, case.lubricant, case.inlet)
+    traction = resisted_traction(
+        source, case.friction, case.bearing, case.lubricant, case.operation.shaft_speed, case.inlet
+    )
     case = replace(case, film_maps="none", traction=traction)
     results = run_case(case, 1, equilibria=equilibria)
     return results, () if results.torque is None else _notes(results.contacts, tables)

@@ -2,8 +2,9 @@
 
 The speed factor n d_m chooses speed, loads, oil and cooling: up to `BATH_SPEED_FACTOR` an oil bath
 to the middle of the lowest ball, or the grease of a bearing with seals or shields on both sides;
-beyond it oil that circulates through a jet and takes the heat along. The oil is the grade whose
-viscosity at 70 C comes nearest to kappa = 2 of ISO 281.
+up to `AIR_SPEED_FACTOR` oil and air, which leave no oil for the balls to plough through; beyond it
+oil that circulates through a jet and takes the heat along. The oil is the grade whose viscosity at
+70 C comes nearest to kappa = 2 of ISO 281.
 """
 
 import re
@@ -34,6 +35,8 @@ SPINDLE_SPEED_FACTOR = (
 )
 # up to which a bath or a seal is usual [mm/min]: makers' limits lie at 3e5 to 6e5 (from memory)
 BATH_SPEED_FACTOR = 5.0e5
+# up to which oil and air are usual [mm/min] (from memory); above it only a jet takes the heat
+AIR_SPEED_FACTOR = 2.0e6
 RADIAL_SHARE = 0.05  # loads of a new case over C [-]
 RADIAL_SHARE_ANGULAR = 0.02
 AXIAL_SHARE = 0.04
@@ -127,15 +130,11 @@ def first_tables(
     if speed is None:
         factor = SPINDLE_SPEED_FACTOR if kind.spindle else FIRST_SPEED_FACTOR
         speed = two_digits(factor / entry["pitch_diameter_mm"])
-    circulating = speed * entry["pitch_diameter_mm"] > BATH_SPEED_FACTOR and not kind.greased
     grade = _grade(speed, entry["pitch_diameter_mm"])
     return {
         "lubricant": _lubricant(grade, greased=kind.greased),
         "operation": _operation(entry, kind, given, speed),
-        "friction": {
-            **(_circulation(entry, kind, speed, grade) if circulating else _bath(entry, kind)),
-            **_surroundings(entry, kind),
-        },
+        "friction": {**_lubrication(entry, kind, speed, grade), **_surroundings(entry, kind)},
     }
 
 
@@ -150,7 +149,7 @@ def _operation(
     """Speed and loads; an axial load keeps the balls of one bearing of angular contact rolling."""
     capacity = _capacity(entry)
     alone = kind.angular and not kind.pair
-    radial = 0.0 if given.axial_load else RADIAL_SHARE_ANGULAR if alone else RADIAL_SHARE
+    radial = 0.0 if given.axial_load else RADIAL_SHARE_ANGULAR if kind.angular else RADIAL_SHARE
     axial = AXIAL_SHARE if alone else 0.0
     return {
         "inner_speed_rpm": f"{float(speed)!r}" + "  # chosen" * (given.speed is None),
@@ -169,10 +168,22 @@ def _load(given: float | None, share: float, capacity: float) -> str:
     return f"{float(two_digits(share * capacity) if share else 0.0)!r}{chosen}"
 
 
-def _bath(entry: Mapping[str, Any], kind: BearingKind) -> dict[str, str]:
-    """Oil to the middle of the lowest ball, as makers advise; nothing of a greased bearing."""
+def _lubrication(
+    entry: Mapping[str, Any], kind: BearingKind, speed: float, grade: str
+) -> dict[str, str]:
+    """The way the oil comes to the bearing at a speed [r/min]; nothing of a greased bearing."""
+    factor = speed * entry["pitch_diameter_mm"]
     if kind.greased:
         return {}
+    if factor > AIR_SPEED_FACTOR:
+        return _circulation(entry, kind, speed, grade)
+    if factor > BATH_SPEED_FACTOR:
+        return {"lubrication": '"oil air"'}
+    return _bath(entry)
+
+
+def _bath(entry: Mapping[str, Any]) -> dict[str, str]:
+    """Oil to the middle of the lowest ball, as makers advise."""
     level = 0.5 * entry["ball_diameter_mm"]
     return {
         "lubrication": '"oil bath"',

@@ -311,7 +311,7 @@ def _bearing_case(file: BearingFile) -> Case:
         file.friction,
         file.bearing,
         file.lubricant,
-        cage_friction(file.cage),
+        cage_friction(file.cage, file.dynamics),
         file.surface,
         angular=delivered.angular_contact,
     )
@@ -321,7 +321,9 @@ def _bearing_case(file: BearingFile) -> Case:
         assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
         or file.friction.traction
     ):
-        traction = ball_traction(file.friction, torque, bearing, fluid, films, inlet)
+        traction = ball_traction(
+            file.friction, torque, bearing, fluid, at.shaft_speed, films, inlet
+        )
     maps = file.ehl.film_maps
     return Case(
         **_common(file, films),

@@ -122,7 +122,9 @@ class DynamicsTable(Table):
 class CageTable(Table):
     """The cage."""
 
-    pocket_friction: float | None = between(0, 1, "Coulomb's mu of the pockets; else no friction")
+    pocket_friction: float | None = between(
+        0, 1, "Coulomb's mu of the pockets; left out, 0.05 (0.02 to 0.15), none in a simulation"
+    )
     guided_by: Annotated[str, OneOf(Guidance)] = described("what guides it", "balls")
     land_diameter_mm: float | None = above(0, LENGTH_MAXIMUM, "of the guiding land")
     land_width_mm: float | None = above(0, LENGTH_MAXIMUM, "of both lands together")
@@ -248,21 +250,25 @@ def simulated_friction(table: FrictionTable) -> dict[str, float]:
     return {name: SIMULATED[name] if x is None else x for name, x in given.items()}
 
 
-def cage_friction(table: CageTable | None) -> Cage | None:
-    """Friction of the cage.
+def cage_friction(table: CageTable | None, dynamics: DynamicsTable | None) -> Cage:
+    """Friction of the cage, typical where it is not given.
 
     Parameters
     ----------
     table : CageTable | None
         The checked table [cage], where there is one.
+    dynamics : DynamicsTable | None
+        The checked table [dynamics], where there is one, whose balls may be without a cage.
 
     Returns
     -------
-    Cage | None
-        The cage, SI; None without a pocket's coefficient.
+    Cage
+        The cage, SI.
     """
-    if table is None or table.pocket_friction is None:
-        return None
+    if dynamics is not None and not dynamics.cage:
+        return Cage(pocket_friction=0.0)
+    if table is None:
+        return Cage()
     land = table.si(*LAND) if table.guided_by in RACES else {}
     outer_guided = table.guided_by == "outer ring"
     mass = table.si()["mass"]

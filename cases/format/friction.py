@@ -96,7 +96,7 @@ class FrictionTable(LawTable):
     )
     full_film_coefficient: float | None = above(0, 1, "SKF's mu_EHL; left out, by the kind of oil")
     oil_level_mm: float = between(
-        0, LENGTH_MAXIMUM, "above the lowest contact point of the outer raceway; SKF's drag", 0.0
+        0, LENGTH_MAXIMUM, "above the lowest contact point of the outer raceway; drag, SKF's", 0.0
     )
     drag_factor: float | None = between(
         0, 1, "SKF's V_M; left out, from a third party's digitised diagram (unverified)"
@@ -108,9 +108,11 @@ class FrictionTable(LawTable):
         0, LENGTH_MAXIMUM, "of the seal's lip; left out, of the inner shoulder"
     )
     hysteresis_loss: float | None = between(
-        0, 1, "share of the elastic energy lost in rolling, beta_a; for the model yao"
+        0, 1, "share of the elastic energy lost in rolling, beta_a; left out, 0.01 (0.005 to 0.02)"
     )
-    oil_fraction: float | None = between(0, 1, "share of oil in the cavity; drag of the balls")
+    oil_fraction: float | None = between(
+        0, 1, "share of oil in the cavity; drag of the balls in it, else that of a bath"
+    )
     supply_mL_min: float | None = between(
         0, 1e6, "for the model starved, with [surface], bearing.width_mm; or inlet_film_um"
     )
@@ -296,7 +298,7 @@ def friction(
     table: FrictionTable,
     bearing: BearingTable,
     lubricant: LubricantTable,
-    cage: Cage | None,
+    cage: Cage,
     surface: SurfaceTable | None,
     *,
     angular: bool,
@@ -311,8 +313,8 @@ def friction(
         The checked table [bearing].
     lubricant : LubricantTable
         The checked table [lubricant].
-    cage : Cage | None
-        Friction of the cage, where there is any.
+    cage : Cage
+        Friction of the cage.
     surface : SurfaceTable | None
         The checked table [surface], where there is one.
     angular : bool
@@ -324,12 +326,10 @@ def friction(
         Ratings [N], lengths [m] and coefficients [-].
     """
     si = bearing.si()
-    if table.lubrication in WITH_LEVEL and table.oil_level_mm == 0.0:
+    known = table.oil_level_mm > 0.0 or table.oil_fraction is not None
+    if table.lubrication in WITH_LEVEL and not known:
         text = f"not given with lubrication = {shown(table.lubrication)}"
-        warnings.warn(
-            f"friction.oil_level_mm: {text}, SKF's model leaves the churning of the oil out",
-            stacklevel=2,
-        )
+        warnings.warn(f"friction.oil_level_mm: {text}, drag of the oil is left out", stacklevel=2)
     return table.build(
         FrictionInput,
         "palmgren",

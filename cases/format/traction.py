@@ -42,6 +42,7 @@ def ball_traction(
     friction: FrictionInput,
     bearing: Bearing,
     oil: Lubricant,
+    speed: float,
     films: CaseFilms,
     inlet: InletFactors,
 ) -> BallTraction:
@@ -57,6 +58,8 @@ def ball_traction(
         The bearing.
     oil : Lubricant
         The lubricant.
+    speed : float
+        Of the rings against each other [rad/s].
     films : CaseFilms
         Films of the case.
     inlet : InletFactors
@@ -73,7 +76,7 @@ def ball_traction(
         If a file of tables cannot be read, or is of another bearing or oil.
     """
     source = _law(table, bearing, oil, films.films) or _films(friction, films)
-    return resisted_traction(source, friction, bearing, oil, inlet)
+    return resisted_traction(source, friction, bearing, oil, speed, inlet)
 
 
 def resisted_traction(
@@ -81,6 +84,7 @@ def resisted_traction(
     friction: FrictionInput,
     bearing: Bearing,
     oil: Lubricant,
+    speed: float,
     inlet: InletFactors,
 ) -> BallTraction:
     """A law of friction with drag, cage and the reduced rolling moment of the inlets.
@@ -95,6 +99,8 @@ def resisted_traction(
         The bearing.
     oil : Lubricant
         The lubricant.
+    speed : float
+        Of the rings against each other [rad/s].
     inlet : InletFactors
         Factors of the rolling moment at the inlets [-].
 
@@ -104,10 +110,10 @@ def resisted_traction(
         The friction, SI.
     """
     if isinstance(source, FilmTraction):
-        source = replace(source, rolling_factor=inlet.rolling)
+        source = replace(source, rolling_factor=inlet.rolling, hysteresis=friction.hysteresis_loss)
     if isinstance(source, LawTraction):  # of tables, whose films are isothermal
         source = replace(source, rolling_factor=inlet.rolling * inlet.unheated)
-    resistance = friction.resistance(bearing, oil)
+    resistance = friction.resistance(bearing, oil, speed)
     return BallTraction(source=source, lubricant=oil, resistance=resistance)
 
 

@@ -245,7 +245,7 @@ def _total_at(
             return known
         at = friction.at_supply(supply, state.bearing)
         operating = bearing_films(state, contacts, films, at, case.inlet)
-        resistance = at.resistance(state.bearing, case.lubricant)
+        resistance = at.resistance(state.bearing, case.lubricant, state.operation.shaft_speed)
         shear = solved_shear(state, contacts, operating, rheology, resistance, bound=False)
         return shear.torque.total + seal
 

@@ -263,7 +263,10 @@ class TorqueModel(NamedTuple):
 TORQUE_MODELS = {
     "integrated": TorqueModel(
         "integrated films",
-        ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag", "seal"),
+        (
+            *("rolling", "hysteresis", "sliding", "spin", "curvature", "asperity"),
+            *("cage", "drag", "seal"),
+        ),
     ),
     "pure_rolling_lines": TorqueModel("pure rolling lines", ("spin", "rotation", "orbit")),
     "skf": TorqueModel("SKF", ("rolling", "sliding", "seal", "drag")),

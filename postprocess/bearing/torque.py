@@ -7,7 +7,7 @@ from typing import Any
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
 from oilfilm.bearing.films.operating_film import of_driven_balls
 from oilfilm.bearing.operation import BallKinematics
-from oilfilm.bearing.torque.breakdown import NAMES, TorqueBreakdown
+from oilfilm.bearing.torque.breakdown import INTEGRATED, NAMES, TorqueBreakdown
 from oilfilm.bearing.torque.integrated import SolvedShear
 from oilfilm.bearing.torque.models import COMPUTED_RATING, ModelTorque
 from oilfilm.ehl.messages import Caution
@@ -130,6 +130,7 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "model": None if torque is None else torque.chosen,
         "flooded_isothermal": None if torque is None else _flooded(torque),
         "parts": _parts(torque),
+        "assumed_parts": {} if torque is None else _assumed(torque),
         "inlet_shear_heating_factor": None if inlet is None else inlet.shear_heating,
         "replenishment_factor": None if inlet is None else inlet.replenishment,
         "asperity_load_share": shear.asperity_share if shear is not None and rough else None,
@@ -147,6 +148,32 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
 def _flooded(torque: TorqueBreakdown) -> float | None:
     flooded = torque.flooded_isothermal
     return None if flooded is None else TORQUE.in_unit(flooded)
+
+
+def _assumed(torque: TorqueBreakdown) -> dict[str, dict[str, Any]]:
+    """Parts of the total that an assumption decides, with the ends of their range [N mm]."""
+    return {
+        name: {
+            "assumption": torque.assumptions[name].text,
+            "low": TORQUE.in_unit(low),
+            "high": TORQUE.in_unit(high),
+        }
+        for name, (low, high) in torque.assumed.items()
+    }
+
+
+def _assumed_message(torque: TorqueBreakdown) -> Iterator[str]:
+    """Name the assumptions that together move the total visibly."""
+    parts = torque.models[INTEGRATED].components
+    less, more = (
+        sum(abs(ends[end] - parts[name]) for name, ends in torque.assumed.items())
+        for end in (0, 1)
+    )
+    if torque.total is None or max(less, more) < LARGE_SHARE * torque.total:
+        return
+    low, high = (TORQUE.in_unit(torque.total + change) for change in (-less, more))
+    texts = [f"{name} ({torque.assumptions[name].text})" for name in torque.assumed]
+    yield f"torque_N_mm.total: {low:.3g} to {high:.3g} N mm by what is assumed: {', '.join(texts)}"
 
 
 def _parts(torque: TorqueBreakdown | None) -> dict[str, float | None] | None:
@@ -200,6 +227,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield from _inlet_messages(torque)
         yield from _seal_message(torque)
         yield from _churning_message(results, torque)
+        yield from _assumed_message(torque)
 
 
 def oil_messages(results: BearingResults) -> Iterator[str]:

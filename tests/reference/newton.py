@@ -16,7 +16,7 @@ def left_on_balls_twin(z: Array, problem: MotionProblem, balls: Array) -> tuple[
     k = problem.start[balls] + np.einsum("bckj,bj->bck", slopes, z)
     friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(balls))
     shape = k.shape[:2]
-    along_orbit = (problem.cage_force + problem.drag)[balls, None] * np.eye(4)[0]
+    along_orbit = problem.cage_force[balls, None] * np.eye(4)[0] + problem.drag[balls]
     fixed = problem.gyroscopic_couple[balls] + along_orbit
     pocket = pocket_friction_twin(z, problem, balls)
     power = friction.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)

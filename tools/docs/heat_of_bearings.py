@@ -14,6 +14,7 @@ from math import pi
 from pathlib import Path
 from typing import Any
 
+from oilfilm.bearing.friction.resistance import SHIELDING, SHIELDING_RANGE
 from oilfilm.cases import run_case
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.format.document import read_text
@@ -27,7 +28,9 @@ NASA = "nasa_35mm_bearing"
 SPEEDS = (28000.0, 36000.0, 48000.0, 60000.0, 72000.0)  # r/min
 PARKER = 1e5 * 760.0**0.37 / 48.5**1.7  # X n [r/min]
 TRANSFER = (0.5, 2.0, 8.0)  # of shaft and housing [W/K]
-DRAG_SHARES = (0.21, 1.06)  # of the drag: C_D 0.1 to 0.5 in place of 0.47
+DRAG_SHARES = tuple(end / SHIELDING for end in SHIELDING_RANGE)
+# heat [W], inner and outer ring [K], as quoted from the reports, by speed [r/min]
+MEASURED = {28000.0: (350, 422, 413), 48000.0: (700, 443, 425), 72000.0: (1400, 468, 443)}
 PARTS = ("inner_ring", "outer_ring_loaded", "balls", "oil")
 MATERIALS = {
     "steel, steel": ("bearing steel", "bearing steel"),
@@ -102,8 +105,10 @@ def nasa_rows() -> str:
         inner, outer = found["contacts"][:2]
         parts = found["torque_N_mm"]["parts"]
         watts = band(speed, lambda found, _, speed=speed: power(found, speed))
+        heat, *rings = MEASURED.get(speed, (0, 0, 0))
         cells = [
             f"{speed:.0f}",
+            f"{heat}; {', '.join(f'{ring - 273.15:.0f}' for ring in rings)}" if heat else "",
             watts,
             f"{100.0 * parts['drag'] / found['torque_N_mm']['total']:.0f}",
             *(band(speed, part(name)) for name in PARTS),

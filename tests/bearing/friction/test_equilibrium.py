@@ -22,9 +22,10 @@ from oilfilm.bearing import (
 from oilfilm.bearing.contacts.motion import bearing_kinematics, motion_map
 from oilfilm.bearing.contacts.shape import contact_shape
 from oilfilm.bearing.friction.balance import balance_driven_balls, curvature_slip
+from oilfilm.bearing.friction.cage import ball_velocities
 from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction, CoulombTraction, LawTraction
-from oilfilm.bearing.friction.resistance import Cage, Resistance, resistance_of
+from oilfilm.bearing.friction.resistance import Cage, Mixture, Resistance, resistance_of
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 from oilfilm.ehl.traction.shear import EllipseLaw
@@ -103,16 +104,18 @@ def test_forces_and_moments_of_balls_and_ring_balance(bearings, name, operation,
 def test_power_that_drag_and_cage_take_is_the_rest(bearings):
     """The rings' power is heat and what the balls give to the oil around them and to the cage's land."""
     cage = Cage(pocket_friction=0.0, land_diameter=0.066, land_width=4e-3, land_clearance=3e-4)
-    resistance = resistance_of(cage, bearings.b6208, 0.02, 870.0, 0.05)
+    radius = 0.5 * bearings.b6208.ball_diameter
+    mixture = Mixture(oil_share=0.05, density=870.0, viscosity=0.02, ball_radius=radius)
+    resistance = resistance_of(cage, 0.02, mixture)
     operation = Operation(inner_speed=800.0, force=(600.0, 1000.0, 0.0))
     state = solved(bearings.b6208, operation, COULOMB, resistance)
     free = solved(bearings.b6208, operation, COULOMB)
     contacts, motion, forces = friction(state, COULOMB)
     heat = -float((forces * motion).sum())
     shaft = -(np.array(forces) * motion_map(state, contacts).ring).sum()
-    speed = 0.5 * bearings.b6208.pitch_diameter * state.orbit_speed
     mean = np.average(state.orbit_speed, weights=state.inner_load)
-    given = float((resistance.drag(speed) * speed).sum()) + resistance.cage_power(state, mean)
+    velocities = ball_velocities(state)
+    given = float((resistance.drag(velocities) * velocities).sum()) + resistance.cage_power(state, mean)
     assert given > 0.05 * heat
     assert shaft == pytest.approx(heat + given, rel=1e-6)
     assert state.cage_speed < free.cage_speed

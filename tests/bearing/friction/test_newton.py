@@ -29,7 +29,7 @@ def problem():
         gyroscopic_couple=rng.normal(size=(BALLS, 4)),
         gyroscopic_matrix=rng.normal(size=(BALLS, 4, 4)),
         cage_force=rng.random(BALLS),
-        drag=rng.random(BALLS),
+        drag=rng.random((BALLS, 4)),
         pocket=rng.random(BALLS),
         rubbing=rng.normal(size=(BALLS, 2)),
         free=rng.random((BALLS, 4)) < 0.8,

@@ -15,7 +15,7 @@ from oilfilm.bearing.films.operating_film import operating_films, solved_films, 
 from oilfilm.bearing.friction import balance as balancing
 from oilfilm.bearing.friction import cage
 from oilfilm.bearing.friction.film_friction import film_balance, film_law
-from oilfilm.bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
+from oilfilm.bearing.friction.resistance import NO_RESISTANCE, Cage, Mixture, resistance_of
 from oilfilm.bearing.torque.integrated import POWER_TOLERANCE, SolvedShear, solved_shear
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
@@ -49,7 +49,7 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
     state, contacts, films, rheology = light
     land = resistance_of(
         Cage(pocket_friction=0.1, land_diameter=0.068, land_width=6e-3, land_clearance=2e-4),
-        state.bearing, OIL.viscosity, OIL.density, 0.02,
+        OIL.viscosity, Mixture(oil_share=0.05, density=OIL.density, viscosity=OIL.viscosity, ball_radius=0.006),
     )  # fmt: skip
     for resistance, asperities in ((NO_RESISTANCE, ROUGH), (land, None)):
         solved = solved_films(contacts, [film and film.field for film in films])

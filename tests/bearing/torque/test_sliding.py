@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
 import pytest
@@ -18,7 +18,8 @@ from oilfilm.bearing import (
     solve_quasistatic,
 )
 from oilfilm.bearing.films.heavy_moment import heavy_moment
-from oilfilm.bearing.friction.resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power
+from oilfilm.bearing.friction.cage import resisted_power
+from oilfilm.bearing.friction.resistance import SHIELDING, Cage, Mixture, hysteresis_torque, resistance_of
 from oilfilm.bearing.torque.models import spent_powers
 from oilfilm.bearing.torque.paper_models import (
     SlidingContact,
@@ -198,14 +199,30 @@ def test_hysteresis_is_the_moment_of_the_pressure_ahead():
     assert torque == pytest.approx(0.25 * 0.046 * (1.0 - g**2) * phi * 0.01, rel=1e-12)
 
 
-def test_cage_and_churning():
+def test_cage_and_drag():
     state, _ = solved(500.0, 0.0, 5000.0)
-    cage = Cage(pocket_friction=0.1, land_diameter=0.05, land_width=0.004, land_clearance=2e-4)
-    land = land_power(cage, 0.02, 0.0, state.cage_speed)
-    speed = 0.025 * state.cage_speed
-    assert land == pytest.approx(0.02 * speed / 2e-4 * (2 * pi * 0.025 * 0.004) * speed, rel=1e-12)
-    assert land_power(replace(cage, land_diameter=None), 0.02, 0.0, state.cage_speed) == 0.0
-    assert 0.0 < pocket_power(cage, B6206, state, land) < land
-    drag = churning_power(state, 870.0, 0.02)
-    v = 0.023 * state.cage_speed
-    assert drag == pytest.approx(9 * 0.5 * 0.47 * 870.0 * 0.02 * pi / 4 * 9.525e-3**2 * v**3, rel=1e-3)
+    cage = Cage(pocket_friction=0.1, land_diameter=0.05, land_width=0.004, land_clearance=2e-4, outer_guided=False)
+    power = resisted_power(state, resistance_of(cage, 0.02))
+    slip = 0.025 * abs(state.cage_speed - state.operation.inner_speed)
+    assert power.land == pytest.approx(0.02 * slip / 2e-4 * (2 * pi * 0.025 * 0.004) * slip, rel=1e-3)
+    assert 0.0 < power.pocket < power.land
+    free = resistance_of(replace(cage, land_diameter=None), 0.02)
+    assert resisted_power(state, free).land == 0.0
+
+
+def test_drag_of_a_ball_in_oil_has_its_limits():
+    """Stokes' drag and the moment of a sphere in creeping flow (to a third: the law is of Re above 20), White's
+    coefficient of a lone sphere at Re = 1e5, all times the shielding; in proportion to the oil's share.
+    """
+    creeping = Mixture(oil_share=1.0, density=900.0, viscosity=100.0, ball_radius=0.005)
+    stokes = 6.0 * pi * 100.0 * 0.005 * 0.01
+    assert creeping.drag(np.array([0.01, -0.01])) == pytest.approx(SHIELDING * stokes * np.array([1.0, -1.0]), rel=1e-2)
+    turned = creeping.spin_drag(np.array([[0.0, 0.01, 0.0]]))[0]
+    assert turned[[0, 2]] == pytest.approx(0.0)
+    assert turned[1] == pytest.approx(SHIELDING * 8.0 * pi * 100.0 * 0.005 * 0.01, rel=0.4)
+    thin = replace(creeping, viscosity=900.0 * 0.01 * 100.0 / 1e5)
+    expected = SHIELDING * (6.0 / (1.0 + sqrt(1e5)) + 0.4) * 0.5 * 900.0 * pi * 0.005**2 * 1e4
+    assert thin.drag(np.array([100.0]))[0] == pytest.approx(expected, rel=1e-3)
+    assert replace(thin, oil_share=0.02).drag(np.array([100.0]))[0] == pytest.approx(
+        0.02 * thin.drag(np.array([100.0]))[0]
+    )

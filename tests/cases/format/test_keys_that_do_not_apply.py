@@ -171,7 +171,7 @@ def test_the_reason_is_printed_where_only_self_heating_fails(tmp_path):
     assert found.exit_code == 1, found.output
     after = found.stderr.partition("the results are flagged:\n")[2]
     assert "self_heating: null, not converged: " in after
-    assert "hysteresis_loss" in after
+    assert "friction.oil_fraction" in after
 
 
 def test_starved_heating_without_a_supply_is_bad_input(tmp_path):

@@ -103,7 +103,7 @@ def test_a_model_without_its_inputs_has_no_balance_and_says_so():
     warm, document = found(TEXT + 'heating_torque = "yao"\n')
     assert not document["converged"]
     assert warm["temperature_C"] is None
-    assert any("hysteresis_loss" in m and m.startswith("self_heating: null") for m in document["messages"])
+    assert any("oil_fraction" in m and m.startswith("self_heating: null") for m in document["messages"])
 
 
 def test_without_the_key_the_block_is_null():
@@ -120,7 +120,7 @@ def test_an_oil_without_temperature_is_refused():
         found(TEXT.replace('name = "iso vg 32"', 'name = "iso vg 32"\nviscosity_mPa_s = 20.0'))
 
 
-@pytest.mark.parametrize(("key", "speed"), [("heat_transfer_W_K", 15000.0), ("cooling_oil_mL_min", 24000.0)])
+@pytest.mark.parametrize(("key", "speed"), [("heat_transfer_W_K", 9000.0), ("cooling_oil_mL_min", 24000.0)])
 def test_what_is_advised_where_there_is_no_balance_gives_one(key, speed):
     """A 6220 in a bath; a tenth more cooling than the advice names as the least. At 24000 r/min no transfer from
     shaft and housing is enough, for the heat does not get so far, and none is advised."""
@@ -181,7 +181,7 @@ def test_temperatures_do_not_go_by_the_oil_that_the_search_begins_with(start):
     """Up to some 70 C so thick an oil lets the races drive no ball of this light bearing."""
     warm, document = found(HEATED.format(**LIGHT, start=start))
     assert document["converged"] and warm["converged"]
-    assert warm["temperature_C"] == pytest.approx(107.855, abs=0.01)
+    assert warm["temperature_C"] == pytest.approx(106.626, abs=0.01)
 
 
 def test_a_temperature_foreseen_is_that_of_a_balance_looked_at():
