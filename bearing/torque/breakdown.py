@@ -79,7 +79,7 @@ class TorqueBreakdown:
     starved: StarvedTorque | None = None  # at that supply
     behind_layers: bool = False  # films, and with them the integrated model, are at the supply
     inlet: InletFactors | None = None  # in the rolling part; None without an integrated torque
-    # of parts of the total that are assumed, by the name of the part
+    # assumptions by the name of the part of the total that they decide
     assumptions: dict[str, Assumption] = field(default_factory=dict)
 
     @property

@@ -25,7 +25,7 @@ from . import skf
 
 
 class Assumption(NamedTuple):
-    """What decides a part of the torque unless it is given, and the ends of its range over it."""
+    """A number that decides a part of the torque, with the ends of its range over it."""
 
     text: str
     low: float  # [-]

@@ -71,7 +71,7 @@ class IntegratedTorque:
     shaft_power: float  # what the two rings feed into the contacts [W]
     heat: float  # what the contacts turn into heat [W]
     per_ball: Array  # (balls,) torque by ball [N m]
-    # of elastic hysteresis [N m]; None where the friction has none of it
+    # torque of elastic hysteresis [N m]; None where the friction has none of it
     hysteresis: float | None = 0.0
     # torque of asperities that touch [N m]; the oil's shear is then the rest. None where friction
     # has no share of them
