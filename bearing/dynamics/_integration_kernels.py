@@ -434,7 +434,10 @@ def remember_onset(impact_speeds, onset, row, contact, floor, t):
 
 @compiled
 def after_step(p, balls, impact_speeds, t, h, history):
-    """Memory of the impacts, and the time spent separated, in contact and in impacts."""
+    """Memory of the impacts, and the time spent separated, in contact and in impacts: whether an
+    impact is over, so that its contact lasts and is damped by its film.
+    """
+    ended = False
     c = p.constants
     onset = history.onset
     states = history.states
@@ -448,6 +451,9 @@ def after_step(p, balls, impact_speeds, t, h, history):
             state = contact_state(
                 c, p.normal[race], contact[CONTACT.approach], speed, age, states[race, j]
             )
+            if states[race, j] == IN_IMPACT and state == IN_CONTACT:
+                impact_speeds[place] = c.floor
+                ended = True
             states[race, j] = state
             shares[race, j, state] += h
             remember_onset(impact_speeds, onset, place, contact, c.floor, t)
@@ -455,6 +461,7 @@ def after_step(p, balls, impact_speeds, t, h, history):
         remember_onset(impact_speeds, onset, POCKET * c.balls + j, balls[j].pocket_out, c.floor, t)
     for side in range(2):
         remember_onset(impact_speeds, onset, LAND * c.balls + side, p.land_out[side], c.floor, t)
+    return ended
 
 
 @compiled
@@ -553,12 +560,12 @@ def accept_step(t, y, step, data, k, renewed, history, counters):
     """State, attitudes, speeds of impacts and work of films after a step that ends at t."""
     turn_balls(data.balls, data.full_state, step, history.attitude)
     copy(k[STATE_7], y)
-    if renewed:
+    ended = after_step(data.bearing, data.balls, data.impact_speeds, t, step, history)
+    if renewed or ended:
         solved_derivative(t, y, data, k[0])
         counters[EVALUATIONS] += 1
     else:
         copy(k[STAGES - 1], k[0])
-    after_step(data.bearing, data.balls, data.impact_speeds, t, step, history)
     add_film_work(data.bearing, data.balls, y)
     counters[STEPS] += 1
 

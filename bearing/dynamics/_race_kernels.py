@@ -32,6 +32,8 @@ from .arrays import (
     EXPONENT,
     FILM,
     FILM_DAMPING,
+    FILM_LOAD,
+    FILM_RATE,
     FORCE,
     FORCE_X,
     FORCE_Y,
@@ -39,6 +41,7 @@ from .arrays import (
     FRICTIONLESS,
     INNER,
     LINEAR,
+    LOSS,
     MOMENT,
     POCKET,
     RACE_FILM,
@@ -100,6 +103,16 @@ def damped(law, elastic, speed, impact_speed):
     if elastic <= 0.0:
         return 0.0
     return max(0.0, elastic * (1.0 + law[DAMPING] * speed / impact_speed))
+
+
+@compiled
+def lasting(law, elastic, approach, speed):
+    """Force of a contact that lasts, damped by its film and in proportion to its stiffness, never
+    adhesive.
+    """
+    film = law[FILM_RATE] * min(1.0, elastic / law[FILM_LOAD])
+    loss = law[LOSS] * law[EXPONENT] * elastic / approach
+    return max(0.0, elastic + (film + loss) * speed)
 
 
 @compiled
@@ -535,8 +548,7 @@ def race_friction(c, kind, data, load, motion, linear, friction):
             speed = motion.entrainment
             motions = (motion.slide_x, motion.slide_y, motion.spin)
             friction_law(c.mirrored, data.coefficient, data.table, load, speed, motions, friction)
-        if kind == FILM:
-            fade_damping(data.table, load, friction)
+        fade_damping(data.table, load, friction)
 
 
 @compiled
@@ -592,10 +604,13 @@ def ball_on_race(p, ball, data, impact_speeds, race, body, y, j):
     if approach <= 0.0:
         return
     rate = motion.approach_speed
-    if kind == FILM:
+    onset = impact_speeds[race * c.balls + j]
+    if kind == FILM or (kind == TABLE and law[DAMPING] > 0.0 and onset <= c.floor):
         push = max(0.0, elastic + friction[FILM_DAMPING] * rate)
+    elif law[FILM_RATE] + law[LOSS] > 0.0 and onset <= c.floor:
+        push = lasting(law, elastic, approach, rate)
     else:
-        push = damped(law, elastic, rate, impact_speeds[race * c.balls + j])
+        push = damped(law, elastic, rate, onset)
     out[CONTACT.load] = push
     # 2. power lost
     power[WORK.friction_inner + race] -= (

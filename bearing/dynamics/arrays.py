@@ -25,7 +25,10 @@ Vector = tuple[float, float, float]
 # rows of `normal` and, times the number of balls, first places in `impact_speeds`
 INNER, OUTER, POCKET, LAND = range(4)
 CAGE_LOAD = 2  # row of `loads` after INNER and OUTER
-STIFFNESS, EXPONENT, DAMPING = range(3)  # columns of `normal`
+# columns of `normal`: the elastic force, the damping of impacts, and that of contacts that last:
+# of a film, which fades below a load, and in proportion to the stiffness
+STIFFNESS, EXPONENT, DAMPING, FILM_RATE, FILM_LOAD, LOSS = range(6)
+NORMAL_COLUMNS = 6
 # `friction_kind`; FILM: a traction table whose films separate the bodies
 FRICTIONLESS, COEFFICIENT, TABLE, FILM = range(4)
 GUIDED_BY_BALLS, GUIDED_BY_INNER_RING, GUIDED_BY_OUTER_RING = range(3)  # as `inputs.Guidance`
@@ -243,7 +246,7 @@ CONSTANTS = np.dtype(
 BEARING = np.dtype(
     [
         ("constants", CONSTANTS),
-        ("normal", np.float64, (4, 3)),
+        ("normal", np.float64, (4, NORMAL_COLUMNS)),
         ("friction_kind", np.int64),
         ("mechanical", np.int64),
         ("free", np.float64, (17,)),
@@ -295,7 +298,9 @@ class EquationData(NamedTuple):
     """One bearing with its cage in numbers [SI]."""
 
     constants: Constants
-    normal: Array  # stiffness [N/m^exponent], exponent [-], damping factor [-], shape (4, 3)
+    # stiffness [N/m^exponent], exponent [-], damping factor [-]; of contacts that last: film's
+    # damping [N s/m], load below which it fades [N], damping over stiffness [s]; shape (4, 6)
+    normal: Array
     friction_kind: int
     friction_inner: FrictionData
     friction_outer: FrictionData

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.options import require_positive
 
 from ..operation import Operation
@@ -58,7 +59,7 @@ class NormalContact:
     # e, from which the damping follows; what comes back from an impact differs a little
     # (docs/theory/dynamics.md)
     restitution: float = 0.9  # [-]
-    # smallest v_0: a lasting contact that began without an impact is damped as if by this speed
+    # smallest v_0: a slower contact is no impact; its film damps it, without oil this speed
     impact_floor: float = 0.05  # [m/s]
     # K of a ball on a race; None: Hertz' of the grooved race
     inner_stiffness: float | None = None  # [N/m^1.5]
@@ -276,7 +277,7 @@ def _rows(values: Array) -> tuple[tuple[float, ...], ...]:
 class DynamicsOptions:
     """How to simulate."""
 
-    end_time: float  # [s]
+    end_time: float  # or the longest one, `until_steady` [s]
     sample_interval: float  # between rows of the history [s]
     start: Start = Start.QUASI_STATIC
     equations: LoadType | None = None  # None: by the load (`load_type`)
@@ -287,6 +288,7 @@ class DynamicsOptions:
     tolerance: float = 1.0e-4  # [-]
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # along x, y, z [m/s^2]
     drag: float = 0.0  # of a ball over the square of its speed, C_D rho A/2 [N s^2/m^2]
+    until_steady: bool = False  # end where nothing drifts any more (`statistics.settled`)
 
     def __post_init__(self) -> None:
         require_positive(self, "end_time", "sample_interval", "tolerance")
@@ -312,6 +314,7 @@ class DynamicsModel:
     # sliding speed up to which friction of pockets and lands rises [m/s]
     friction_ramp: float = 0.01
     ball_friction: float = 0.0  # Coulomb's mu of ball on ball, without a cage [-]
+    oil: Lubricant | None = None  # whose films damp contacts that last; None: the impact floor
     notes: Mapping[str, str] = field(default_factory=dict)
 
     @property

@@ -20,18 +20,8 @@ from ..geometry import Bearing
 from ..operation import Operation
 from ._integration_kernels import COUNTERS, DONE, NOT_FINITE, STIFF, TOO_SMALL
 from ._motion_kernels import energies
-from .arrays import (
-    DAMPING,
-    FILM,
-    GUIDED_BY_BALLS,
-    OUTER,
-    PRESCRIBED_FORCE,
-    PRESCRIBED_MOMENT,
-    STIFFNESS,
-    EquationData,
-    Layout,
-)
-from .assembly import assemble, scales, vibration_frequency, with_equations
+from .arrays import DAMPING, FILM, GUIDED_BY_BALLS, OUTER, STIFFNESS, EquationData, Layout
+from .assembly import assemble, reference_load, scales, vibration_frequency, with_equations
 from .bodies import equation_counts, symmetric_until
 from .choices import LoadType
 from .initial import StartingPoint, initial_state, starting_point
@@ -42,7 +32,6 @@ from .reduction import SYMMETRIC, SolvedMotion, derivative, solved_motion, symme
 
 PIECE = 256  # samples of a record
 STRETCH = 32  # samples by LSODA that end a piece, before explicit steps are tried again
-REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
 FIRST_STEP = 1.0e-9  # [s]
 SHORTEST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
@@ -130,11 +119,8 @@ class Simulation:
 
     @property
     def reference_load(self) -> float:
-        """Largest load over the number of balls, at least `REFERENCE_LOAD` [N]."""
-        forces = self.data.schedule[:, PRESCRIBED_FORCE:PRESCRIBED_MOMENT]
-        largest = float(np.linalg.norm(forces, axis=1).max())
-        largest += self.data.constants.rotating_force
-        return max(REFERENCE_LOAD, largest / self.bearing.balls)
+        """Load that sets the scale of errors, `assembly.reference_load` [N]."""
+        return reference_load(self.data.schedule, self.data.constants, self.bearing.balls)
 
     @property
     def control(self) -> StepControl:

@@ -5,20 +5,41 @@ several starts of one simulation, which end in one state or in several.
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from math import pi
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.traction._kernels import LOAD_POWER
 
 from ..quasistatic.solution import kinematic_cage_speed
-from .arrays import CAGE_ROTATION, CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Layout
+from .arrays import (
+    CAGE_ROTATION,
+    CONTACT,
+    GUIDED_BY_BALLS,
+    INNER_SPEED,
+    MOMENT,
+    OUTER_SPEED,
+    WORK,
+    Constants,
+    Layout,
+    TableData,
+)
+from .assembly import entrainment_speeds
 from .choices import Start
 from .record import Record
 from .simulation import Simulation, from_state, simulation
 
 BATCHES = 10  # fewest of the ten to thirty of Schmeiser (1982), Operations Research 30, 556
 STUDENT = 2.2622  # 97.5 % of Student's distribution with BATCHES - 1 degrees of freedom
+STUDENT_TREND = 2.306  # 97.5 % with BATCHES - 2 degrees of freedom, of a straight line
+DRIFT = 1.0e-3  # change over the values, over their mean, below which a trend is none [-]
+FASTEST_DECAY = 0.05  # of a trend from mean to mean; a faster one is over in a mean [-]
+BLOCKS = 2000  # of rows, over which sums are kept
+ROUNDING = 1e-9  # of the loads of a table [-]
+SUMS = 5  # load, samples under a load, sliding, friction, samples beyond a table
+SLIDES = (0.003, 0.01, 0.03, 0.1, 0.3)  # sliding over rolling at which friction is largest [-]
 SMALLEST_SAMPLE = 2 * BATCHES  # values, below which no interval is given
 SMALLEST_ORBIT = 1.0e-12  # of a centre, below which it has no whirl [m]
 # a cage whirls where its centre goes round on this share of its play, and one way: net turning
@@ -43,34 +64,33 @@ class RunningStatistics:
     """Sums over the records of a simulation, whose history itself goes to disk."""
 
     balls: int
+    block: int = 1  # rows whose sums are kept together [-]
+    # of the races' tables: first and last load [N] and speed [m/s], shape (2, 2, 2)
+    limits: Array | None = None
     time: list[Array] = field(default_factory=list)
     cage_rotation: list[Array] = field(default_factory=list)  # [rad]
     orbit_speed: list[Array] = field(default_factory=list)  # mean of the balls [rad/s]
     spin_speed: list[Array] = field(default_factory=list)  # about their own axes, likewise [rad/s]
     centres: list[Array] = field(default_factory=list)  # y, z of ring and of cage, (m, 4) [m]
     angle: list[Array] = field(default_factory=list)  # of contact, mean by load [rad]
-    load_sum: Array = field(init=False)  # (2, Z) [N]
+    torque: list[Array] = field(default_factory=list)  # of friction, on the inner ring [N m]
+    # of the balls about the tangents of their orbits, and its couple over their inertia, means
+    # (m, 2) [rad/s], [rad^2/s^2]
+    gyroscopic: list[Array] = field(default_factory=list)
+    block_time: list[Array] = field(default_factory=list)  # of the last rows of blocks [s]
+    sums: list[Array] = field(default_factory=list)  # over blocks, (m, SUMS, 2, Z)
     load_largest: Array = field(init=False)  # (2, Z) [N]
     pocket_largest: Array = field(init=False)  # (Z,) [N]
-    touching: Array = field(init=False)  # samples under a load (2, Z) [-]
-    slide_sum: Array = field(init=False)  # sliding at the contacts' centres (2, Z) [m/s]
     slide_largest: Array = field(init=False)  # (2, Z) [m/s]
-    friction_sum: Array = field(init=False)  # (2, Z) [N]
+    fastest: Array = field(init=False)  # entrainment under a load, (2,) [m/s]
     residual: float = 0.0  # largest of the energies [J]
     rows: int = 0
 
     def __post_init__(self) -> None:
-        sums = (
-            "load_sum",
-            "load_largest",
-            "touching",
-            "slide_sum",
-            "slide_largest",
-            "friction_sum",
-        )
-        for name in sums:
+        for name in ("load_largest", "slide_largest"):
             setattr(self, name, np.zeros((2, self.balls)))
         self.pocket_largest = np.zeros(self.balls)
+        self.fastest = np.zeros(2)
 
     def add(self, record: Record, start_energy: float) -> None:
         """Add a record to the sums.
@@ -95,24 +115,88 @@ class RunningStatistics:
         loads = record.races[..., CONTACT.load]
         pockets = record.pockets[..., CONTACT.load]
         self.angle.append(angle_by_load(loads, record.races[..., CONTACT.contact_angle]))
-        self.load_sum += loads.sum(axis=0)
+        self.torque.append(-record.loads[:, MOMENT])
+        self.gyroscopic.append(gyroscopic_motion(record.state, layout, orbits))
         self.load_largest = np.maximum(self.load_largest, loads.max(axis=0))
         self.pocket_largest = np.maximum(self.pocket_largest, pockets.max(axis=0))
-        self._add_sliding(record.races, loads > 0.0)
+        self._add_contacts(record, loads)
         work = record.state[:, layout.energy]
         change = record.energy.sum(axis=1) - start_energy
         error = change - work[:, :INPUTS].sum(axis=1) + work[:, INPUTS:].sum(axis=1)
         self.residual = max(self.residual, float(np.abs(error).max()))
         self.rows += record.time.size
 
-    def _add_sliding(self, races: Array, loaded: NDArray[np.bool_]) -> None:
-        """Sliding and friction where a race is loaded."""
+    def _add_contacts(self, record: Record, loads: Array) -> None:
+        """Loads, and sliding and friction where a race is loaded, and whether its table goes on
+        there.
+        """
+        races = record.races
+        loaded = loads > 0.0
         slide = np.hypot(races[..., CONTACT.slide_x], races[..., CONTACT.slide_y]) * loaded
-        pull = np.hypot(races[..., CONTACT.friction_x], races[..., CONTACT.friction_y])
-        self.touching += loaded.sum(axis=0)
-        self.slide_sum += slide.sum(axis=0)
+        pull = np.hypot(races[..., CONTACT.friction_x], races[..., CONTACT.friction_y]) * loaded
+        speed = races[..., CONTACT.entrainment_speed] * loaded
         self.slide_largest = np.maximum(self.slide_largest, slide.max(axis=0))
-        self.friction_sum += (pull * loaded).sum(axis=0)
+        self.fastest = np.maximum(self.fastest, speed.max(axis=(0, 2)))
+        beyond = np.zeros_like(loaded)
+        if self.limits is not None:
+            first, last = self.limits[..., None]
+            beyond = (loads > last[:, 0]) | (speed > last[:, 1])
+            beyond |= loaded & ((loads < first[:, 0]) | (speed < first[:, 1]))
+        values = np.stack([loads, loaded, slide, pull, beyond], axis=1)
+        starts = np.arange(0, len(values), self.block)
+        ends = np.minimum(starts + self.block, len(values)) - 1
+        self.sums.append(np.add.reduceat(values, starts, axis=0))
+        self.block_time.append(record.time[ends])
+
+    def late_sums(self) -> Array:
+        """Sums over the last third of the time, and of samples.
+
+        Returns
+        -------
+        Array
+            sums of load [N], samples under a load, sliding [m/s], friction [N] and samples beyond
+            a table, shape (SUMS, 2, Z)
+        """
+        time = np.concatenate(self.block_time)
+        late = time >= (1.0 - AVERAGED_SHARE) * time[-1]
+        sums: Array = np.concatenate(self.sums)[late].sum(axis=0)
+        return sums
+
+    def settled(self) -> bool:
+        """Check that cage and balls have come to rest at their mean speeds: over the last third
+        of the time, and between it and the third before.
+
+        Returns
+        -------
+        bool
+            true if the end is steady
+        """
+        time = np.concatenate(self.time)
+        for speed in (np.concatenate(self.orbit_speed), self.cage_speeds()):
+            last = speed[time >= (1.0 - AVERAGED_SHARE) * time[-1]]
+            before = speed[time >= (1.0 - 2.0 * AVERAGED_SHARE) * time[-1]][: -last.size]
+            ends = [stationarity(part) for part in (last, before)]
+            if not all(end is not None and end.steady for end in ends):
+                return False
+            widths = [batch_interval(part) or 0.0 for part in (last, before)]
+            allowed = max(sum(widths), DRIFT * abs(float(last.mean())))
+            if abs(float(last.mean() - before.mean())) > allowed:
+                return False
+        return True
+
+    def cage_speeds(self) -> Array:
+        """Speeds of the cage from row to row, of the balls where there is no cage.
+
+        Returns
+        -------
+        Array
+            speeds, shape (rows,) [rad/s]
+        """
+        rotation, time = np.concatenate(self.cage_rotation), np.concatenate(self.time)
+        if time.size < FEWEST_PLACES or not np.any(rotation):
+            return np.concatenate(self.orbit_speed)
+        speeds: Array = np.diff(rotation) / np.diff(time)
+        return np.append(speeds[0], speeds)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -134,13 +218,25 @@ class SimulationStatistics:
     cage_play: float | None  # in its pockets or lands, which the radius may reach [m]
     one_way: float | None  # net turning of the cage's centre over all of it [-]
     averaged: int  # samples that means and whirl are of [-]
+    steady: bool | None  # nothing drifts over the last third; None of too few samples
+    # change of the cage's speed that its relaxation has left, and its time, as far as they show
+    left: float | None  # [rad/s]
+    relaxation: float | None  # [s]
+    friction_torque: float  # on the inner ring, likewise a mean over the last third [N m]
+    # samples of contacts beyond their table's loads or speeds, of those under a load; None without
+    table_exceeded: float | None  # [-]
+    fastest: tuple[float, float]  # entrainment at inner and outer race [m/s]
+    # mean over the balls: turning about the tangent of the orbit, and its moment over the most
+    # that friction holds
+    gyroscopic_speed: float  # [rad/s]
+    gyroscopic_load: float | None  # [-]; None without friction
     work: dict[str, float]  # put in, lost and taken up by films, by mechanism [J]
     stored: float  # change of kinetic, elastic and potential energy [J]
     # largest residual over the total input or, where that is less, over what was lost, or over
     # `STILL` of the energy at the start
     energy_error: float  # [-]
     shares: Array  # of the time separated, in contact, in an impact, shape (2, Z, 3) [-]
-    mean_load: Array  # [N], shape (2, Z)
+    mean_load: Array  # over the last third, as all means [N], shape (2, Z)
     largest_load: Array  # [N]
     # at the centres of contacts while they are loaded, shape (2, Z); zero where one never is
     mean_sliding: Array  # [m/s]
@@ -168,6 +264,48 @@ class SimulationStatistics:
     def cage_slip_ratio(self) -> float | None:
         """Speed that the cage lacks, over the kinematic one [-]."""
         return None if self.cage_speed_ratio is None else 1.0 - self.cage_speed_ratio
+
+
+def running_statistics(run: Simulation) -> RunningStatistics:
+    """Empty sums for the records of a simulation.
+
+    Parameters
+    ----------
+    run : Simulation
+        simulation at its start
+
+    Returns
+    -------
+    RunningStatistics
+        sums
+    """
+    tables = [law.table for law in (run.data.friction_inner, run.data.friction_outer)]
+    limits = [table_limits(table) for table in tables if table is not None]
+    rows = round(run.model.options.end_time / run.model.options.sample_interval)
+    return RunningStatistics(
+        run.bearing.balls,
+        block=max(1, rows // BLOCKS),
+        limits=np.moveaxis(np.array(limits), 0, 1) if limits else None,
+    )
+
+
+def table_limits(table: TableData) -> Array:
+    """First and last load and speed of a traction table.
+
+    Parameters
+    ----------
+    table : TableData
+        table of one race
+
+    Returns
+    -------
+    Array
+        rows first and last, columns load [N] and speed [m/s], shape (2, 2)
+    """
+    first, density, nodes = table.axes[:2].T
+    ends = np.array([first, first + (nodes - 1.0) / density])
+    loads, speeds = (-ends[:, 0]) ** (1.0 / LOAD_POWER), np.exp(ends[:, 1])
+    return np.stack([loads * (1.0 + np.array([-1, 1]) * ROUNDING), speeds], axis=1)
 
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:
@@ -259,6 +397,9 @@ def simulation_statistics(
     centres = np.concatenate(running.centres)[late]
     angle = float(np.concatenate(running.angle)[late].mean())
     span = float(time[late][-1] - time[late][0])
+    sums = running.late_sums()
+    samples = float((time >= (1.0 - AVERAGED_SHARE) * time[-1]).sum())
+    tables = running.limits is not None
     has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]
     put_in = float(np.sum(work[:INPUTS]))
@@ -277,17 +418,97 @@ def simulation_statistics(
         cage_whirl=whirl_speed(time[late], centres[:, 2:]),
         **_cage_orbit(simulation, centres[:, 2:]),
         averaged=int(late.sum()),
+        **_stationarity(simulation, running, late),
+        friction_torque=abs(float(np.concatenate(running.torque)[late].mean())),
+        table_exceeded=float(sums[4].sum() / max(sums[1].sum(), 1.0)) if tables else None,
+        fastest=(float(running.fastest[0]), float(running.fastest[1])),
+        **_gyroscopic(
+            simulation, np.concatenate(running.gyroscopic)[late].mean(axis=0), sums, samples
+        ),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
         stored=put_in - dissipated - float(work[-1]),
         energy_error=_energy_error(running.residual, put_in, dissipated, simulation.start_energy),
         shares=state.shares / max(state.time, 1e-300),
-        mean_load=running.load_sum / running.rows,
+        mean_load=sums[0] / samples,
         largest_load=running.load_largest,
-        mean_sliding=running.slide_sum / np.maximum(running.touching, 1.0),
+        mean_sliding=sums[2] / np.maximum(sums[1], 1.0),
         largest_sliding=running.slide_largest,
-        mean_friction=running.friction_sum / np.maximum(running.touching, 1.0),
+        mean_friction=sums[3] / np.maximum(sums[1], 1.0),
         largest_pocket_load=running.pocket_largest,
     )
+
+
+def _stationarity(
+    simulation: Simulation, running: RunningStatistics, late: NDArray[np.bool_]
+) -> dict[str, Any]:
+    """Stationarity of the speeds of cage and balls, and what the cage's relaxation has left; not
+    steady while speeds or loads of a schedule still change.
+    """
+    time = np.concatenate(running.time)[late]
+    cage = stationarity(running.cage_speeds()[late])
+    balls = stationarity(np.concatenate(running.orbit_speed)[late])
+    if cage is None or balls is None:
+        return {"steady": None, "left": None, "relaxation": None}
+    at = simulation.data.times
+    held = at.size == 1 or at[-1] <= time[0] or not np.ptp(simulation.data.schedule, axis=0).any()
+    step = None if cage.relaxation is None else cage.relaxation * float(time[-1] - time[0])
+    return {"steady": held and cage.steady and balls.steady, "left": cage.left, "relaxation": step}
+
+
+def _gyroscopic(
+    simulation: Simulation, motion: Array, sums: Array, samples: float
+) -> dict[str, float | None]:
+    """Turning of the balls about the tangents of their orbits, and its couple over what friction
+    holds at most.
+    """
+    c = simulation.data.constants
+    held = 0.0
+    friction = simulation.model.friction
+    speeds = np.abs(entrainment_speeds(simulation.data.schedule[-1:], 0.5 * pitch(c)))
+    speed = float(speeds[0])
+    for law, loads, touching in zip((friction.inner, friction.outer), *sums[:2], strict=True):
+        load = float(loads.sum() / max(touching.sum(), 1.0))
+        if law is None or not load * speed > 0.0:
+            continue
+        across = (law.forces(load, speed, 0.0, s * speed, 0.0).force_y for s in SLIDES)
+        share = float(touching.sum()) / samples / touching.size
+        held += share * c.ball_radius * max(abs(force) for force in across)
+    couple = c.ball_inertia * abs(float(motion[1]))
+    return {
+        "gyroscopic_speed": float(motion[0]),
+        "gyroscopic_load": couple / held if held > 0.0 else None,
+    }
+
+
+def pitch(c: Constants) -> float:
+    """Diameter of the circle midway between the grooves' centres [m]."""
+    return c.inner_centre + c.outer_centre
+
+
+def gyroscopic_motion(states: Array, layout: Layout, orbits: Array) -> Array:
+    """Means over the balls of the turning about the tangents of their orbits, and of the orbit's
+    speed times the turning about the radius, which the gyroscopic couple is in proportion to.
+
+    Parameters
+    ----------
+    states : Array
+        state vectors, shape (m, size) [SI]
+    layout : Layout
+        slices of the state vector
+    orbits : Array
+        orbit speeds, shape (m, Z) [rad/s]
+
+    Returns
+    -------
+    Array
+        means, shape (m, 2) [rad/s], [rad^2/s^2]
+    """
+    place = states[:, layout.ball].reshape(*orbits.shape, 3)
+    turn = states[:, layout.ball_turn].reshape(*orbits.shape, 3)
+    radius = np.hypot(place[..., 1], place[..., 2])
+    about_tangent = (turn[..., 2] * place[..., 1] - turn[..., 1] * place[..., 2]) / radius
+    about_radius = (turn[..., 1] * place[..., 1] + turn[..., 2] * place[..., 2]) / radius
+    return np.stack([about_tangent.mean(axis=1), (orbits * about_radius).mean(axis=1)], axis=1)
 
 
 def _energy_error(residual: float, put_in: float, dissipated: float, start: float) -> float:
@@ -360,6 +581,48 @@ def batch_interval(values: Array) -> float | None:
     return STUDENT * float(means.std(ddof=1)) / BATCHES**0.5
 
 
+class Stationarity(NamedTuple):
+    """Test of evenly sampled values for a trend, and what an exponential has left of it."""
+
+    steady: bool
+    left: float | None  # to come, in the unit of the values
+    relaxation: float | None  # time constant over the span of the values [-]
+
+
+def stationarity(values: Array) -> Stationarity | None:
+    """Trend of the means of batches against their spread about it, by a straight line: steady
+    where it is within the spread, or changes the mean by less than `DRIFT` over the values.
+
+    What is left of a relaxation follows from three means one after the other, whose differences
+    an exponential shrinks by one ratio.
+
+    Parameters
+    ----------
+    values : Array
+        samples, shape (m,) [any unit]
+
+    Returns
+    -------
+    Stationarity | None
+        result of the test; None below `SMALLEST_SAMPLE` values
+    """
+    if values.size < SMALLEST_SAMPLE:
+        return None
+    size = values.size // BATCHES
+    means = values[values.size - size * BATCHES :].reshape(BATCHES, size).mean(axis=1)
+    at = np.linspace(-0.5, 0.5, BATCHES)
+    slope = float(at @ means / (at @ at))
+    spread = float(((means - means.mean() - slope * at) ** 2).sum() / (BATCHES - 2) / (at @ at))
+    small = DRIFT * float(np.abs(values).mean())
+    steady = abs(slope) <= max(STUDENT_TREND * spread**0.5, small)
+    early, middle, end = means[1:].reshape(3, -1).mean(axis=1)
+    ratio = (end - middle) / (middle - early) if middle != early else 0.0
+    if steady or not FASTEST_DECAY < ratio < 1.0:
+        return Stationarity(steady, None, None)
+    left = (end - middle) * ratio**0.5 / (1.0 - ratio)  # from the end of the last mean
+    return Stationarity(steady, float(left), float(-(3.0 / BATCHES) / np.log(ratio)))
+
+
 def whirl_speed(time: Array, position: Array) -> float | None:
     """Mean angular speed of a centre's path about its own mean, positive as the axis turns.
 
@@ -425,9 +688,11 @@ def simulated_statistics(run: Simulation) -> SimulationStatistics | None:
     SimulationStatistics | None
         statistics; None if it does not get there
     """
-    running = RunningStatistics(run.bearing.balls)
+    running = running_statistics(run)
     for record in run.pieces():
         running.add(record, run.start_energy)
+        if run.model.options.until_steady and running.settled():
+            break
     return simulation_statistics(run, running) if run.converged else None
 
 

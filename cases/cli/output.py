@@ -470,7 +470,7 @@ def dynamics_cost(case: Case) -> tuple[str, float]:
         Description, and time [s].
     """
     table = case.file.dynamics
-    simulated = 0.0 if table is None else table.end_time_s * table.starts
+    simulated = 0.0 if table is None else (table.end_time_s or 0.0) * (table.starts or 1)
     planar = table is not None and table.equations == "planar"
     each = PLANAR_SECONDS if planar else DYNAMICS_SECONDS
     seconds = simulated * case.bearing.balls * each

@@ -220,7 +220,8 @@ def _window(text: str | None, animation: Path | None, case: Case) -> tuple[float
         return None
     if animation is None:
         raise CaseError("--window: needs --animate")
-    end = 0.0 if case.file.dynamics is None else case.file.dynamics.end_time_s
+    table = case.file.dynamics
+    end = 0.0 if table is None or table.end_time_s is None else table.end_time_s
     try:
         first, last = (1e-3 * float(part) for part in text.split(","))
     except ValueError:

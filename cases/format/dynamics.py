@@ -1,6 +1,7 @@
 """[dynamics] and [cage]: the time simulation, and the cage for friction and simulation."""
 
 from collections.abc import Iterator
+from math import pi
 from typing import Annotated, Literal
 
 from oilfilm.bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
@@ -45,15 +46,26 @@ from .rules import (
 class DynamicsTable(Table):
     """Time simulation: `oilfilm dynamics`."""
 
-    end_time_s: float = above(0, 1e4, "simulated time", ...)
+    end_time_s: float | None = above(
+        0, 1e4, 'simulated time; the longest one with end_time = "steady", then 5 if left out'
+    )
+    end_time: Literal["steady"] | None = described(
+        "steady: ends where speeds of cage and balls drift no more"
+    )
     output_interval_us: float | None = above(
-        0, 1e9, "between rows of the history; left out, a 2000th of the simulated time"
+        0,
+        1e9,
+        "between rows of the history; left out, a 2000th of the simulated time, a 64th of a turn "
+        'with end_time = "steady"',
     )
     start: Annotated[str, OneOf(Start)] = described(
         "equilibrium; balls rolling on the outer race; or at rest there", "quasi-static"
     )
-    starts: int = between(
-        1, 100, "runs in all: others with balls turned by a part of a pitch, and slower", 1
+    starts: int | None = between(
+        1,
+        100,
+        "runs in all: others with balls turned by a part of a pitch, and slower; left out, 2 "
+        "where a load across the axis leaves it to pockets, else 1",
     )
     equations: Annotated[str, OneOf("by load", LoadType)] = described(
         "the fewest that the loads allow, or those named", "by load"
@@ -84,7 +96,10 @@ class DynamicsTable(Table):
     )
     restitution: float = above(0, 1, "e that the contact law is given", 0.9)
     impact_speed_floor_m_s: float = above(
-        0, 1e3, "least speed that counts as that of an impact; damps lasting contacts", 0.05
+        0,
+        1e3,
+        "least speed that counts as that of an impact; slower ones are damped by their film",
+        0.05,
     )
     race_stiffness: Annotated[str, OneOf(RaceStiffness)] = described(
         "of the grooved race, or a sphere on the race's circle, Shan et al. (2023)", "hertz"
@@ -163,6 +178,8 @@ GUIDED_BY_RING = tuple(
 )
 LARGEST_HISTORY = 2_000_000  # rows; of ten balls, some 420 numbers each, 7 GB
 SAMPLES = 2000  # of a history by default
+TURN_SAMPLES = 64  # of a turn, where the end is not known
+LONGEST = 5.0  # [s]
 RELATIONS: tuple[Relation, ...] = (
     OnlyWith("cage.land_oil_share", (Where("cage.pocket_friction"),), default=1.0),
     Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
@@ -193,6 +210,11 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
     Iterator[CaseProblem]
         The problems.
     """
+    if values.given("dynamics") and not (
+        values.given("dynamics", "end_time_s") or values.given("dynamics", "end_time")
+    ):
+        allowed = 'needed: the simulated time [s], or end_time = "steady"'
+        yield CaseProblem(("dynamics", "end_time_s"), "missing", allowed)
     share = values.get("cage", "land_oil_share")
     if share is not None and share < 1.0:
         for name in ("land_friction", "mass_g"):
@@ -216,8 +238,8 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
         yield CaseProblem(path, 'found "lubricated"', allowed)
 
 
-def sample_interval(table: DynamicsTable) -> float:
-    """Time between rows of the history.
+def end_time(table: DynamicsTable) -> float:
+    """Simulated time, the longest one of a simulation that ends where it is steady.
 
     Parameters
     ----------
@@ -229,8 +251,30 @@ def sample_interval(table: DynamicsTable) -> float:
     float
         The time [s].
     """
+    return LONGEST if table.end_time_s is None else table.end_time_s
+
+
+def sample_interval(table: DynamicsTable, speed: float) -> float:
+    """Time between rows of the history.
+
+    Parameters
+    ----------
+    table : DynamicsTable
+        The checked table.
+    speed : float
+        Speed of the rings against each other [rad/s].
+
+    Returns
+    -------
+    float
+        The time [s].
+    """
     interval = table.si()["output_interval"]
-    return table.end_time_s / SAMPLES if interval is None else min(interval, table.end_time_s)
+    end = end_time(table)
+    usual = end / SAMPLES
+    if table.end_time is not None and speed != 0.0:
+        usual = 2.0 * pi / abs(speed) / TURN_SAMPLES
+    return min(usual if interval is None else interval, end)
 
 
 def simulated_friction(table: FrictionTable) -> dict[str, float]:

@@ -25,11 +25,12 @@ from oilfilm.bearing.dynamics.model import (
     viscosity_over_time,
     with_race_friction,
 )
+from oilfilm.bearing.dynamics.reduction import MIRRORED
 from oilfilm.bearing.dynamics.simulation import Simulation, load_restart, simulation
 from oilfilm.bearing.dynamics.statistics import (
-    RunningStatistics,
     SimulationStatistics,
     other_start,
+    running_statistics,
     simulated_statistics,
 )
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction
@@ -41,7 +42,7 @@ from oilfilm.postprocess.dynamics.history import HistoryWriter
 from oilfilm.postprocess.dynamics.results import DynamicsResults
 
 from ..format.case import Case, oil_of_file
-from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
+from ..format.dynamics import DynamicsTable, end_time, sample_interval, simulated_friction
 from ..format.fields import FREE_WORD
 from ..format.library import materials
 from ..format.rules import CaseError
@@ -57,6 +58,7 @@ DIMENSIONS = (
     "ball_diameter pitch_diameter inner_groove_radius outer_groove_radius diametral_clearance "
     "first_ball_azimuth bore outside_diameter width"
 ).split()
+OTHER_STARTS = 2  # in all, where states may differ
 MILLISECONDS = 1000.0  # the progress counts in these
 
 
@@ -130,8 +132,13 @@ def run_dynamics(
 def _table(case: Case, name: str) -> DynamicsTable:
     if case.file.dynamics is None:
         raise CaseError(
-            f"{name}: has no table [dynamics]; it needs end_time_s, see docs/reference/cases.md"
+            f"{name}: has no table [dynamics]; it needs end_time_s, or end_time = 'steady', see "
+            "docs/reference/cases.md"
         )
+    other = [key for key in ("form", "support") if getattr(case.file, key) is not None]
+    if other:
+        names = " and ".join(f"[{key}]" for key in other)
+        raise CaseError(f"{name}: {names}: not taken by this simulation; 'oilfilm vibration' does")
     if case.rows is not None and len(case.rows) > 1:
         raise CaseError(f"{name}: [[rows]]: a simulation takes one row of balls")
     return case.file.dynamics
@@ -172,7 +179,7 @@ def _teller(run: Simulation, notify: Progress) -> Callable[[], None]:
 def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> DynamicsResults:
     """Step, write, count; on Ctrl-C what there is so far goes up with `Interrupted`."""
     began = perf_counter()
-    running = RunningStatistics(case.bearing.balls)
+    running = running_statistics(run)
     before = run.state
     attributes = _attributes(case)
 
@@ -202,6 +209,8 @@ def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> Dyn
                     writer.add(record)
                     running.add(record, run.start_energy)
                 tell()
+                if run.model.options.until_steady and running.settled():
+                    break
         except KeyboardInterrupt:
             # the thread that was given up still moves the state it has
             run = replace(run, state=before)
@@ -213,7 +222,7 @@ def _with_other_starts(case: Case, results: DynamicsResults) -> DynamicsResults:
     """The results with the ends of the other starts that the case asks for."""
     assert case.file.dynamics is not None  # checked before
     run = results.simulation
-    count = case.file.dynamics.starts if run.converged else 1
+    count = (case.file.dynamics.starts or usual_starts(run)) if run.converged else 1
     others: list[SimulationStatistics | None] = []
     try:
         for k in range(1, count):
@@ -223,6 +232,24 @@ def _with_other_starts(case: Case, results: DynamicsResults) -> DynamicsResults:
     except KeyboardInterrupt:
         raise Interrupted(replace(results, others=tuple(others)), run) from None
     return replace(results, others=tuple(others))
+
+
+def usual_starts(run: Simulation) -> int:
+    """Starts where the case names none: two where pockets decide, a load across the axis leaving
+    each ball a place of its own; one under an axial load.
+
+    Parameters
+    ----------
+    run : Simulation
+        Simulation at its end.
+
+    Returns
+    -------
+    int
+        Number of starts [-].
+    """
+    across = run.point.kind in MIRRORED and run.model.cage is not None
+    return OTHER_STARTS if across else 1
 
 
 def _attributes(case: Case) -> dict[str, str | float]:
@@ -295,6 +322,7 @@ def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsMo
         film_viscosity=case.lubricant.viscosity if table.cage_film else 0.0,
         friction_ramp=si["cage_friction_ramp"],
         ball_friction=table.ball_on_ball_friction,
+        oil=case.lubricant,
         notes=notes,
     )
     if table.friction in COEFFICIENTS:
@@ -337,7 +365,9 @@ def _options(case: Case, table: DynamicsTable) -> DynamicsOptions:
     drag = (si["ball_drag"], si["mixture_density"], table.drag_coefficient)
     return table.build(
         DynamicsOptions,
-        sample_interval=sample_interval(table),
+        end_time=end_time(table),
+        until_steady=table.end_time is not None,
+        sample_interval=sample_interval(table, case.operation.shaft_speed),
         equations=None if table.equations == "by load" else LoadType(table.equations),
         drag=ball_drag(case.bearing, case.operation, *drag),
     )

@@ -54,6 +54,12 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     notify = progress or (lambda done, total, state: None)
     began = perf_counter()
     file = case.file
+    if file.dynamics is not None and (keys := file.dynamics.model_fields_set - {"end_time_s"}):
+        names = ", ".join(f"dynamics.{key}" for key in sorted(keys))
+        raise CaseError(
+            f"{name}: {names}: not taken where the cage turns the balls, as with [form] and "
+            "[support]; allowed: end_time_s"
+        )
     end_time = None if file.dynamics is None else file.dynamics.end_time_s
     table = file.vibration or VibrationTable()
     try:

@@ -67,6 +67,7 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
         "pocket_approach": (pocket, record.pockets[..., CONTACT.approach], "m"),
         "energy": (("time", "form"), record.energy, "J"),
         "work": (("time", "mechanism"), state[:, layout.energy], "J"),
+        "friction_torque": (("time",), -record.loads[:, 3], "N m"),
         "ring_load": (load, record.loads[:, :6], "N, N m"),
         "cage_load": (load, record.loads[:, 6:], "N, N m"),
     }

@@ -62,6 +62,16 @@ SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ra
     ),
     *quantities(("cage_orbit_radius_um", "", "cage_orbit"), null=NO_WHIRL),
     *quantities(("energy_balance_error", "", "energy_error")),
+    *quantities("steady", null="there are too few samples", words=True),
+    *quantities(
+        ("cage_speed_to_come_rpm", "", "left"),
+        ("relaxation_time_s", "", "relaxation"),
+        null="nothing drifts, or not as an exponential",
+    ),
+    *quantities(("friction_torque_N_mm", "friction torque", "friction_torque")),
+    *quantities(("table_exceeded_share", "", "table_exceeded"), null="there is no traction table"),
+    *quantities(("gyroscopic_speed_rad_s", "", "gyroscopic_speed")),
+    *quantities(("gyroscopic_load_ratio", "", "gyroscopic_load"), null="there is no friction"),
 )
 STARTS = (  # of the end of each
     CAGE_SPEED,
@@ -93,6 +103,7 @@ PLOTTED = by_key(
         "energy_J",
     )
 )
+HELD = 0.9  # gyroscopic couple over what friction holds, above which balls slip [-]
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
 
 
@@ -200,6 +211,24 @@ def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
     if numbers.energy_error > ENERGY_LIMIT:
         error = f"{numbers.energy_error:.2g} of the work"
         yield f"dynamics: not converged: the energies are off by {error}; lower tolerance"
+    if numbers.steady is False:
+        yield _transient(numbers)
+    if numbers.table_exceeded:
+        largest = numbers.largest_load.max(axis=1)
+        yield (
+            f"dynamics: {numbers.table_exceeded:.2g} of the loaded contacts over the last third "
+            f"lie outside the traction table: up to {largest[0]:.3g} N and "
+            f"{numbers.fastest[0]:.3g} m/s at the inner, {largest[1]:.3g} N and "
+            f"{numbers.fastest[1]:.3g} m/s at the outer race; there speeds count as the nearest "
+            "of the table, forces in proportion to the load; make a wider one (oilfilm table "
+            "--loads --speeds)"
+        )
+    if numbers.gyroscopic_load is not None and numbers.gyroscopic_load > HELD:
+        spin = abs(numbers.gyroscopic_speed / numbers.spin_speed) if numbers.spin_speed else 0.0
+        yield (
+            f"dynamics: gyroscopic slip: the couple is {numbers.gyroscopic_load:.2f} of what "
+            f"friction holds at most; balls turn about the tangent at {spin:.2f} of their spin"
+        )
     if numbers.cage_interval is None:
         yield "dynamics: fewer than 60 samples: no confidence interval of the speeds"
     if numbers.cage_whirls:
@@ -211,6 +240,18 @@ def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
     if still:
         bodies = " and ".join(still)
         yield f"dynamics: no whirl: the centre of {bodies} stays on the axis or is fixed"
+
+
+def _transient(numbers: SimulationStatistics) -> str:
+    """Part of a relaxation that is still to come."""
+    text = "dynamics: not steady: the speeds still drift over the last third of the time"
+    if numbers.left is not None and numbers.relaxation is not None:
+        left = from_si("speed_rpm", numbers.left)
+        text += (
+            f"; as an exponential of {numbers.relaxation:.2g} s the cage has {left:+.3g} r/min to "
+            "go"
+        )
+    return f'{text}; lengthen end_time_s, or end_time = "steady" ends where nothing drifts'
 
 
 def _whirl(numbers: SimulationStatistics) -> str:

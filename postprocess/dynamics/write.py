@@ -86,6 +86,10 @@ def _facts(document: dict[str, Any]) -> dict[str, str]:
     if ratio is not None:
         kinematic = document["kinematic_cage_speed_rpm"]
         facts["cage"] += f", {ratio:.4f} of the kinematic {kinematic:.2f}"
+    if document["steady"] is False:
+        left = document["cage_speed_to_come_rpm"]
+        facts["cage"] += ", not steady" + ("" if left is None else f": {left:+.3g} r/min to come")
+    facts["friction torque"] = f"{document['friction_torque_N_mm']:.4g} N mm"
     facts["sliding"] = _sliding(document["balls"])
     lost = document["energy"]["dissipated_J"]
     supplied = sum(document["energy"]["input_J"].values())

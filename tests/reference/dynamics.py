@@ -203,12 +203,12 @@ def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table:
     if problem.friction_kind == COEFFICIENT:
         parts = friction(data.coefficient, (elastic, abs(u)), slides, dots(turn, n))
         force, moment = parts[0] * x + parts[1] * y, parts[2] * n + parts[3] * y
-    if problem.friction_kind in (TABLE, FILM):
+    elif problem.friction_kind in (TABLE, FILM):
         values = looked_up(table, (elastic, abs(u)), slides, dots(turn, n))
         force = values[:, :1] * x + values[:, 1:2] * y
         moment = values[:, 2:3] * n + values[:, 3:4] * y
-        if problem.friction_kind == FILM:
-            push = np.maximum(0.0, elastic + values[:, 7:] * dots(slide, n))
+        lasts = (problem.friction_kind == FILM) | (memory <= c.floor)
+        push = np.where(lasts, np.maximum(0.0, elastic + values[:, 7:] * dots(slide, n)), push)
     return Pair(force - push * n, moment, moment + np.cross(arm, force), balls.position + arm)
 
 
