@@ -619,7 +619,7 @@ def stationarity(values: Array) -> Stationarity | None:
     ratio = (end - middle) / (middle - early) if middle != early else 0.0
     if steady or not FASTEST_DECAY < ratio < 1.0:
         return Stationarity(steady, None, None)
-    left = (end - middle) * ratio**0.5 / (1.0 - ratio)  # from the end of the last mean
+    left = (end - middle) * ratio**1.5 / (1.0 - ratio)  # from the end of the last mean
     return Stationarity(steady, float(left), float(-(3.0 / BATCHES) / np.log(ratio)))
 
 

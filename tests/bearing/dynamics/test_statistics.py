@@ -17,7 +17,9 @@ from oilfilm.bearing.dynamics.statistics import (
     STUDENT,
     RunningStatistics,
     batch_interval,
+    gyroscopic_motion,
     orbit_speeds,
+    stationarity,
     whirl_speed,
 )
 
@@ -37,7 +39,12 @@ def made_up_record(work, energy):
     state[0, layout.energy] = work
     still = np.zeros((1, 2, BALLS, len(CONTACT)))
     return SimpleNamespace(
-        time=np.array([0.1]), state=state, races=still, pockets=still[:, 0], energy=np.array([energy])
+        time=np.array([0.1]),
+        state=state,
+        races=still,
+        pockets=still[:, 0],
+        energy=np.array([energy]),
+        loads=np.zeros((1, 12)),
     )
 
 
@@ -85,6 +92,35 @@ def test_a_trend_widens_it_and_few_samples_have_none():
     assert batch_interval(steady) == pytest.approx(0.0, abs=1e-15)
     assert batch_interval(steady + np.linspace(0.0, 1.0, 200)) > 0.1
     assert batch_interval(np.ones(19)) is None
+
+
+def test_what_a_relaxation_has_left():
+    """100 + 50 exp(-t/0.4) over t from 0 to 1: not steady, 50/e^2.5 to come in a relaxation time of 0.4."""
+    time = np.linspace(0.0, 1.0, 2001)
+    found = stationarity(100.0 + 50.0 * np.exp(-time / 0.4))
+    assert not found.steady
+    assert found.left == pytest.approx(-50.0 * np.exp(-2.5), rel=0.02)
+    assert found.relaxation == pytest.approx(0.4, rel=1e-3)
+    assert stationarity(np.ones(19)) is None
+
+
+def test_noise_and_small_trends_are_steady():
+    """Of 400 histories without a trend few are called drifting; a trend beyond the spread is one."""
+    random = np.random.default_rng(61723)
+    histories = [10.0 + correlated(random, 2000, 0.9) for _ in range(400)]
+    assert np.mean([stationarity(values).steady for values in histories]) > 0.9
+    assert not stationarity(histories[0] + np.linspace(0.0, 5.0, 2000)).steady
+    assert stationarity(1000.0 + np.linspace(0.0, 0.9, 100)).steady
+
+
+def test_turning_about_the_tangent():
+    """A ball at azimuth 0.4 that turns about the tangent at 7, about the radius at 30 rad/s."""
+    layout = Layout(1)
+    state = np.zeros((1, layout.size))
+    out, around = np.array([0.0, np.cos(0.4), np.sin(0.4)]), np.array([0.0, -np.sin(0.4), np.cos(0.4)])
+    state[0, layout.ball] = 0.02 * out
+    state[0, layout.ball_turn] = 7.0 * around + 30.0 * out
+    assert_allclose(gyroscopic_motion(state, layout, np.array([[50.0]])), [[7.0, 1500.0]])
 
 
 @pytest.mark.parametrize("speed", [340.0, -55.0])
