@@ -22,7 +22,6 @@ from .arrays import (
     MOMENT,
     OUTER_SPEED,
     WORK,
-    Constants,
     Layout,
     TableData,
 )
@@ -65,7 +64,7 @@ class RunningStatistics:
 
     balls: int
     block: int = 1  # rows whose sums are kept together [-]
-    # of the races' tables: first and last load [N] and speed [m/s], shape (2, 2, 2)
+    # first and last load [N] and speed [m/s] of the races' tables, shape (2, 2, 2)
     limits: Array | None = None
     time: list[Array] = field(default_factory=list)
     cage_rotation: list[Array] = field(default_factory=list)  # [rad]
@@ -74,8 +73,8 @@ class RunningStatistics:
     centres: list[Array] = field(default_factory=list)  # y, z of ring and of cage, (m, 4) [m]
     angle: list[Array] = field(default_factory=list)  # of contact, mean by load [rad]
     torque: list[Array] = field(default_factory=list)  # of friction, on the inner ring [N m]
-    # of the balls about the tangents of their orbits, and its couple over their inertia, means
-    # (m, 2) [rad/s], [rad^2/s^2]
+    # turning of the balls about the tangents of their orbits, and its couple over their inertia,
+    # means (m, 2) [rad/s], [rad^2/s^2]
     gyroscopic: list[Array] = field(default_factory=list)
     block_time: list[Array] = field(default_factory=list)  # of the last rows of blocks [s]
     sums: list[Array] = field(default_factory=list)  # over blocks, (m, SUMS, 2, Z)
@@ -304,8 +303,8 @@ def table_limits(table: TableData) -> Array:
     """
     first, density, nodes = table.axes[:2].T
     ends = np.array([first, first + (nodes - 1.0) / density])
-    loads, speeds = (-ends[:, 0]) ** (1.0 / LOAD_POWER), np.exp(ends[:, 1])
-    return np.stack([loads * (1.0 + np.array([-1, 1]) * ROUNDING), speeds], axis=1)
+    loads = (-ends[:, 0]) ** (1.0 / LOAD_POWER) * (1.0 + np.array([-1, 1]) * ROUNDING)
+    return np.stack([loads, np.exp(ends[:, 1])], axis=1)
 
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:
@@ -464,8 +463,8 @@ def _gyroscopic(
     c = simulation.data.constants
     held = 0.0
     friction = simulation.model.friction
-    speeds = np.abs(entrainment_speeds(simulation.data.schedule[-1:], 0.5 * pitch(c)))
-    speed = float(speeds[0])
+    pitch_radius = 0.5 * (c.inner_centre + c.outer_centre)
+    speed = abs(float(entrainment_speeds(simulation.data.schedule[-1:], pitch_radius)[0]))
     for law, loads, touching in zip((friction.inner, friction.outer), *sums[:2], strict=True):
         load = float(loads.sum() / max(touching.sum(), 1.0))
         if law is None or not load * speed > 0.0:
@@ -478,11 +477,6 @@ def _gyroscopic(
         "gyroscopic_speed": float(motion[0]),
         "gyroscopic_load": couple / held if held > 0.0 else None,
     }
-
-
-def pitch(c: Constants) -> float:
-    """Diameter of the circle midway between the grooves' centres [m]."""
-    return c.inner_centre + c.outer_centre
 
 
 def gyroscopic_motion(states: Array, layout: Layout, orbits: Array) -> Array:
