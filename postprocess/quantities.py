@@ -44,6 +44,7 @@ STIFFNESS_UNITS = [  # force and moment over shift and tilt
     *[["N m/m"] * 3 + ["N m/rad"] * 2 for _ in range(2)],
 ]
 NOTHING = "–"
+LONG_LIFE = 1e6  # life of which no more is shown [h]
 MOST_LISTED = 8  # balls are listed one by one up to this number
 
 
@@ -446,6 +447,24 @@ def in_figures(value: float, figures: int) -> str:
     """
     text = f"{value:.{figures}g}"
     return f"{float(text):.0f}" if float(text) >= 10.0 ** (figures - 1) else text
+
+
+def in_hours(life: float) -> str:
+    """A life to three figures, without a power of ten; beyond `LONG_LIFE` that alone.
+
+    Parameters
+    ----------
+    life : float
+        Life [h].
+
+    Returns
+    -------
+    str
+        The text, without the unit.
+    """
+    if life > LONG_LIFE:
+        return f"> {LONG_LIFE:_.0f}".replace("_", "\N{NO-BREAK SPACE}")
+    return in_figures(life, 3)
 
 
 def in_ranges(numbers: list[str]) -> str:

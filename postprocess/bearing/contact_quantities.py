@@ -37,9 +37,21 @@ from .results import BearingResults, balls_text
 NO_FILM = "no film was computed"
 HEAT_QUANTITIES = (
     *quantities(
-        ("isothermal_film_central_um", "central film without heat", "isothermal_central"),
+        (
+            "isothermal_film_central_um",
+            "central film without heat",
+            "isothermal_central",
+            "",
+            "isothermal central",
+        ),
         ("isothermal_film_minimum_um", "minimum film without heat", "isothermal_minimum"),
-        ("flooded_film_central_um", "flooded central film without heat", "flooded_central"),
+        (
+            "flooded_film_central_um",
+            "flooded central film without heat",
+            "flooded_central",
+            "",
+            "flooded central",
+        ),
         ("flooded_film_minimum_um", "flooded minimum film without heat", "flooded_minimum"),
         source="operating.",
         null=NO_FILM,
@@ -203,6 +215,8 @@ REPORT_COLUMNS = (
     *("film_central_um", "film_minimum_um", "lambda_ratio"),
     *("isothermal_film_central_um", "flooded_film_central_um"),
     *("traction_coefficient", "pressure_maximum_GPa"),
+)
+MOTION_COLUMNS = (
     *("entrainment_speed_m_s", "slide_roll_ratio", "spin_roll_ratio"),
     *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "moes_M", "moes_L"),
 )

@@ -49,7 +49,7 @@ from ..quantities import (
     NOTHING,
     STIFFNESS_ORDER,
     STIFFNESS_UNITS,
-    in_figures,
+    in_hours,
     rows_of,
     values_of,
 )
@@ -99,7 +99,6 @@ CYCLE_MESSAGE = (
     "of films without a solve; films, torque and pictures are those of [operation]"
 )
 AGREEMENT = 1.0  # of temperatures that count as one [K]
-LONG_LIFE = 1e6  # life of which no more is printed [h]
 AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
 RELUBRICATION = "relubrication_interval_h"
 SMALL_TENSION = 1e3  # of a loose seat, not worth a message [Pa]
@@ -356,7 +355,7 @@ def hours_text(basic: float, modified: float | None) -> str:
 
 
 def hours(life: float) -> str:
-    """Hours to three figures, without a power of ten; beyond `LONG_LIFE` that alone.
+    """Life as `in_hours`, with its unit.
 
     Parameters
     ----------
@@ -368,9 +367,7 @@ def hours(life: float) -> str:
     str
         Hours with their unit.
     """
-    if life > LONG_LIFE:
-        return f"> {LONG_LIFE:_.0f} h".replace("_", "\N{NO-BREAK SPACE}")
-    return f"{in_figures(life, 3)} h"
+    return f"{in_hours(life)} h"
 
 
 def heating_block(results: BearingResults) -> dict[str, Any]:

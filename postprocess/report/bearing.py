@@ -1,6 +1,6 @@
 """Parts of the page of a bearing or a single contact, with the friction torque."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ from ..bearing.bearing_quantities import (
     LOAD_RATING,
     torque_model,
 )
-from ..bearing.contact_quantities import CONTACT_QUANTITY, REPORT_COLUMNS
+from ..bearing.contact_quantities import CONTACT_QUANTITY, MOTION_COLUMNS, REPORT_COLUMNS
 from ..bearing.plots import KINDS, torque_svg
 from ..bearing.torque import CHURNING_SHARE, shown_titles
 from . import html
@@ -36,7 +36,7 @@ TILTS = {"ty": "tilt y", "tz": "tilt z"}
 WHOLE_PERCENT = 10.0  # from which on an error has no decimals
 TOP = ("schema_version", "title", "source", "assumed")
 FILM_PICTURES = {
-    "film_per_azimuth": "Film thickness ball by ball, both races",
+    "film_per_azimuth": "Operating film ball by ball, both races",
     "pressure_per_azimuth": "Pressure ball by ball, both races",
 }
 # origin of a film that was not solved
@@ -223,9 +223,11 @@ def _stiffness(stiffness: dict[str, Any]) -> html.Table | None:
     if not matrix or not order:
         return None
     level = html.ROUND_OFF * max(abs(value) for row in matrix for value in row)
+    scales = [1e3 if name in TILTS.values() else 1e6 for name in order]  # of 1/mrad and 1/um
     rows = []
     for name, row in zip(order, matrix, strict=True):
-        cells = [html.number(0.0 if abs(value) < level else value, 3) for value in row]
+        pairs = zip(row, scales, strict=True)
+        cells = [html.number(0.0 if abs(value) < level else value / s, 3) for value, s in pairs]
         rows.append(("", [name, *cells]))
     return html.Table([("", ""), *((name, "") for name in order)], rows, (0,))
 
@@ -245,10 +247,14 @@ def _balls(balls: list[dict[str, Any]]) -> html.Table | None:
 
 
 def _contacts(contacts: list[dict[str, Any]]) -> str:
-    """One line per ball and race; columns without a value anywhere are left out."""
-    keys = [
-        key for key in REPORT_COLUMNS if any(contact.get(key) is not None for contact in contacts)
-    ]
+    """One line per ball and race: films, then motion and size, in tables that fit a page."""
+    tables = [_contact_table(contacts, columns) for columns in (REPORT_COLUMNS, MOTION_COLUMNS)]
+    return html.render("bearing", "contacts", *tables)
+
+
+def _contact_table(contacts: list[dict[str, Any]], columns: Sequence[str]) -> html.Table:
+    """Columns of the contacts, without those that have no value anywhere."""
+    keys = [key for key in columns if any(contact.get(key) is not None for contact in contacts)]
     head = [
         (_column_title(key), unit_symbol(key)) for key in ("ball", "azimuth_deg", "race", *keys)
     ]
@@ -260,7 +266,7 @@ def _contacts(contacts: list[dict[str, Any]]) -> str:
         cells = [f"{contact['ball']}{state}", azimuth, contact["race"]]
         cells += [html.result(contact, key) for key in keys]
         rows.append(("" if contact.get("loaded") else "off", cells))
-    return html.render("bearing", "contacts", html.Table(head, rows, (2,)))
+    return html.Table(head, rows, (2,))
 
 
 def _column_title(key: str) -> str:

@@ -22,9 +22,10 @@ from oilfilm.ehl.foreign_files import read_file
 from oilfilm.ehl.units import from_si, unit_symbol, value_with_error, without_unit
 
 from ..batch.results import MAIN_QUANTITY, thinnest_film
-from ..quantities import NOTHING, STIFFNESS_HEADLINES, Quantity, in_figures
+from ..quantities import NOTHING, STIFFNESS_HEADLINES, Quantity, in_figures, in_hours
 
 DIGITS = 5
+NEXT_TO_NOTHING = 1e-12  # of a number in the unit of its key: round-off
 ROUND_OFF = 1e-9  # of the largest component
 MAX_LISTED = 6  # entries of a list on one line
 MAX_BESIDE_KEY = 60  # characters of a value beside its key
@@ -160,6 +161,7 @@ def number(value: float, digits: int = DIGITS) -> str:
     """
     if not isfinite(value):
         return NOTHING
+    value = 0.0 if abs(value) < NEXT_TO_NOTHING else value
     mantissa, _, exponent = f"{value + 0.0:.{digits}g}".replace("-", "−").partition("e")
     if not exponent:
         return mantissa
@@ -509,7 +511,7 @@ def cards(summary: dict[str, Any]) -> Markup:
     for title, value, key in numbers:
         if value is not None:
             hours = key.endswith("_h")  # of life, as people read it
-            shown = in_figures(value, 3) if hours else number(value, 4)
+            shown = in_hours(value) if hours else number(value, 4)
             entries.append((title, shown, unit_symbol(key)))
     estimated = is_bearing and _rests_on_estimates(summary["case"])
     return render("bearing", "cards", entries, estimated)

@@ -103,7 +103,6 @@ def remarks(summary: dict[str, Any]) -> list[str]:
 
 def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
     """Anchor, title and content of every part of a single case's page."""
-    yield "input", "Input", bearing.input_tables(summary["case"])
     if simulations.is_simulation(summary):
         yield "dynamics", "Time simulation", simulations.dynamics_section(summary, folder)
     else:
@@ -111,6 +110,7 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
     yield "vibration", "Vibration", vibration_section(summary, folder)
     yield "more", "Further results", further_results(summary)
     yield "pictures", "Further pictures", _further_pictures(summary, folder)
+    yield "input", "Input", bearing.input_tables(summary["case"])
     yield "notes", "Notes", html.notes(remarks(summary))
     yield "versions", "Versions and times", html.versions(summary)
 
