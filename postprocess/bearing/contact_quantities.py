@@ -461,8 +461,8 @@ def _gross_slip(results: BearingResults) -> Iterator[str]:
     largest = max(ratios)
     if largest < SIMULATED_SLIP * HIRANO_LIMIT:
         yield Caution(
-            f"contacts: all balls slip grossly (hirano_ratio at most {largest:.2g}); speeds, "
-            "films and torque of rolling balls do not hold (oilfilm slip, oilfilm dynamics)"
+            f"contacts: all balls slip grossly (hirano_ratio at most {largest:.2g}), speeds, "
+            "films and torque of rolling balls do not hold; see oilfilm slip, oilfilm dynamics"
         )
     elif largest < HIRANO_LIMIT:
         yield (

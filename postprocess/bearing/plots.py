@@ -98,7 +98,7 @@ COLUMNS = 6  # maps side by side at most
 MAPS = {"left": 0.1, "right": 0.878, "bottom": 0.425, "hspace": 0.1, "wspace": 0.18}
 MAPS_TOP = 0.932
 LABEL_LINE = 0.021  # height of a further line of a column's label
-FEWEST_COLUMNS = 3  # that take the whole width; fewer ones are as wide
+FEWEST_COLUMNS = 2  # that take the whole width; fewer ones are as wide
 BAR_GAP = 0.044
 BAR_WIDTH = 0.0115
 VALUES = (0.075, 0.124, 0.913, 0.18)
@@ -166,7 +166,7 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         azimuth = degrees(ball[0].azimuth) % 360.0
         pair = results.fields[i : i + 2]
         alone = 0.0 if any(pair) else azimuth  # without fields
-        key = (alone, ball[0].row, *map(id, pair))
+        key = (alone, ball[0].row, *map(_looks, pair))
         groups.setdefault(key, []).append(azimuth)
         pairs[key] = pair
         loads[key] = {contact.race.value: contact.load for contact in ball}
@@ -186,6 +186,14 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         )
         for key in _chosen(keys, {key for key in keys if None in pairs[key]})
     )
+
+
+def _looks(field: ContactSolution | None) -> tuple[str, ...] | None:
+    """Pressure and films to the figures in which pictures are alike."""
+    if field is None:
+        return None
+    films = (field.film_central_dimensionless.value, field.film_minimum_dimensionless.value)
+    return tuple(f"{value:.5g}" for value in (field.hertz_pressure, *films))
 
 
 def _chosen(keys: list[tuple[Any, ...]], idle: set[Any]) -> list[tuple[Any, ...]]:
