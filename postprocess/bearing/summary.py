@@ -543,7 +543,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
                 "(friction.heating_torque), which is not the total"
             )
         if len(heating.balances) > 1:
-            yield _balances_text(heating)
+            yield Caution(_balances_text(heating))
         if heating.note and heating.note not in results.messages:
             yield f"self_heating: {heating.note}"
 
