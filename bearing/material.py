@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from math import isfinite
+from math import isfinite, sqrt
 from typing import Any
 
 from oilfilm.ehl.units import to_si
@@ -22,6 +22,8 @@ FIELDS = {  # of Material: key of the data file
 }
 # positive or None
 MAY_BE_UNKNOWN = ("thermal_conductivity", "specific_heat", "bending_strength", "weibull_modulus")
+# sqrt(k rho c) of hardened bearing steel, k 21, rho 7850, c 460, as the library has it
+STEEL_EFFUSIVITY = 8708.0  # [W s^(1/2)/(m^2 K)]
 STRENGTH = ("bending_strength", "weibull_modulus")  # of brittle materials, with their ranges
 
 
@@ -79,6 +81,13 @@ class Material:
             raise ValueError(f"poisson_ratio must lie in [0, 0.5), got {self.poisson_ratio!r}")
         if self.thermal_expansion is not None and not isfinite(self.thermal_expansion):
             raise ValueError(f"thermal_expansion must be finite, got {self.thermal_expansion!r}")
+
+    @property
+    def effusivity(self) -> float:
+        """Sqrt(k rho c) [W s^(1/2)/(m^2 K)]; that of bearing steel where k or c is not known."""
+        if self.thermal_conductivity is None or self.specific_heat is None:
+            return STEEL_EFFUSIVITY
+        return sqrt(self.thermal_conductivity * self.density * self.specific_heat)
 
 
 def reduced_modulus(material_1: Material, material_2: Material) -> float:

@@ -17,6 +17,7 @@ from oilfilm.ehl.closed_form.hertz import HertzContact
 from oilfilm.ehl.conditions import ContactConditions
 
 from ..geometry import Race
+from ..material import STEEL_EFFUSIVITY
 
 RACES = (Race.INNER, Race.OUTER)  # order of the contacts of a ball
 
@@ -45,6 +46,8 @@ class BearingContact:
     axis_x: Array  # (3,) direction of the entrainment [-]
     axis_y: Array  # (3,) transverse direction [-]
     normal: Array  # (3,) into the race [-]
+    # sqrt(k rho c) of ball and race [W s^(1/2)/(m^2 K)]
+    effusivities: tuple[float, float] = (STEEL_EFFUSIVITY, STEEL_EFFUSIVITY)
     note: str = ""  # why there are no conditions; empty where there are
     row: int = 1  # number of the ball's row, from 1
 

@@ -11,7 +11,7 @@ from oilfilm.ehl.closed_form.hertz import HertzContact
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.oil.lubricant import Lubricant
 
-from ..geometry import Race, contact_modulus, reduced_radii, row_directions
+from ..geometry import Race, contact_modulus, reduced_radii, ring_material, row_directions
 from ..operation import BallKinematics, Curvature
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import RACES, BearingContact, hertz_contacts
@@ -174,6 +174,10 @@ def _contact(
         axis_x=rows[0],
         axis_y=rows[1],
         normal=rows[2],
+        effusivities=(
+            solution.bearing.ball_material.effusivity,
+            ring_material(solution.bearing, race).effusivity,
+        ),
         note=note,
         row=index // solution.bearing.balls + 1,
     )

@@ -15,13 +15,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from oilfilm.ehl.closed_form.film import ThermalReduction
+from oilfilm.ehl.closed_form.thermal_reduction import NO_HEAT, InletHeat
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.solution import ContactSolution, FilmValue
 
 # fraction of Hertz' pressure from which a node counts to the contact [-]
 CONTACT_PRESSURE = 0.01
-NO_HEAT = ThermalReduction(1.0, 1.0, 1.0)
 
 
 class FilmOrigin(Enum):
@@ -46,13 +45,14 @@ class FilmThickness(NamedTuple):
     value: float  # [m]
     # error of mesh and box of a solved film, of the atlas, or of the formula [m]
     computed: float = 0.0
-    heat: float = 0.0  # by the range of the heat of the inlet [m]
+    heat: float = 0.0  # by the law of the thermal reduction [m]
     supply: float = 0.0  # by the law of starvation [m]; not estimated yet
+    oil: float = 0.0  # by the ranges of the oil's heat properties [m]
 
     @property
     def error(self) -> float:
         """All parts together [m]."""
-        return hypot(self.computed, self.heat, self.supply)
+        return hypot(self.computed, self.heat, self.supply, self.oil)
 
     @property
     def relative_error(self) -> float:
@@ -92,7 +92,7 @@ class ContactFilm:
     >>> film = oilfilm.contact_films(oilfilm.contact_conditions(state, oil))[0]
     >>> f"{film.central.value * 1e6:.2f} +- {film.central.error * 1e6:.2f} um", film.origin.value
     ('0.68 +- 0.02 um', 'atlas')
-    >>> f"inlet shear heating leaves {film.heat.value:.2f} of the isothermal film"
+    >>> f"inlet shear heating leaves {film.heat.central.value:.2f} of the isothermal film"
     'inlet shear heating leaves 0.90 of the isothermal film'
     """
 
@@ -111,9 +111,7 @@ class ContactFilm:
     flooded_central: float  # without limit of the supply, as computed [m]
     flooded_minimum: float | None = None  # likewise
     flooded_moment: float = 0.0  # that resists rolling, flooded and isothermal [N m]
-    heat: ThermalReduction = (
-        NO_HEAT  # of the isothermal film that the heat of the inlet leaves [-]
-    )
+    heat: InletHeat = NO_HEAT  # of the isothermal films that the heat of the inlet leaves [-]
     supply: SupplyFractions = FLOODED
     rolling_fraction: float = 1.0  # of the rolling moment that supply and inlet leave [-]
     elastic_moment: float = 0.0  # of hysteresis, beside it [N m]

@@ -13,7 +13,14 @@ from math import inf
 import numpy as np
 
 from oilfilm.ehl.closed_form import starvation
-from oilfilm.ehl.closed_form.film import ThermalReduction, inlet_heat
+from oilfilm.ehl.closed_form.thermal_reduction import (
+    NO_HEAT,
+    InletHeat,
+    ThermalReduction,
+    inlet_groups,
+    thermal_reductions,
+)
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.solution import ContactSolution
 from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
@@ -23,7 +30,6 @@ from ..supply.supply import PrescribedInlet, Supply, supplied_shares
 from .asperities import Asperities
 from .film import (
     FLOODED,
-    NO_HEAT,
     ContactFilm,
     FilmOrigin,
     Films,
@@ -46,22 +52,36 @@ class OilAtInlets:
     as_solved: bool = True
 
 
-def film_heat(contact: BearingContact) -> ThermalReduction:
-    """Fraction of the flooded, isothermal film of a contact that the heat of its inlet leaves.
+def film_heats(contacts: Sequence[BearingContact], films: Films) -> list[InletHeat]:
+    """Fractions of flooded, isothermal films that the heat of their inlets leaves.
 
     Parameters
     ----------
-    contact : BearingContact
-        Contact of a bearing.
+    contacts : sequence of BearingContact
+        Contacts of a bearing.
+    films : sequence of ContactFilm or None
+        Their films as computed.
 
     Returns
     -------
-    ThermalReduction
-        Fraction and range [-]; 1 of a contact that carries no load or entrains no oil.
+    list of InletHeat
+        Fractions and ranges [-]; that of a film that was solved with heat, 1 where there is none.
     """
-    if contact.conditions is None or contact.hertz is None:
-        return NO_HEAT
-    return inlet_heat(contact.conditions, contact.hertz.pressure)
+    heats = [NO_HEAT if film is None else film.heat for film in films]
+    numbers = [n for n, film in enumerate(films) if film and not film.solved_with_heat]
+    if not numbers:
+        return heats
+    groups = [
+        inlet_groups(
+            film.conditions, film.flooded_central, film.size.semi_axis_x, contact.effusivities
+        )
+        for contact, film in zip(contacts, films, strict=True)
+        if film and not film.solved_with_heat
+    ]
+    ranges = [heat_of(film.conditions.lubricant).ranges for n in numbers if (film := films[n])]
+    for number, heat in zip(numbers, thermal_reductions(np.array(groups), ranges), strict=True):
+        heats[number] = heat
+    return heats
 
 
 def solved_films(
@@ -164,13 +184,18 @@ def _with_isothermal(film: ContactFilm, contact: BearingContact) -> ContactFilm:
     fraction = film.central.value / values.central
     assert film.field is not None
     bar = film.field.film_central_dimensionless.relative_uncertainty
+    central = ThermalReduction(fraction, fraction * bar)
+    if values.ratio is None or film.minimum is None:
+        heat = InletHeat(central, central)
+        return replace(film, isothermal_central=values.central, isothermal_minimum=None, heat=heat)
+    isothermal = min(values.ratio, 1.0) * values.central
+    fraction = film.minimum.value / isothermal
+    minimum = ThermalReduction(fraction, fraction * film.minimum.relative_error)
     return replace(
         film,
         isothermal_central=values.central,
-        isothermal_minimum=None
-        if values.ratio is None
-        else min(values.ratio, 1.0) * values.central,
-        heat=ThermalReduction(fraction, fraction * (1.0 - bar), fraction * (1.0 + bar)),
+        isothermal_minimum=isothermal,
+        heat=InletHeat(central, minimum),
     )
 
 
@@ -240,8 +265,10 @@ def operating_films(
     """
     left = (rolling_factor, rolling_factor * unheated_factor)
     running = (
-        None if film is None else _operating(film, contact, supply, asperities, left, box_inlet)
-        for contact, film in zip(contacts, films, strict=True)
+        None
+        if film is None
+        else _operating(film, contact, heat, supply, asperities, left, box_inlet)
+        for contact, film, heat in zip(contacts, films, film_heats(contacts, films), strict=True)
     )
     return tuple(
         film and replace(film, elastic_moment=elastic_moment(contact, hysteresis))
@@ -296,6 +323,7 @@ def contact_films(
 def _operating(
     film: ContactFilm,
     contact: BearingContact,
+    heat: InletHeat,
     supply: OilAtInlets | None,
     asperities: Asperities | None,
     factors: tuple[float, float],
@@ -309,14 +337,15 @@ def _operating(
         film = _at_supply(film, contact, supply)
     # 2. heat of the inlet
     with_heat = film.solved_with_heat
-    heat = film.heat
     central = film.central
     minimum = film.minimum
     if not with_heat:
         inlet = film.supply.rolling_moment if box_inlet else film.rolling_fraction
-        heat = film_heat(contact).at(inlet)
-        central = _heated(central, heat)
-        minimum = None if minimum is None else _heated(minimum, heat)
+        heat = heat.at(inlet)
+        central = _heated(central, heat.central)
+        if minimum is not None:
+            minimum = _heated(minimum, heat.minimum)
+            minimum = minimum._replace(value=min(minimum.value, central.value))
     # 3. asperities
     load = flooded_load = boundary = roughness = 0.0
     if asperities is not None:
@@ -342,8 +371,9 @@ def _heated(film: FilmThickness, heat: ThermalReduction) -> FilmThickness:
     return FilmThickness(
         value=heat.value * film.value,
         computed=heat.value * film.computed,
-        heat=heat.uncertainty * film.value,
+        heat=heat.law * film.value,
         supply=heat.value * film.supply,
+        oil=heat.oil * film.value,
     )
 
 
@@ -389,7 +419,7 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
 def _scaled(film: FilmThickness, value: float) -> FilmThickness:
     """A film of another thickness [m] with the relative error of its own."""
     ratio = value / film.value if film.value > 0.0 else 0.0
-    return FilmThickness(value, ratio * film.computed, ratio * film.heat, ratio * film.supply)
+    return FilmThickness(value, *(ratio * part for part in film[1:]))
 
 
 def _without_layer(film: ContactFilm) -> ContactFilm:

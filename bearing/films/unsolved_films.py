@@ -46,7 +46,6 @@ from oilfilm.ehl.closed_form.film import (
     film_hamrock_dowson_central,
     film_hamrock_dowson_minimum,
     film_nijenbanning_central,
-    inlet_heat,
 )
 from oilfilm.ehl.closed_form.hertz import (
     HertzContact,
@@ -54,7 +53,9 @@ from oilfilm.ehl.closed_form.hertz import (
     hertz_coefficients,
     hertz_deflection,
 )
+from oilfilm.ehl.closed_form.thermal_reduction import inlet_groups, thermal_reductions
 from oilfilm.ehl.conditions import ContactConditions
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.scaling import ScaledContact, scale_contact
 from oilfilm.ehl.solution import ContactSolution, FilmValue
 from oilfilm.ehl.traction.rolling_moment import rolling_moment
@@ -339,7 +340,8 @@ def formula_film(
     values = formula_values(conditions, _axes(hertz))
     if base is None or not isinstance(base.conditions, ContactConditions):
         return _unsolved(conditions, hertz, values)
-    return _scaled_film(conditions, hertz, values, base, base.conditions)
+    there = base.conditions
+    return _scaled_film(conditions, hertz, values, base, there, contact.effusivities)
 
 
 def atlas_film(contact: BearingContact, films: AtlasFilms | None) -> ContactFilm | None:
@@ -440,13 +442,17 @@ def _scaled_film(
     values: FormulaValues,
     base: ContactSolution,
     there: ContactConditions,
+    effusivities: tuple[float, float],
 ) -> ContactFilm:
     """A film solved under other conditions, scaled by these values."""
     other = formula_values(there, _axes(hertz))
     solved = _converged(base.film_minimum) / _converged(base.film_central)
     central = values.central * _converged(base.film_central) / other.central
     if solved_with_heat(base):
-        central /= inlet_heat(there, hertz.pressure).value
+        groups = inlet_groups(there, other.central, hertz.semi_axis_x, effusivities)
+        (heat,) = thermal_reductions(groups[None], [heat_of(there.lubricant).ranges])
+        central /= heat.central.value
+        solved *= heat.central.value / heat.minimum.value
     central = min(central, MAX_FILM_OVER_RADIUS * conditions.radius_x)
     ratio = solved
     if values.ratio is not None and other.ratio is not None:

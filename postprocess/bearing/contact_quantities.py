@@ -25,8 +25,8 @@ from oilfilm.bearing.films.unsolved_films import too_thick
 from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT, SIMULATED_SLIP
-from oilfilm.ehl.closed_form.film import LARGEST_LOADING
 from oilfilm.ehl.messages import Caution
+from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.units import from_si, to_si
 
 from ..contact.summary import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
@@ -57,13 +57,18 @@ HEAT_QUANTITIES = (
         null=NO_FILM,
     ),
     *quantities(
-        ("inlet_heat_share", "share of the isothermal film that inlet heat leaves", "value"),
-        ("inlet_heat_share_low", "low end of its range", "low"),
-        ("inlet_heat_share_high", "high end of its range", "high"),
+        ("inlet_heat_share", "share of the central film that inlet heat leaves", "central.value"),
+        ("inlet_heat_share_low", "low end of its range", "central.low"),
+        ("inlet_heat_share_high", "high end of its range", "central.high"),
+        ("inlet_heat_share_minimum", "the same of the minimum film", "minimum.value"),
         source="operating.heat.",
         null=NO_FILM,
     ),
 )
+# error of a thermal reduction outside the solved contacts from which a message says so [-]
+OUTSIDE = 0.03
+# parts of the error bar of a film: field of `FilmThickness`
+ERROR_PARTS = {"mesh": "computed", "heat": "heat", "oil": "oil"}
 NO_CONDITIONS = "no oil is entrained"
 FINITE_BODY_QUANTITIES = (  # at the most heavily loaded contact of a race
     *quantities("ball", source="contact.", words=True),
@@ -503,14 +508,17 @@ def film_values(film: ContactFilm | None) -> dict[str, float | None]:
     Returns
     -------
     dict
-        Films, error bars with the range of the heat, and without [um]; None without a film.
+        Films, error bars and their parts: mesh, law of the heat, data of the oil [um]; None
+        without a film.
     """
     values: dict[str, float | None] = {}
     for name in ("central", "minimum"):
         one: FilmThickness | None = None if film is None else getattr(film, name)
         values[f"film_{name}_um"] = from_si("film_um", one and one.value)
         values[f"film_{name}_uncertainty_um"] = from_si("film_um", one and one.error)
-        values[f"film_{name}_mesh_uncertainty_um"] = from_si("film_um", one and one.computed)
+        for part, field in ERROR_PARTS.items():
+            key = f"film_{name}_{part}_uncertainty_um"
+            values[key] = from_si("film_um", one and getattr(one, field))
     return values
 
 
@@ -532,24 +540,36 @@ def heat_messages(films: Films) -> Iterator[str]:
     str
         A message.
     """
-    shares = [film.heat for film in films if film is not None]
-    if not shares:
+    running = [film for film in films if film is not None]
+    if not running:
         return
+    shares = [share for film in running for share in film.heat]
     ends = _ends([share.value for share in shares])
-    widest = max(share.uncertainty / share.value for share in shares)
-    oil = ", with the heat properties of a mineral oil (assumed)" if shares[0].assumed else ""
+    law = max(share.law / share.value for share in shares)
+    data = max(share.oil / share.value for share in shares)
     yield (
         f"contacts: inlet shear heating (included) leaves {ends} of the isothermal films "
-        f"(isothermal_film_..., flooded_film_... too), by a formula fitted to films "
-        f"solved with heat{oil}, its spread, up to {100.0 * widest:.2g} %, in their error bars; "
-        '[ehl] film_model = "thermal" solves them with it'
+        "(isothermal_film_..., flooded_film_... too), by a law of solved films; in the error bars "
+        f"up to {100.0 * law:.2g} % of the law and {100.0 * data:.2g} % of {_oil_data(running[0])}"
     )
-    if any(share.beyond for share in shares):
+    if any(not share.inside and share.law > OUTSIDE * share.value for share in shares):
         yield Caution(
-            "contacts: the heat of the inlets lies beyond the range of its formula (thermal "
-            f"loading parameter above {LARGEST_LOADING:g}): films, lambda, kappa and life by them "
-            "are guesses"
+            "contacts: the thermal reduction of some lies outside the solved contacts and is held "
+            "at their end: error bars of these films are guesses"
         )
+
+
+def _oil_data(film: ContactFilm) -> str:
+    """Words on the oil's heat properties, with those that are assumed."""
+    heat = heat_of(film.conditions.lubricant)
+    assumed = {
+        f"conductivity {heat.conductivity:.3g} W/mK": heat.ranges.conductivity,
+        f"heat capacity {heat.specific_heat:.4g} J/kgK": heat.ranges.specific_heat,
+        f"-d(ln eta)/dT {heat.viscosity_temperature:.2g}/K": heat.ranges.viscosity_temperature,
+        f"expansion {heat.expansion:.2g}/K": heat.ranges.expansion,
+    }
+    words = [f"{name} +- {100.0 * end:.0f} %" for name, end in assumed.items() if end]
+    return f"the oil's assumed {', '.join(words)}" if words else "the oil's data"
 
 
 def finite_body_block(results: BearingResults) -> dict[str, Any] | None:

@@ -10,7 +10,7 @@ import pytest
 from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, FilmThickness, first_same
-from oilfilm.bearing.films.operating_film import OilAtInlets, film_heat, operating_films, solved_films, with_formulas
+from oilfilm.bearing.films.operating_film import OilAtInlets, film_heats, operating_films, solved_films, with_formulas
 from oilfilm.bearing.supply.supply import PrescribedInlet, supplied_shares
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 
@@ -37,15 +37,18 @@ def test_only_lubricated_contacts_have_a_film(contacts, computed):
 
 def test_heat_thins_film_gap_and_error_bar(contacts, computed):
     operating = operating_films(contacts, computed)
-    for contact, before, film in zip(contacts, computed, operating, strict=True):
+    heats = film_heats(contacts, computed)
+    for heat, before, film in zip(heats, computed, operating, strict=True):
         if film is None:
             continue
-        heat = film_heat(contact)
         assert film.heat == heat
-        assert film.central.value == heat.value * before.central.value
-        assert film.gap_fraction == pytest.approx(heat.value, rel=1e-12)
-        assert film.central.heat == heat.uncertainty * before.central.value
-        assert film.central.error == pytest.approx(hypot(film.central.computed, film.central.heat))
+        for name in ("central", "minimum"):
+            cold, hot, reduction = (getattr(one, name) for one in (before, film, heat))
+            assert hot.value == min(reduction.value * cold.value, film.central.value)
+            assert hot.heat == reduction.law * cold.value
+            assert hot.oil == reduction.oil * cold.value > 0.0
+            assert hot.error == pytest.approx(hypot(hot.computed, hot.heat, hot.oil))
+        assert film.gap_fraction == pytest.approx(heat.central.value, rel=1e-12)
         assert (film.isothermal_central, film.isothermal_minimum) == (before.central.value, before.minimum.value)
         assert film.rolling_moment == before.rolling_moment
 
@@ -60,7 +63,7 @@ def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
             continue
         shares = supplied_shares(contact, before.flooded_central, oil.oil, oil.balls)
         assert film.supply.central == shares.central.value < 1.0
-        assert film.gap_fraction == pytest.approx(film.heat.value * shares.central.value, rel=1e-12)
+        assert film.gap_fraction == pytest.approx(film.heat.central.value * shares.central.value, rel=1e-12)
         assert film.rolling_moment == pytest.approx(
             0.45 * shares.rolling_moment.value * before.flooded_moment, rel=1e-12
         )
@@ -69,7 +72,7 @@ def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
         assert film.lambda_ratio == film.minimum.value / ROUGH.roughness(contact.race)
         flooded = film.flooded()
         assert (flooded.values, flooded.rolling_moment) == (before.values, before.flooded_moment)
-        assert film.isothermal_central == pytest.approx(film.central.value / film.heat.value, rel=1e-12)
+        assert film.isothermal_central == pytest.approx(film.central.value / film.heat.central.value, rel=1e-12)
         assert flooded.asperity_load == film.flooded_asperity_load
 
 

@@ -13,7 +13,7 @@ from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities, asperity_share
 from oilfilm.bearing.films.operating_film import (
     OilAtInlets,
-    film_heat,
+    film_heats,
     least_lambda,
     mean_fraction,
     of_driven_balls,
@@ -122,11 +122,11 @@ def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
         shares = starvation_factors(*moes_groups(own), own.radius_x / own.radius_y, 0.3e-6 / (packed * flooded))
         assert films[i].supply.central == pytest.approx(shares.central.value, rel=1e-3)
         assert films[i].supply.rolling_moment == pytest.approx(shares.rolling_moment.value, abs=2e-3)
-        heat = film_heat(contacts[i]).value
+        heat = film_heats([contacts[i]], [films[i]])[0].central.value
         assert heat < 1.0
-        assert films[i].heat.value == pytest.approx(heat ** films[i].supply.rolling_moment, rel=1e-12)
+        assert films[i].heat.central.value == pytest.approx(heat ** films[i].supply.rolling_moment, rel=1e-12)
         assert films[i].central.value == pytest.approx(films[i].gap_fraction * flooded, rel=1e-12)
-        assert films[i].gap_fraction == pytest.approx(films[i].heat.value * films[i].supply.central, rel=1e-12)
+        assert films[i].gap_fraction == pytest.approx(films[i].heat.central.value * films[i].supply.central, rel=1e-12)
         assert films[i].minimum.value <= films[i].central.value
         rough = 0.2e-6 if contacts[i].race.value == "inner" else 0.1e-6
         assert films[i].lambda_ratio == pytest.approx(films[i].minimum.value / rough, rel=1e-12)
@@ -138,7 +138,8 @@ def test_ample_oil_leaves_the_flooded_films_to_the_last_digit(radial):
     state, contacts = radial
     films = [film for film in starved_films(contacts, PrescribedInlet(layer=1e-3), 9) if film is not None]
     assert all(
-        film.supply.central == 1.0 and film.central.value == film.heat.value * film.flooded_central for film in films
+        film.supply.central == 1.0 and film.central.value == film.heat.central.value * film.flooded_central
+        for film in films
     )
     scarce = starved_films(contacts, PrescribedInlet(layer=0.2e-6), 9, (0.2e-6, 0.2e-6))
     driven = of_driven_balls(state, contacts, scarce)

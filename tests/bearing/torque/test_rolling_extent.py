@@ -83,7 +83,8 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
 @pytest.fixture
 def no_inlet_heat(monkeypatch):
     """Films of the friction as they were solved."""
-    monkeypatch.setattr("oilfilm.bearing.films.operating_film.film_heat", lambda contact: NO_HEAT)
+    name = "oilfilm.bearing.films.operating_film.film_heats"
+    monkeypatch.setattr(name, lambda contacts, films: [NO_HEAT] * len(films))
 
 
 def test_twice_the_layer_adds_what_is_said(rolling):

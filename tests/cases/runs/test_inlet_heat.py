@@ -45,11 +45,14 @@ def test_every_film_is_printed_with_heat_and_the_isothermal_one_beside(name):
     for contact in films:
         share = contact["inlet_heat_share"]
         assert contact["inlet_heat_share_low"] < share < contact["inlet_heat_share_high"] < 1.0
+        shares = {"central": share, "minimum": contact["inlet_heat_share_minimum"]}
         for film in ("central", "minimum"):
-            cold = contact[f"isothermal_film_{film}_um"]
-            assert contact[f"film_{film}_um"] == pytest.approx(share * cold)
-            bar = contact[f"film_{film}_uncertainty_um"]
-            assert bar >= 0.49 * (contact["inlet_heat_share_high"] - contact["inlet_heat_share_low"]) * cold
+            hot = contact[f"film_{film}_um"]
+            assert hot == pytest.approx(shares[film] * contact[f"isothermal_film_{film}_um"])
+            parts = [contact[f"film_{film}_{part}_uncertainty_um"] for part in ("mesh", "heat", "oil")]
+            assert min(parts) > 0.0
+            assert contact[f"film_{film}_uncertainty_um"] == pytest.approx(sum(part**2 for part in parts) ** 0.5)
+            assert parts[1] < 0.06 * hot
         together = (0.3**2 + 0.03**2) ** 0.5
         assert contact["lambda_ratio"] == pytest.approx(contact["film_minimum_um"] / together)
     heaviest = max(films, key=lambda contact: contact["load_N"])

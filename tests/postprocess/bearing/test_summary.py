@@ -112,7 +112,7 @@ def test_numbers_in_named_units(bearing_results):
     assert_allclose(inner["entrainment_speed_m_s"], 15.08, rtol=5e-3)
     solution = bearing_results.solutions[0]
     assert_allclose(inner["isothermal_film_minimum_um"], solution.film_minimum * 1e6)
-    assert_allclose(inner["film_minimum_um"], inner["inlet_heat_share"] * solution.film_minimum * 1e6)
+    assert_allclose(inner["film_minimum_um"], inner["inlet_heat_share_minimum"] * solution.film_minimum * 1e6)
     assert_allclose(summary(bearing_results)["cage_speed_rpm"], 4000.0, rtol=5e-3)
 
 

@@ -54,7 +54,8 @@ def test_an_angle_of_zero_has_no_sign(bearing_results):
 @pytest.fixture
 def bearing_results(bearing_results, monkeypatch):
     """Without the heat of the inlets, whose spread widens all bars."""
-    monkeypatch.setattr("oilfilm.bearing.films.operating_film.film_heat", lambda contact: NO_HEAT)
+    name = "oilfilm.bearing.films.operating_film.film_heats"
+    monkeypatch.setattr(name, lambda contacts, films: [NO_HEAT] * len(films))
     return bearing_results
 
 

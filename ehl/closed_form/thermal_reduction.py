@@ -1,0 +1,256 @@
+r"""Thermal reduction factors of flooded films: the film with the heat of its inlet over the
+isothermal one, central and minimum film apart.
+
+They are a law of this program, fitted to contacts that it solved with heat and without, in pure
+rolling with Newtonian oil (`tools/heat`), in seven groups x = ln of
+
+    L_T = eta_0 beta u^2/k         thermal loading
+    Pe  = rho c u h_c^2/(k a)      Peclet number of the isothermal central film
+    e   = mean of sqrt(k rho c) of the oil over that of each body
+    M, D = R_x/R_y, L              load, ratio of radii, oil after Moes
+    G   = beta eps T/(alpha rho c) heat by compression: eps the oil's expansion, T its temperature
+
+    s = 1/(1 + e^y),  y(x) = trend(x) + sum_i w_i k(|(x - x_i)/l|),  k(d) = (1 + t + t^2/3) e^-t,
+
+t = sqrt(5) d: a linear trend and a Gaussian process with Matern's kernel of 5/2. a is Hertz'
+semi-axis along rolling. Below the least L_T the loss goes with L_T, as a small one does; beyond
+the ends of all other groups the law is held there. The error of y is that of 95 % of the contacts
+left out of the fit one by one, at this loss and load; it grows with the distance to the nearest
+solved contact, and beyond the largest L_T the low end goes on as the loss with L_T.
+"""
+
+from collections.abc import Sequence
+from functools import cache
+from math import hypot, log, sqrt
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from ..arrays import Array
+from ..conditions import ContactConditions, moes_groups
+from ..oil.assumed_heat import UNKNOWN_TEMPERATURE, heat_of
+from ..oil.lubricant import HeatRanges
+from .film import thermal_loading
+
+FILE = Path(__file__).parent / "thermal_reduction.npz"
+# change of ln of the groups by ln of k, c, beta and the expansion of the oil
+CONDUCTIVITY = np.array([-1.0, -1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
+CAPACITY = np.array([0.0, 1.0, 0.5, 0.0, 0.0, 0.0, -1.0])
+FALL = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+EXPANSION = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+
+
+class ThermalReduction(NamedTuple):
+    """Thermal reduction factor of a film with the parts of its range."""
+
+    value: float = 1.0  # film with the heat of its inlet over the isothermal film [-]
+    law: float = 0.0  # error of the law to either side [-]
+    oil: float = 0.0  # by the ranges of the oil's heat properties [-]
+    inside: bool = True  # the contact lies among the solved ones, or loses less than they do
+
+    @property
+    def low(self) -> float:
+        """Low end of the range of both parts together [-]."""
+        return max(self.value - hypot(self.law, self.oil), 0.0)
+
+    @property
+    def high(self) -> float:
+        """High end of it [-]."""
+        return min(self.value + hypot(self.law, self.oil), 1.0)
+
+    def at(self, inlet: float) -> "ThermalReduction":
+        """Thermal reduction factor of a film behind a layer.
+
+        The factor on the rolling moment stands for its inlet: s to this power (assumed).
+
+        Parameters
+        ----------
+        inlet : float
+            starvation factor of the rolling moment [-]
+
+        Returns
+        -------
+        ThermalReduction
+            factor of the starved film
+        """
+        if inlet == 1.0 or not self.value > 0.0:
+            return self
+        value = self.value**inlet
+        share = inlet * value / self.value
+        return ThermalReduction(value, share * self.law, share * self.oil, self.inside)
+
+
+class InletHeat(NamedTuple):
+    """Thermal reduction factors of both films of a contact."""
+
+    central: ThermalReduction = ThermalReduction()
+    minimum: ThermalReduction = ThermalReduction()
+
+    def at(self, inlet: float) -> "InletHeat":
+        """Factors of the films behind a layer, `ThermalReduction.at`.
+
+        Parameters
+        ----------
+        inlet : float
+            starvation factor of the rolling moment [-]
+
+        Returns
+        -------
+        InletHeat
+            factors of the starved films
+        """
+        return InletHeat(self.central.at(inlet), self.minimum.at(inlet))
+
+
+NO_HEAT = InletHeat()
+
+
+class Function(NamedTuple):
+    """Function y of one film."""
+
+    scales: Array  # (7,) l
+    trend: Array  # (8,) of 1 and x_j
+    weights: Array  # (n,) w
+    shares: Array  # (m,) of the errors, over `Table.loads`
+    errors: Array  # (k,) of y, over `Table.losses`
+    spacing: float  # distance over l from which on the error grows
+
+
+class Table(NamedTuple):
+    """Contents of the file [-]."""
+
+    centres: Array  # (n, 7) x_i
+    lower: Array  # (7,) of x
+    upper: Array
+    losses: Array  # (k,) ln(1 - s)
+    loads: Array  # (m,) ln M
+    central: Function
+    minimum: Function
+
+
+@cache
+def table() -> Table:
+    """The law, read once [-]."""
+    with np.load(FILE) as file:
+        names = ("scales", "trends", "weights", "shares", "errors", "spacings")
+        central, minimum = (
+            Function(*(file[name][film].astype(float) for name in names)) for film in range(2)
+        )
+        ends = (
+            file[name].astype(float) for name in ("centres", "lower", "upper", "losses", "loads")
+        )
+        return Table(*ends, central, minimum)
+
+
+def inlet_groups(
+    conditions: ContactConditions, film: float, semi_axis: float, effusivities: tuple[float, float]
+) -> Array:
+    """Logarithms of the groups of a contact.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact; heat properties that its oil lacks are assumed
+    film : float
+        isothermal central film, flooded [m]
+    semi_axis : float
+        Hertz' semi-axis along rolling [m]
+    effusivities : tuple of float
+        sqrt(k rho c) of body 1 and body 2 [W s^(1/2)/(m^2 K)]
+
+    Returns
+    -------
+    Array
+        ln of L_T, Pe, e, M, D, L and G, shape (7,) [-]; infinite where a group is zero or infinite
+    """
+    oil = conditions.lubricant
+    heat = heat_of(oil)
+    capacity = oil.density * heat.specific_heat
+    speed = conditions.entrainment_speed
+    load, lubricant = moes_groups(conditions)
+    temperature = UNKNOWN_TEMPERATURE if oil.temperature is None else oil.temperature
+    compression = heat.viscosity_temperature * heat.expansion * temperature / capacity
+    groups = (
+        thermal_loading(conditions),
+        capacity * speed * film**2 / (heat.conductivity * semi_axis),
+        sqrt(heat.conductivity * capacity) * sum(0.5 / one for one in effusivities),
+        load,
+        conditions.radius_x / conditions.radius_y,
+        lubricant,
+        compression / max(oil.pressure_viscosity if oil.piezoviscous else 0.0, 1e-300),
+    )
+    return np.array([log(group) if group > 0.0 else -np.inf for group in groups])
+
+
+def thermal_reductions(groups: Array, ranges: Sequence[HeatRanges]) -> list[InletHeat]:
+    """Thermal reduction factors of flooded films.
+
+    Parameters
+    ----------
+    groups : Array
+        of the contacts, `inlet_groups`, shape (m, 7) [-]
+    ranges : sequence of HeatRanges
+        of the heat properties of their oils
+
+    Returns
+    -------
+    list of InletHeat
+        factors with their ranges
+    """
+    known = table()
+    x = np.clip(groups, known.lower, known.upper)
+    # below the least L_T the loss goes with it; beyond the largest the low end does
+    light = np.minimum(groups[:, 0] - known.lower[0], 0.0)
+    beyond = np.maximum(groups[:, 0] - known.upper[0], 0.0)
+    outside = np.abs(groups - x)
+    outside[:, 0] = beyond
+    films = [
+        _film(known, one, x, light, outside, ranges) for one in (known.central, known.minimum)
+    ]
+    return [InletHeat(*pair) for pair in zip(*films, strict=True)]
+
+
+def _film(
+    known: Table,
+    film: Function,
+    x: Array,
+    light: Array,
+    outside: Array,
+    ranges: Sequence[HeatRanges],
+) -> list[ThermalReduction]:
+    """Factors of one film at groups inside the table, their distances to it (m, 7)."""
+    steps = (x[:, None, :] - known.centres) / film.scales
+    distance = np.sqrt(np.einsum("ijk,ijk->ij", steps, steps))
+    t = sqrt(5.0) * distance
+    decay = np.exp(-t)
+    y = (
+        film.trend[0]
+        + x @ film.trend[1:]
+        + ((1.0 + t + t**2 / 3.0) * decay) @ film.weights
+        + light
+    )
+    pull = -5.0 / 3.0 * (1.0 + t) * decay * film.weights
+    slope = film.trend[1:] + np.einsum("ij,ijk->ik", pull, steps) / film.scales
+    way = distance.min(axis=1) + np.sqrt(np.square(outside / film.scales).sum(axis=1))
+    s = 1.0 / (1.0 + np.exp(y))
+    error = np.interp(-np.log1p(np.exp(-y)), known.losses, film.errors)
+    error = error * np.interp(x[:, 3], known.loads, film.shares)
+    error = error * np.maximum(way / film.spacing, 1.0) + outside[:, 0]
+    lost = s * (1.0 - s)
+    spread = [
+        sqrt(
+            (one.conductivity * (tangent @ CONDUCTIVITY)) ** 2
+            + (one.specific_heat * (tangent @ CAPACITY)) ** 2
+            + (one.viscosity_temperature * (tangent @ FALL)) ** 2
+            + (one.expansion * (tangent @ EXPANSION)) ** 2
+        )
+        for one, tangent in zip(ranges, slope, strict=True)
+    ]
+    # the law is steep in y far from the table: a range that holds both ends
+    law = np.minimum(lost * error, np.maximum(s, 1.0 - s))
+    inside = ~outside.any(axis=1)
+    return [
+        ThermalReduction(float(a), float(b), float(c * d), bool(e))
+        for a, b, c, d, e in zip(s, law, lost, spread, inside, strict=True)
+    ]
