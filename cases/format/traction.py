@@ -282,8 +282,10 @@ def require_fitting_tables(
         contact = table.contact
         radius_x, radius_y = reduced_radii(bearing, race, bearing.free_contact_angle)
         modulus = contact_modulus(bearing, race)
+        isothermal = contact.solids is None  # heat properties of the oil do not count
+        cold = replace(contact.lubricant, thermal=None)
         fitting = {
-            "oil": contact.lubricant == oil,
+            "oil": contact.lubricant == oil or (isothermal and cold == replace(oil, thermal=None)),
             "shear law": contact.rheology == rheology,
             "moduli": isclose(contact.reduced_modulus, modulus, rel_tol=SAME_RTOL),
             "groove": isclose(contact.radius_y, radius_y, rel_tol=SAME_RTOL),

@@ -29,6 +29,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..conditions import ContactConditions, moes_groups
+from ..data_files import read_arrays
 from ..oil.assumed_heat import UNKNOWN_TEMPERATURE, heat_of
 from ..oil.lubricant import HeatRanges
 from .film import thermal_loading
@@ -132,15 +133,13 @@ class Table(NamedTuple):
 @cache
 def table() -> Table:
     """The law, read once [-]."""
-    with np.load(FILE) as file:
-        names = ("scales", "trends", "weights", "shares", "errors", "spacings")
-        central, minimum = (
-            Function(*(file[name][film].astype(float) for name in names)) for film in range(2)
-        )
-        ends = (
-            file[name].astype(float) for name in ("centres", "lower", "upper", "losses", "loads")
-        )
-        return Table(*ends, central, minimum)
+    file = read_arrays(FILE)
+    names = ("scales", "trends", "weights", "shares", "errors", "spacings")
+    central, minimum = (
+        Function(*(file[name][film].astype(float) for name in names)) for film in range(2)
+    )
+    ends = (file[name].astype(float) for name in ("centres", "lower", "upper", "losses", "loads"))
+    return Table(*ends, central, minimum)
 
 
 def inlet_groups(

@@ -6,7 +6,7 @@ operation. The constants of the laws by a modulus that grows with pressure, and 
 scaling, belong to one oil and come with a source: none has a default.
 """
 
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, field
 from enum import Enum
 from itertools import pairwise
 from math import isfinite, log
@@ -360,7 +360,7 @@ class ThermalProperties:
     expansion: float = MINERAL_EXPANSION  # -d(ln rho)/dT [1/K]
     # change of both under pressure and over temperature; None: k and c constant
     under_pressure: FittedHeat | VolumeHeat | None = None
-    ranges: HeatRanges = HeatRanges()  # of assumed values
+    ranges: HeatRanges = field(default=HeatRanges(), compare=False)  # of assumed values
 
     def __post_init__(self) -> None:
         require_positive(self, "conductivity", "specific_heat")
@@ -453,10 +453,10 @@ def _require_constants(lubricant: Lubricant) -> None:
     needed = NEEDED_BY_LAW.get(lubricant.viscosity_law, ())
     if lubricant.density_law is DensityLaw.TAIT:
         needed = (*needed, "tait", "temperature")
-    for field in needed:
-        if getattr(lubricant, field) is None:
+    for name in needed:
+        if getattr(lubricant, name) is None:
             laws = f"{lubricant.viscosity_law.value}, {lubricant.density_law.value}"
-            raise ValueError(f"{field} is needed by the laws {laws}")
+            raise ValueError(f"{name} is needed by the laws {laws}")
     by_law = law_pressure_viscosity(lubricant)
     coefficient = lubricant.pressure_viscosity
     if abs(coefficient - by_law) > PRESSURE_VISCOSITY_TOLERANCE * by_law:
