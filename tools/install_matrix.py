@@ -3,18 +3,20 @@
     python tools/install_matrix.py                                 # this Python, newest and lowest
     python tools/install_matrix.py --python 3.11 3.12 3.13 3.14    # those of them that `pythonX.Y` or uv finds
     python tools/install_matrix.py --quick                         # cases validated, one run
+    python tools/install_matrix.py --write-constraints             # the files of packaging/constraints, from here
 
 Each combination has an environment of its own in a temporary folder. Lowest dependencies are the lower bounds of
-pyproject.toml, written as `name==bound`. Warnings of Python are errors (`-W error`), but deprecations of libraries.
-What the sdist installs is compared with what the wheel installs, file by file: where they are equal, as expected, its
-cases are validated and two of them run, and the runs of the wheel's hold for both. A line for each combination; exit
-code 1 where one is not green.
+pyproject.toml, written as `name==bound`; tested ones are those of the environment that the tests last passed in.
+Warnings of Python are errors (`-W error`), but deprecations of libraries. What the sdist installs is compared with
+what the wheel installs, file by file: where they are equal, as expected, its cases are validated and two of them run,
+and the runs of the wheel's hold for both. A line for each combination; exit code 1 where one is not green.
 """
 
 from __future__ import annotations
 
 import argparse
 import hashlib
+import json
 import os
 import re
 import shutil
@@ -23,12 +25,44 @@ import sys
 import tempfile
 import time
 import tomllib
+from importlib import metadata
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 WARNINGS = "error,ignore::DeprecationWarning,ignore::PendingDeprecationWarning"
-PACKAGES = ("ehl", "bearing", "postprocess", "cases", "oilfilm")
 RUN = ("6208_full_ceramic", "moes_20_10")  # run where the others are validated only
+
+
+CONSTRAINTS = ROOT / "packaging" / "constraints"
+EXTRAS = "cluster,parquet,html,optimise"
+
+
+def tested() -> list[str]:
+    """The versions of the environment of the tests, as exact versions."""
+    return (CONSTRAINTS / "tested.txt").read_text(encoding="utf-8").split()
+
+
+def write_constraints() -> None:
+    """Lowest versions, those of this environment, and the newest that fit together, one a line."""
+    names = ["pip", "install", "--dry-run", "--ignore-installed", "--quiet", "--report", "-", f"{ROOT}[{EXTRAS}]"]
+    report = subprocess.run([sys.executable, "-P", "-m", *names], capture_output=True, text=True, check=True).stdout
+    found = [item["metadata"] for item in json.loads(report[report.index("{") :])["install"]]
+    newest = {re.sub(r"[-_.]+", "-", one["name"]).lower(): one["version"] for one in found if one["name"] != "oilfilm"}
+    here = {name: version for name in newest if (version := installed_version(name))}
+    CONSTRAINTS.mkdir(exist_ok=True)
+    for name, lines in (("newest", exact(newest)), ("tested", exact(here)), ("lowest", lowest())):
+        (CONSTRAINTS / f"{name}.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def exact(versions: dict[str, str]) -> list[str]:
+    return [f"{name}=={version}" for name, version in sorted(versions.items())]
+
+
+def installed_version(name: str) -> str:
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return ""
 
 
 def lowest() -> list[str]:
@@ -75,9 +109,9 @@ def installed(own: str, package: Path, exact: list[str], folder: Path) -> list[s
 def contents(own: str, folder: Path) -> dict[str, str]:
     """Digests of the files that a package brought, by their names."""
     place = run(
-        [own, "-c", "from oilfilm import ehl, pathlib; print(pathlib.Path(ehl.__file__).parents[1])"], folder
+        [own, "-c", "import pathlib; from oilfilm import ehl; print(pathlib.Path(ehl.__file__).parents[1])"], folder
     ).stdout.strip()
-    files = [path for name in PACKAGES for path in sorted((Path(place) / name).rglob("*")) if path.is_file()]
+    files = [path for path in sorted(Path(place).rglob("*")) if path.is_file()]
     return {
         path.relative_to(place).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
         for path in files
@@ -149,8 +183,12 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--python", nargs="+", default=[f"{sys.version_info.major}.{sys.version_info.minor}"])
     parser.add_argument("--quick", action="store_true", help="validate cases, run two of them")
-    parser.add_argument("--only", choices=("newest", "lowest"), help="one set of dependencies")
+    parser.add_argument("--only", choices=("newest", "tested", "lowest"), help="one set of dependencies")
+    parser.add_argument("--write-constraints", action="store_true", help="write packaging/constraints, nothing else")
     chosen = parser.parse_args()
+    if chosen.write_constraints:
+        write_constraints()
+        return 0
     red = 0
     with tempfile.TemporaryDirectory(prefix="install-") as name:
         folder = Path(name)
@@ -161,10 +199,10 @@ def main() -> int:
                 print(f"{version}: there is no such Python here")
                 red += 1
                 continue
-            for which, exact in (("newest", []), ("lowest", lowest())):
+            for which, versions in (("newest", []), ("tested", tested()), ("lowest", lowest())):
                 if chosen.only not in (None, which):
                     continue
-                found = cell(python, packages, exact, folder / f"{version}-{which}", quick=chosen.quick)
+                found = cell(python, packages, versions, folder / f"{version}-{which}", quick=chosen.quick)
                 for kind, wrong in found.items():
                     print(f"{version}, {kind}, {which}: {'green' if not wrong else 'RED'}", flush=True)
                     for problem in wrong:

@@ -68,6 +68,7 @@ def steps(seed: int, folder: Path) -> tuple[Step, ...]:
         Step("cases", ("tools/fuzz/case_files.py", "--seed", number), "mutated case files"),
         Step("strangers", ("tools/fuzz/strangers.py", "--seed", number), "bearings drawn at random: no law is broken"),
         Step("damaged", ("tools/fuzz/damaged.py", "--seed", number), "damaged files of results"),
+        Step("readers", ("tools/fuzz/readers.py", "--seed", number), "bytes changed in every file that is read"),
         Step("disk", ("tools/fuzz/full_disk.py", "-", "--seed", number, "--rounds", "4"), "full disk"),
         Step("kills", ("tools/fuzz/kills.py", "--seed", number), "commands killed at random moments"),
         Step("shards", ("tools/fuzz/shards.py", "--seed", number), "a batch in shards, killed and damaged"),
