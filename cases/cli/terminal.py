@@ -31,7 +31,7 @@ from oilfilm.ehl.foreign_files import DamagedFileError, visible
 from ..format.rules import CaseError
 from ..runs.interrupt import interrupt, print_message
 from ..runs.kernel_cache import ensure_kernel_cache
-from ..runs.output_directory import damaged_files
+from ..runs.output_directory import DIGESTS, damaged_files
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -411,6 +411,9 @@ def reading(*directories: Path) -> Iterator[None]:
             raise CaseError(f"{damaged[0]}: damaged, not as it was written; {ANEW}") from error
         if isinstance(error, ValueError):
             raise CaseError(str(error)) from error
+        for directory in directories:
+            if not (directory / DIGESTS).is_file():
+                raise CaseError(f"{directory}: damaged or not of oilfilm; {ANEW}") from error
         raise
     for path in damaged:
         print_message(f"oilfilm: {path}: changed since it was written; {ANEW}")

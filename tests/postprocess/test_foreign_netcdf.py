@@ -8,6 +8,9 @@ import h5py
 import numpy as np
 import pytest
 
+from oilfilm.cases.cli.terminal import reading
+from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs.output_directory import write_digests
 from oilfilm.ehl.foreign_files import DamagedFileError
 from oilfilm.postprocess.dynamics.results import open_history
 from oilfilm.postprocess.netcdf_write import FIELDS_FILE
@@ -69,3 +72,12 @@ def test_a_pipe_in_the_place_of_a_summary_is_not_waited_for(tmp_path):
     os.mkfifo(tmp_path / SUMMARY_FILE)
     with pytest.raises(DamagedFileError, match="no regular file"):
         read_summary(tmp_path)
+
+
+def test_what_no_reader_expects_is_told_as_damaged_where_no_digests_are(tmp_path):
+    """With digests that fit, an error is one of the program, and stays one."""
+    with pytest.raises(CaseError, match="damaged or not of oilfilm"), reading(tmp_path):
+        raise AttributeError("'str' object has no attribute 'items'")
+    write_digests(tmp_path, [])
+    with pytest.raises(AttributeError), reading(tmp_path):
+        raise AttributeError("'str' object has no attribute 'items'")

@@ -10,6 +10,7 @@ signals, and more than `PATIENCE` seconds or `ROOM` bytes of memory.
 from __future__ import annotations
 
 import argparse
+import errno
 import os
 import random
 import resource
@@ -177,14 +178,15 @@ def attempts(home: Path, folder: Path, rng: random.Random, kinds: list[str], rep
 
 def outcome(reader: Callable[[Path], None], folder: Path) -> str:
     """Exit code that a command gives: 0, 2, or an error of this program with its place."""
-    from oilfilm.bearing.files import is_disk_failure
+    from oilfilm.cases.cli.terminal import reading
 
     try:
-        reader(folder)
+        with reading(folder):  # as commands read results
+            reader(folder)
     except ValueError:  # also `CaseError` and `DamagedFileError`
         return "2"
     except OSError as error:
-        return "4, the disk" if is_disk_failure(error) and error.errno != 5 else "2"
+        return "4, the disk" if error.errno == errno.ENOSPC else "2"
     except Exception as error:
         lines = traceback.extract_tb(error.__traceback__)
         place = next((f"{line.filename}:{line.lineno}" for line in reversed(lines) if "oilfilm" in line.filename), "")
