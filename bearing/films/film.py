@@ -99,8 +99,8 @@ class ContactFilm:
     conditions: ContactConditions
     size: EllipseSize
     origin: FilmOrigin
-    # pressure and gap where the film was solved, or scaled to a solved one; None: those of the
-    # film atlas
+    # pressure and gap where the film was solved, or scaled to a solved one, and of films of the
+    # atlas that are drawn; None: friction takes those of the film atlas at its own nodes
     field: ContactSolution | None = None
     central: FilmThickness
     minimum: FilmThickness | None = None  # None where no formula has it
@@ -128,7 +128,12 @@ class ContactFilm:
     @property
     def scaled(self) -> bool:
         """A formula was scaled to a solved film of the same contact."""
-        return self.origin is not FilmOrigin.SOLVED and self.field is not None
+        return self.origin is FilmOrigin.FORMULA and self.field is not None
+
+    @property
+    def sheared_field(self) -> ContactSolution | None:
+        """The field whose nodes shear; None: nodes of the film atlas."""
+        return None if self.origin is FilmOrigin.ATLAS else self.field
 
     @property
     def with_inlet_film_by_law(self) -> bool:

@@ -108,13 +108,13 @@ def film_nodes(
     own = np.zeros(len(sheared), dtype=np.int64)
     blocks = [FilmBlock(np.empty((ROWS, 1, 0)), 0, np.zeros((1, 4)))]
     # 1. solved films, one by one
-    fields = first_same([None if one is None else one.film.field for one in sheared])
+    fields = first_same([None if one is None else one.film.sheared_field for one in sheared])
     existing: dict[tuple[int, float, float | None, float], int] = {}
     others: dict[int, FilmOnSurface] = {}
     for number, one in enumerate(sheared):
         if one is None:
             continue
-        if one.film.field is None:
+        if one.film.sheared_field is None:
             others[number] = one
             continue
         key = (fields[number], *one.film.values, one.curvature)

@@ -95,12 +95,12 @@ def film_conductances(
     }
     rows = np.zeros((len(contacts), 3))
     existing: dict[tuple[int, float, float | None, Race], Ends] = {}
-    fields = first_same([None if film is None else film.field for film in films])
+    fields = first_same([None if film is None else film.sheared_field for film in films])
     flat: dict[Race, list[int]] = {race: [] for race in rings}
     for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
         if film is None or contact.hertz is None:
             continue
-        if film.field is None:
+        if film.sheared_field is None:
             flat[contact.race].append(number)
             continue
         key = (fields[number], *film.values, contact.race)

@@ -77,6 +77,7 @@ class Case(AnyCase):
     # friction of balls on races, where the case names it or takes traction equilibrium
     traction: BallTraction | None
     film_maps: str | tuple[float, ...]  # "all", "loaded", "none", or azimuths of balls [rad]
+    film_source: contacts.FilmSource  # of the films of these balls
     file: BearingFile  # the tables as checked, in the units of the file
     friction: FrictionInput | None = None  # what the friction torque models need
     inlet: InletFactors = NO_LOSS  # of the rolling moment of its films [-]
@@ -334,6 +335,7 @@ def _bearing_case(file: BearingFile) -> Case:
         model=assumptions,
         traction=traction,
         film_maps=maps if isinstance(maps, str) else tuple(map(radians, maps)),
+        film_source=contacts.FilmSource(file.ehl.films),
         file=file,
         rating=rated,
         friction=torque,

@@ -55,6 +55,14 @@ class FilmModel(Enum):
     THERMAL = "thermal"
 
 
+class FilmSource(Enum):
+    """Source of the films of a bearing that have maps."""
+
+    AUTO = "auto"
+    SOLVED = "solved"
+    ATLAS = "atlas"
+
+
 class Starvation(Enum):
     """Effect of a layer at the inlet on the film."""
 
@@ -123,16 +131,45 @@ class ContactEhlTable(GridTable):
     )
 
 
-class EhlTable(GridTable):
-    """Grid of the contacts, and which of them are solved."""
+# keys that only a solve answers: with one of them all films are solved unless `films` is given
+OF_SOLVES = ("points", "tolerance", "domain", "certify")
+SOLVED_VALUES = {
+    "film_model": (FilmModel.SHEAR_THINNING.value, FilmModel.THERMAL.value),
+    "starvation": (Starvation.SOLVED.value, Starvation.TABULATED.value),
+}
 
-    film_maps: FilmMaps = described("balls whose films are solved", "all")
+
+class EhlTable(GridTable):
+    """Grid of the contacts, which of them have maps, and which are solved."""
+
+    film_maps: FilmMaps = described("balls whose films have maps of pressure and gap", "all")
+    films: Annotated[str, OneOf(FilmSource)] = described(
+        "source of these films: auto: the film atlas where it covers a contact, solved are the "
+        "heaviest contact of each race and those that it does not cover; solved: all are solved; "
+        "atlas: none, and what it does not cover is by formula; left out, solved with points, "
+        "tolerance, domain, certify, starvation, or films of shear or heat, else auto",
+        "auto",
+    )
     subsurface_stress: bool = described(
         "also write the stress in the races below every solved pressure, for ParaView", False
     )
     finite_bodies: bool = described(
         "films with the curvatures that rings, on rigid seats, and balls have beyond half-spaces",
         False,
+    )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _source(cls, table: Any) -> Any:
+        """All films solved where a key asks for what only a solve gives."""
+        if isinstance(table, dict) and table.get("films") is None and _asks_for_solves(table):
+            return {**table, "films": FilmSource.SOLVED.value}
+        return table
+
+
+def _asks_for_solves(table: Mapping[str, Any]) -> bool:
+    return any(table.get(key) for key in OF_SOLVES) or any(
+        table.get(key) in values for key, values in SOLVED_VALUES.items()
     )
 
 

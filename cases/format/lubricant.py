@@ -543,11 +543,21 @@ def _layer_faults(values: CaseValues) -> Iterator[CaseProblem]:
         yield CaseProblem(
             ("ehl", "starvation"), found, 'allowed: "none", or film_model "newtonian"'
         )
+    if values.get("ehl", "films") == "atlas" and not (newtonian and chosen in (None, "none")):
+        key = "film_model" if not newtonian else "starvation"
+        found = (
+            f'found {shown(values.get("ehl", key))} with films "atlas", which has no such films'
+        )
+        yield CaseProblem(("ehl", key), found, 'allowed: films "auto" or "solved"')
     solved = chosen == "solved" or (chosen is None and values.given("contact") and newtonian)
     by_law = chosen == "tabulated" or (chosen is None and newtonian and not _kept_flooded(values))
     if not (solved or by_law):
         return
     layers = [("lubricant", key) for key in ("inlet_film_um", "inlet_film_dimensionless")]
+    if values.get("ehl", "films") == "atlas" and by_law and values.given(*layers[0]):
+        found = 'found "atlas" with inlet_film_um, behind which films are solved'
+        allowed = 'allowed: "auto" or "solved", or starvation = "none"'
+        yield CaseProblem(("ehl", "films"), found, allowed)
     for key in (*layers, ("friction", "supply_mL_min")):
         if values.get(*key) == 0.0 and (chosen is not None or key in layers):
             allowed = 'allowed: above 0, a dry inlet has no film; or starvation = "none"'

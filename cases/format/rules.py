@@ -22,7 +22,10 @@ MISSING = "missing"
 # are recognised, of keys of other tables 7 % taken for one of this table (0.7: 96 and 4 %)
 SIMILARITY = 0.65
 # not of a single contact
-OF_BEARINGS = (("operation",), ("model",), ("surface",), ("slip",), ("ehl", "film_maps"))
+OF_BEARINGS = (
+    *(("operation",), ("model",), ("surface",), ("slip",)),
+    *(("ehl", "film_maps"), ("ehl", "films")),
+)
 SHOWN_NAMES = 12  # shown of a list of allowed keys
 SHOWN_CHARACTERS = 60  # characters of a found value that are shown
 SIGNS = {"exclusiveMinimum": ">", "minimum": ">=", "exclusiveMaximum": "<", "maximum": "<="}

@@ -464,15 +464,19 @@ def _films(
     film at the lowest speed at which it does.
     """
     wanted, messages = wanted_contacts(case, state, contacts)
-    plan = film_plan(wanted, case.solver)
+    plan = film_plan(case, contacts, wanted)
     solver = film_solver(solve, case.films)
     solutions, interrupted = solve_contacts(plan.wanted, case.solver, workers, notify, solver)
     bases: tuple[ContactSolution | None, ...] = (None,) * len(contacts)
     if any(plan.bases) and not interrupted:
         bases, interrupted = solve_contacts(plan.bases, case.solver, workers, notify, solver)
     formulas = tuple(
-        None if asked is None else formula_film(contact, base if base and base.converged else None)
-        for contact, asked, base in zip(contacts, plan.bases, bases, strict=True)
+        known
+        or (asked and formula_film(contact, base if base and base.converged else None))
+        or None
+        for contact, known, asked, base in zip(
+            contacts, plan.atlas, plan.bases, bases, strict=True
+        )
     )
     if state.converged and case.films.model is FilmModel.NEWTONIAN and case.inlet_layer is None:
         formulas = fill_from_atlas(contacts, wanted, formulas)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.motion import ContactTraction
 from oilfilm.bearing.contacts.stress import SurfaceTension, surface_tensions
+from oilfilm.bearing.films.film import ContactFilm
 from oilfilm.bearing.films.unsolved_films import (
     CELLS_BY_POINTS,
     CELLS_BY_TOLERANCE,
@@ -20,11 +21,12 @@ from oilfilm.bearing.fits.ring_strength import Strength, ring_strengths, strengt
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.bearing.supply.supply import Supply, inlet_layer
 from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
+from oilfilm.ehl.atlas.field_maps import field_maps
 from oilfilm.ehl.multigrid.threads import cores, film_threads
 from oilfilm.ehl.oil.lubricant import InletLayer
 
 from ..format.case import Case
-from ..format.contact import FilmModel
+from ..format.contact import FilmModel, FilmSource
 from ..format.fields import rounded
 from ..format.film_model import FilmPhysics
 from ..format.rows import ball_at
@@ -73,44 +75,86 @@ def wanted_contacts(
 
 
 class FilmPlan(NamedTuple):
-    """Which films of contacts are solved, and how; None for the others."""
+    """Sources of the films of contacts; None for the others."""
 
-    wanted: list[ContactConditions | None]
+    wanted: list[ContactConditions | None]  # that are solved
     # contacts that the mesh does not resolve, at the lowest speed at which it does
     bases: list[ContactConditions | None]
+    atlas: list[ContactFilm | None]  # of the film atlas, with their fields
 
 
-def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions) -> FilmPlan:
-    """Split contacts into resolved ones, too light ones, and ones that the mesh does not resolve.
+def film_plan(
+    case: Case, contacts: Sequence[BearingContact], wanted: Sequence[ContactConditions | None]
+) -> FilmPlan:
+    """Split contacts into those of the film atlas, those that are solved, and those that the mesh
+    does not resolve.
 
     Behind layers all contacts are solved.
 
     Parameters
     ----------
+    case : Case
+        The bearing.
+    contacts : Sequence[BearingContact]
+        Its contacts.
     wanted : Sequence[ContactConditions | None]
-        Conditions of each contact; None for those without a solve.
-    options : SolverOptions
-        Grid of the solver.
+        Conditions of each contact that is asked for; None for the others.
 
     Returns
     -------
     FilmPlan
-        Contacts that are solved, and contacts at the lowest resolved speed.
+        Films of the atlas, contacts that are solved, and contacts at the lowest resolved speed.
     """
+    options = case.solver
     by_tolerance = options.wanted_tolerance is not None
     cells = CELLS_BY_TOLERANCE if by_tolerance else CELLS_BY_POINTS
+    atlas = _of_atlas(case, contacts, wanted)
+    none = case.film_source is FilmSource.ATLAS
     solved: list[ContactConditions | None] = []
     bases: list[ContactConditions | None] = []
-    for own in wanted:
+    for own, known in zip(wanted, atlas, strict=True):
         base = None
-        if own is not None and own.inlet_layer is None:
+        if known is not None or none:
+            solved.append(None)
+        elif own is not None and own.inlet_layer is None:
             fine = None if too_thick(own) else resolvable(own, options.max_points, cells)
             base = None if fine is own else fine
             solved.append(own if fine is own else None)
         else:
             solved.append(own)
         bases.append(base)
-    return FilmPlan(solved, bases)
+    return FilmPlan(solved, bases, atlas)
+
+
+def _of_atlas(
+    case: Case, contacts: Sequence[BearingContact], wanted: Sequence[ContactConditions | None]
+) -> list[ContactFilm | None]:
+    """Films of the atlas with their fields, one for equal contacts, those of formulas where none
+    is to be solved; None where a contact is solved.
+    """
+    films: list[ContactFilm | None] = [None] * len(contacts)
+    solved = case.film_source is FilmSource.SOLVED or case.inlet_layer is not None
+    if solved or case.films.model is not FilmModel.NEWTONIAN:
+        return films
+    groups = _groups(wanted)
+    if case.film_source is FilmSource.AUTO:
+        asked = [n for n, own in enumerate(wanted) if own is not None]
+        heaviest = {
+            max((n for n in asked if contacts[n].race is race), key=lambda n: contacts[n].load)
+            for race in {contacts[n].race for n in asked}
+        }
+        groups = [members for members in groups if not heaviest.intersection(members)]
+    chosen = [contacts[members[0]] for members in groups]
+    fields = field_maps([own for members in groups if (own := wanted[members[0]]) is not None])
+    for members, film, field in zip(groups, formula_films(chosen), fields, strict=True):
+        conditions = wanted[members[0]]
+        if film is None or conditions is None or too_thick(conditions):
+            continue
+        if field is not None or case.film_source is FilmSource.ATLAS:
+            shared = replace(film, field=field)
+            for n in members:
+                films[n] = shared
+    return films
 
 
 def inlet_layers(

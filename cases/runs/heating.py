@@ -324,7 +324,7 @@ def _reported_heat(case: Case, given: HeatingInput, reported: ReportedTorque) ->
     oil = case.lubricant
     inlet = _inlet(case, reported.state, oil)
     films = reported.films
-    if films is not None and any(film is not None and film.field is not None for film in films):
+    if any(film is not None and film.sheared_field is not None for film in films or ()):
         films = None
     films = films if inlet == case.inlet else None
     rheology = given.rheology(oil)
