@@ -534,13 +534,13 @@ def _friction(
     """Shear of the contacts, balls as balanced by the torque, friction torque, self-heating."""
     start = perf_counter()
     notify(0, 1, "friction torque")
-    solutions = films.solutions
+    fields = [a or (b and b.field) for a, b in zip(films.solutions, films.films, strict=True)]
     torque = _torque(case, state, contacts, films)
     shear = None if torque is None else torque.shear
     balanced = () if shear is None else shear.tractions
-    tractions = contact_tractions(case, state, contacts, solutions, balanced)
+    tractions = contact_tractions(case, state, contacts, fields, balanced)
     timing["torque"] = perf_counter() - start
-    tensions = contact_tensions(case, solutions, tractions)
+    tensions = contact_tensions(case, fields, tractions)
     timing["strength"] = perf_counter() - start - timing["torque"]
     if case.heating is not None:
         notify(0, 1, "self-heating")

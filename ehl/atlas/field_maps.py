@@ -37,7 +37,7 @@ from .films import AtlasFilms, AtlasValue, atlas_films_of_contacts, atlas_load, 
 from .oils import with_inlet_oil
 from .table import heavy_weight
 
-POINTS = 129  # of a map along x [-]
+POINTS = 257  # of a map along x [-]
 LEVELS = 3  # meshes that its grid can be halved to [-]
 REACH = 0.5  # over which a difference of gaps dies out, in semi-axes along x [-]
 THINNEST = 1e-3  # bound of the gap ahead, over the central film [-]

@@ -304,7 +304,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
     return [
         ContactRecord(
             contact=contact,
-            film=results.solutions[i],
+            film=results.maps[i],
             traction=None if (traction := tractions[i]) is None else traction.result,
             rolling=results.rolling_moments[i],
             instruments=results.instruments[i],
@@ -442,10 +442,12 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
     pairs = zip(results.contacts, films, strict=True)
     origins = [(contact, film.origin) for contact, film in pairs if film is not None]
     if of_atlas := sum(origin is FilmOrigin.ATLAS for _, origin in origins):
+        drawn = sum(film is not None and film.field is not None for film in films)
+        drawn -= sum(solution is not None for solution in results.solutions)
+        maps = "maps of the atlas" if drawn >= of_atlas else "no maps, which film_maps decides"
         yield (
-            f"contacts: films of the film atlas (film_origin) at {of_atlas} contacts whose films "
-            "[ehl] film_maps does not ask for: not solved, with the atlas's error bars; they have "
-            "no maps"
+            f"contacts: films of the film atlas (film_origin) at {of_atlas} contacts, not solved, "
+            f'with the atlas\'s error bars ([ehl] films = "solved" solves them); they have {maps}'
         )
     if scaled := [contact for contact, origin in origins if origin is FilmOrigin.FORMULA]:
         places = ", ".join(f"{contact.ball} {contact.race.value}" for contact in scaled)

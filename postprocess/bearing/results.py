@@ -83,6 +83,14 @@ class BearingResults(Results):
         return tuple(a or b for a, b in zip(solved, formulas, strict=True))
 
     @cached_property
+    def maps(self) -> tuple[ContactSolution | None, ...]:
+        """Pressure and gap as computed: solved, converged or not, or of the film atlas."""
+        return tuple(
+            solution or (film and film.field)
+            for solution, film in zip(self.solutions, self.films, strict=True)
+        )
+
+    @cached_property
     def operating(self) -> tuple[ContactFilm | None, ...]:
         """Operating films of the contacts: table, files and pictures are of these."""
         if self.supply is None:

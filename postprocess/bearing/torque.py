@@ -430,7 +430,7 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
         A message.
     """
     if any(film is None or not film.converged for film in results.solutions):
-        yield "contacts.rolling_moment_N_mm: null where there is no film that converged"
+        yield "contacts.rolling_moment_N_mm: null where no film was solved and converged"
     extent = results.rolling_extent
     if extent is None:
         yield (
