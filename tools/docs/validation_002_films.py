@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 
 from oilfilm.bearing import Race
 from oilfilm.cases import load_case, run_case
+from oilfilm.cases.format.contact import FilmSource
 from oilfilm.ehl import ContactSolution
 from oilfilm.postprocess.contact.plots import draw_map
 from oilfilm.postprocess.contact.shown_part import contact_view
@@ -49,7 +50,7 @@ def films(load: float, speed: float) -> dict[tuple[float, str], Film | None]:
     case = load_case(STEM)
     at = replace(case.operation, inner_speed=speed * RPM, force=(0.0, load, 0.0))
     wanted = tuple(angle * pi / 180.0 for angle in ANGLES)
-    results = run_case(replace(case, operation=at, film_maps=wanted))
+    results = run_case(replace(case, operation=at, film_maps=wanted, film_source=FilmSource.SOLVED))
     found: dict[tuple[float, str], Film | None] = {}
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         angle = round(degrees(contact.azimuth) % 360.0, 3)
