@@ -13,11 +13,17 @@ from oilfilm import ehl
 from oilfilm.bearing import solve_quasistatic
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.cases import load_case, run_case, run_contact
+from oilfilm.cases.format.contact import FilmSource
 from oilfilm.cases.runs.bearing import Interrupted
 from oilfilm.cases.runs.films import equal_contacts
 from oilfilm.postprocess import summary
 
 CASE = "6208_full_ceramic"
+
+
+def solved_case():
+    """The case with all films solved."""
+    return dataclasses.replace(load_case(CASE), film_source=FilmSource.SOLVED)
 
 
 class Solver:
@@ -63,7 +69,7 @@ def solver(monkeypatch):
 
 
 def test_equal_contacts_are_solved_once_and_share_the_solution(solver):
-    results = run_case(load_case(CASE), workers=2)
+    results = run_case(solved_case(), workers=2)
     assert len(solver.asked) == 5  # inner at 0 and +-40 degrees, outer at 0, +-40, and all others alike
     assert sum(solution is not None for solution in results.solutions) == 12
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
@@ -83,7 +89,7 @@ def solved(results):
 
 
 def test_film_maps(solver):
-    case = load_case(CASE)
+    case = solved_case()
     assert solved(run_case(film_maps(case, "none"))) == []
     assert {ball for ball, _ in solved(run_case(film_maps(case, "loaded")))} == {1, 2, 9}
     chosen = run_case(film_maps(case, (radians(320.0), radians(-320.0), radians(80.0))))
@@ -98,7 +104,7 @@ def test_no_films_without_equilibrium(solver, monkeypatch):
         return dataclasses.replace(solve(*arguments, **named), converged=False, message="no equilibrium")
 
     monkeypatch.setattr("oilfilm.cases.runs.equilibrium.solve_quasistatic", fail)
-    results = run_case(load_case(CASE))
+    results = run_case(solved_case())
     assert solver.asked == []
     assert not results.converged
     assert any("no equilibrium" in message for message in results.messages)
@@ -106,7 +112,7 @@ def test_no_films_without_equilibrium(solver, monkeypatch):
 
 def test_progress_counts_to_the_end(solver):
     seen = []
-    run_case(load_case(CASE), workers=1, progress=lambda done, total, state: seen.append((done, total, state)))
+    run_case(solved_case(), workers=1, progress=lambda done, total, state: seen.append((done, total, state)))
     assert seen[0] == (0, 1, "equilibrium of the bearing")
     assert [done for done, total, state in seen if state == "films"] == [0, 1, 2, 3, 4, 5]
 
@@ -114,7 +120,7 @@ def test_progress_counts_to_the_end(solver):
 def test_a_stopped_run_keeps_the_finished_films(monkeypatch):
     replace_solver(monkeypatch, Solver(stop_after=2))
     with pytest.raises(Interrupted) as stop:
-        run_case(load_case(CASE), workers=1)
+        run_case(solved_case(), workers=1)
     results = stop.value.results
     assert 0 < len(solved(results)) < 12
     assert any("interrupted" in message for message in results.messages)
@@ -127,7 +133,7 @@ def test_a_stopped_run_keeps_the_finished_films(monkeypatch):
 def test_a_run_stopped_at_once_has_nothing_to_keep(monkeypatch):
     replace_solver(monkeypatch, Solver(stop_after=0))
     with pytest.raises(Interrupted) as stop:
-        run_case(load_case(CASE), workers=1)
+        run_case(solved_case(), workers=1)
     assert stop.value.results is None
 
 
