@@ -189,7 +189,7 @@ DECAY_COURSE = quantities(  # arrays
     ("time_s", "time since the supply stopped"),
     ("layer_um", "layer on both surfaces of the tracks"),
     ("film_um", "central film"),
-    ("film_share", "share of the flooded film", "share"),
+    ("film_share", "share of the flooded film", "film_fraction"),
     ("joined_um", "central film, closed forms joined, without loss"),
 )
 HEATING = quantities(

@@ -284,7 +284,7 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     figure.set_layout_engine("none")
     figure.set_size_inches(PAGE_WIDTH, 6.0)
     of_film = "operating film" if quantity == "film" else quantity
-    figure.suptitle(f"{results.title}: {of_film}", fontsize=8.5, y=0.99)
+    figure.suptitle(f"{results.title}, {of_film}", fontsize=8.5, y=0.99)
     top = MAPS_TOP - LABEL_LINE * max(column.label.count("\n") for column in columns)
     width = (MAPS["right"] - MAPS["left"]) * min(len(columns) / FEWEST_COLUMNS, 1.0)
     right = MAPS["left"] + width

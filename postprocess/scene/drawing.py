@@ -43,7 +43,7 @@ from .vtk import DISPLACEMENT, DISTANCE, ring_files
 LOAD_COLOUR = "#b3202c"
 ROUND_OFF = 1e-6  # a load below this share of the other one is noise of the equilibrium [-]
 MARGIN = 0.02  # of texts, of the picture [-]
-TITLE_HEIGHT = 0.945  # likewise
+TITLE_HEIGHT = 0.964  # likewise
 LONGEST = 1.3  # arrow of the largest load over the radius of the bore [-]
 SHORTEST = 0.45  # arrow of a smaller load, likewise [-]
 SPAN = 1.1  # of the arrow of a rotation [rad]
