@@ -18,6 +18,7 @@ from oilfilm.cases.runs.contact import run_contact
 from oilfilm.cases.runs.heating import self_heated
 from oilfilm.ehl.closed_form.starvation import starvation_factors
 from oilfilm.postprocess import summary
+from oilfilm.postprocess.bearing.torque import decay_group
 from oilfilm.postprocess.bearing.write import bearing_table
 
 SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
@@ -458,8 +459,10 @@ def test_a_flow_gives_a_band_and_the_films_after_it_stops():
     """The ends of the band enclose the numbers at the share given; the decay begins at the film of the supply."""
     document = load_case("6208_oil_supply").document
     changed = {**document["friction"], "supply_decay_s": 10.0, "supply_track_share": 0.3}
-    found = summary(run_case(case_of_document({**document, "friction": changed})))
+    results = run_case(case_of_document({**document, "friction": changed}))
+    found = summary(results)
     supply, decay = found["supply"], found["decay"]
+    assert decay_group(results).variables["film_fraction"][1][-1] == decay["final_share"]  # as it is written
     assert (supply["track_share_low"], supply["track_share_high"]) == (0.1, 0.5)
     assert supply["film_share_low"] < supply["film_share"] < supply["film_share_high"]
     assert supply["lambda_least_low"] < supply["lambda_least"] < supply["lambda_least_high"]
