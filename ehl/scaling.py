@@ -14,7 +14,7 @@ import numpy as np
 from .arrays import Array
 from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
-from .closed_form.starvation import StarvationFactors, starvation_factors
+from .closed_form.starvation import StarvationFactors, inlet_ratio_of_moment, starvation_factors
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
 from .oil.lubricant import (
     DOWSON_HIGGINSON_DENOMINATOR,
@@ -384,6 +384,28 @@ def groups_along(contact: ScaledContact) -> tuple[float, float, float]:
     """
     s = contact.curvature_x
     return (contact.moes_load * s**1.25, contact.moes_lubricant * s**0.25, contact.curvature_y / s)
+
+
+def contact_inlet_ratio(
+    contact: ScaledContact, rolling_moment: float, flooded_ratio: float
+) -> float:
+    """Inlet layer of a contact that leaves a share of its flooded rolling moment.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact, in the frame of its entrainment
+    rolling_moment : float
+        share of the flooded moment, above zero [-]
+    flooded_ratio : float
+        ratio from which on a layer counts as flooded [-]
+
+    Returns
+    -------
+    float
+        layer over the oil of the flooded film [-]
+    """
+    return inlet_ratio_of_moment(*groups_along(contact), rolling_moment, flooded_ratio)
 
 
 def contact_starvation_factors(

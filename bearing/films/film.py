@@ -46,7 +46,7 @@ class FilmThickness(NamedTuple):
     # error of mesh and box of a solved film, of the atlas, or of the formula [m]
     computed: float = 0.0
     heat: float = 0.0  # by the law of the thermal reduction [m]
-    supply: float = 0.0  # by the law of starvation [m]; not estimated yet
+    supply: float = 0.0  # by what is not known of the layer [m]
     oil: float = 0.0  # by the ranges of the oil's heat properties [m]
 
     @property

@@ -2,8 +2,7 @@
 
 A film is computed flooded or behind a layer, isothermal or with heat. What is not in it comes as a
 fraction of its part of the friction: inlet shear heating on the gap that shears, SKF's factors of
-it and of replenishment on the rolling moment, starvation on both, asperities on the load that the
-oil carries.
+it on the rolling moment, starvation on both, asperities on the load that the oil carries.
 """
 
 from collections.abc import Sequence
@@ -26,7 +25,7 @@ from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import PrescribedInlet, Supply, supplied_shares
+from ..supply.supply import InletOil, ReplenishedInlet, most_replenished, supplied_shares
 from .asperities import Asperities
 from .film import (
     FLOODED,
@@ -46,7 +45,7 @@ from .unsolved_films import formula_films, formula_values, hertz_size
 class OilAtInlets:
     """Oil that the contacts of a bearing get."""
 
-    oil: Supply | PrescribedInlet
+    oil: InletOil
     balls: int  # in one row [-]
     # films that were solved behind layers are those of this oil, and stay as they were solved
     as_solved: bool = True
@@ -249,7 +248,7 @@ def operating_films(
     asperities : Asperities, optional
         Which carry part of the load where the films are thin; None: full films.
     rolling_factor : float
-        That inlet heating and replenishment leave of the rolling moment [-].
+        That inlet heating leaves of the rolling moment [-].
     unheated_factor : float
         The same, more, of films that are not solved with heat [-].
     hysteresis : float
@@ -341,6 +340,9 @@ def _operating(
     minimum = film.minimum
     if not with_heat:
         inlet = film.supply.rolling_moment if box_inlet else film.rolling_fraction
+        if supply is not None and isinstance(supply.oil, ReplenishedInlet):
+            # the moment that is missing is that far ahead of where the film is heated
+            inlet = film.supply.central
         heat = heat.at(inlet)
         central = _heated(central, heat.central)
         if minimum is not None:
@@ -405,6 +407,10 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
             fractions, (film.isothermal_central, film.isothermal_minimum), strict=True
         )
     ]
+    if isinstance(supply.oil, ReplenishedInlet):
+        most = most_replenished(contact, film.flooded_central, supply.oil)
+        central = _to_most(central, most.central.value / left.central)
+        minimum = minimum and _to_most(minimum, most.minimum.value / left.minimum)
     return replace(
         film,
         central=central,
@@ -420,6 +426,11 @@ def _scaled(film: FilmThickness, value: float) -> FilmThickness:
     """A film of another thickness [m] with the relative error of its own."""
     ratio = value / film.value if film.value > 0.0 else 0.0
     return FilmThickness(value, *(ratio * part for part in film[1:]))
+
+
+def _to_most(film: FilmThickness, ratio: float) -> FilmThickness:
+    """A film with an error by the supply that reaches so many times the film."""
+    return film._replace(supply=abs(ratio - 1.0) * film.value)
 
 
 def _without_layer(film: ContactFilm) -> ContactFilm:

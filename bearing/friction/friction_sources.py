@@ -20,7 +20,7 @@ from ..contacts.contact import BearingContact
 from ..contacts.shape import contact_shape
 from ..films.asperities import Asperities
 from ..films.film import ContactFilm
-from ..films.operating_film import operating_films, solved_films, with_formulas
+from ..films.operating_film import OilAtInlets, operating_films, solved_films, with_formulas
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact_friction import ContactFriction, FrictionSource, Refreshed
@@ -211,10 +211,10 @@ class FilmTraction(FrictionSource):
     rheology: Rheology
     # asperities that carry part of the loads [N] where the films are thin; None: full films
     asperities: Asperities | None = None
-    # fraction of the rolling moment of flooded, isothermal films that inlet heating and
-    # replenishment leave [-]
+    # fraction of the rolling moment of isothermal films that inlet heating leaves [-]
     rolling_factor: float = 1.0
     hysteresis: float = 0.0  # share of the elastic energy lost in rolling, beta_a [-]
+    supply: OilAtInlets | None = None  # oil that the films get; None: as much as they have
     # empty before `refresh`
     films: tuple[ContactFilm | None, ...] = ()
     loads: tuple[float, ...] = ()  # that the films were solved at [N]
@@ -276,6 +276,7 @@ class FilmTraction(FrictionSource):
         running = operating_films(
             contacts,
             with_formulas(contacts, self.films),
+            supply=self.supply,
             asperities=self.asperities,
             rolling_factor=self.rolling_factor,
             hysteresis=self.hysteresis,

@@ -1,8 +1,8 @@
 r"""Oil supply, first order: the film that little oil leaves, the oil that stands in the way of the
 balls, and the supply of least friction.
 
-Either the layer of oil that every contact finds at its inlet is prescribed (`PrescribedInlet`), or
-a flow (`Supply`).
+The layer of oil that every contact finds at its inlet is prescribed (`PrescribedInlet`), follows
+from a flow (`Supply`), or from the rolling moment that it leaves (`ReplenishedInlet`).
 
 **Film.** A contact that finds an oil layer of r times its compressed flooded film keeps the
 fractions of the flooded films and of the rolling moment that the law of starvation gives
@@ -61,12 +61,13 @@ import numpy as np
 from oilfilm.ehl.closed_form.starvation import (
     FLOODED,
     StarvationFactors,
+    rolling_moment_inlet_biboulet_houpert,
     starvation_exponent,
     starved_film_factor,
 )
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.oil.lubricant import Lubricant, density, log_viscosity_ratio
-from oilfilm.ehl.scaling import contact_starvation_factors, scale_contact
+from oilfilm.ehl.scaling import contact_inlet_ratio, contact_starvation_factors, scale_contact
 
 from ..contacts.contact import BearingContact
 from ..geometry import Bearing
@@ -196,8 +197,24 @@ class PrescribedInlet:
 AMPLE = PrescribedInlet(layer=1.0)  # floods every contact
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReplenishedInlet:
+    """Oil that is back on the tracks when the next ball arrives, known by what it leaves of the
+    rolling moment.
+    """
+
+    rolling_moment: float  # fraction of the flooded one [-]
+
+    def __post_init__(self) -> None:
+        if not 0.0 < self.rolling_moment <= 1.0:
+            raise ValueError(f"rolling_moment must lie in (0, 1], got {self.rolling_moment!r}")
+
+
+InletOil = Supply | PrescribedInlet | ReplenishedInlet
+
+
 def supplied_shares(
-    contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet, balls: int
+    contact: BearingContact, flooded_film: float, supply: InletOil, balls: int
 ) -> StarvationFactors:
     """Fractions of the flooded films and of the rolling moment of a contact that a supply leaves.
 
@@ -207,7 +224,7 @@ def supplied_shares(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : Supply | PrescribedInlet
+    supply : InletOil
         a layer that is ample leaves the film as it was, to the last digit
     balls : int
         in one row [-]
@@ -224,8 +241,34 @@ def supplied_shares(
     return starvation_law(contact.conditions, unit)(layer / unit)
 
 
+def most_replenished(
+    contact: BearingContact, flooded_film: float, supply: ReplenishedInlet
+) -> StarvationFactors:
+    """The fractions behind the layer that the formula of Biboulet and Houpert has for the moment,
+    3 to 18 times that of the solved law: the upper end of the films.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of a bearing
+    flooded_film : float
+        central, solved or from a formula [m]
+    supply : ReplenishedInlet
+        oil at the inlets
+
+    Returns
+    -------
+    StarvationFactors
+        fractions [-]; all where no oil is entrained
+    """
+    if contact.conditions is None or contact.hertz is None:
+        return FLOODED
+    ratio = rolling_moment_inlet_biboulet_houpert(supply.rolling_moment)
+    return starvation_law(contact.conditions, _unit(contact, flooded_film))(ratio)
+
+
 def inlet_layer(
-    contact: BearingContact, flooded_film: float, supply: Supply | PrescribedInlet, balls: int
+    contact: BearingContact, flooded_film: float, supply: InletOil, balls: int
 ) -> float:
     """Layer of oil at the inlet of a contact in the steady state.
 
@@ -235,7 +278,7 @@ def inlet_layer(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : Supply | PrescribedInlet
+    supply : InletOil
         oil at the inlets
     balls : int
         in one row [-]
@@ -249,6 +292,11 @@ def inlet_layer(
         return supply.layer
     if contact.conditions is None or contact.hertz is None:
         return 0.0
+    if isinstance(supply, ReplenishedInlet):
+        unit = _unit(contact, flooded_film)
+        scaled = scale_contact(contact.conditions, along_entrainment=True)
+        ample = contact.conditions.lubricant.flooded_layer / unit
+        return unit * contact_inlet_ratio(scaled, supply.rolling_moment, ample)
     track, unit = contact_track(contact, flooded_film, supply)
     return unit * steady_layer(track, _added(contact, supply, balls) / unit)
 

@@ -20,7 +20,7 @@ from ..friction.resistance import (
 )
 from ..geometry import Bearing
 from ..library.plugins import library_data
-from ..supply.supply import PrescribedInlet, Supply, cavity_volume, oil_fraction
+from ..supply.supply import InletOil, Supply, cavity_volume, oil_fraction
 from . import skf
 
 
@@ -64,10 +64,10 @@ class FrictionInput:
     sharing: LoadSharing = LoadSharing.ZHOU_HOEPRICH  # of asperities and film
     spectrum: Spectrum | None = None  # of the roughness [m]; None: no wave is flattened
     # flow of oil and what is assumed of it, or the layer at the inlets
-    supply: Supply | PrescribedInlet | None = None
+    supply: InletOil | None = None
     flooded: bool = False  # the total stays that of flooded films although a supply is given
     # supply of films that were solved behind layers; None: `supply`
-    solved_supply: Supply | PrescribedInlet | None = None
+    solved_supply: InletOil | None = None
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
     # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
@@ -205,12 +205,12 @@ class FrictionInput:
         orbit = 0.25 * bearing.pitch_diameter * (1.0 - slope)  # of a ball over the ring's speed
         return torque / (bearing.balls * orbit)
 
-    def at_supply(self, supply: Supply | PrescribedInlet, bearing: Bearing) -> "FrictionInput":
+    def at_supply(self, supply: InletOil, bearing: Bearing) -> "FrictionInput":
         """The same of a bearing at another supply, with the oil that stands in its cavity.
 
         Parameters
         ----------
-        supply : Supply | PrescribedInlet
+        supply : InletOil
             flow [m^3/s] or layer [m]
         bearing : Bearing
             the bearing
@@ -229,7 +229,7 @@ class FrictionInput:
         )
 
     @property
-    def scarce(self) -> Supply | PrescribedInlet | None:
+    def scarce(self) -> InletOil | None:
         """The supply that the torque is wanted at [m^3/s], [m]; None where it is flooded."""
         return None if self.flooded else self.supply
 

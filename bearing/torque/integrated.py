@@ -370,7 +370,7 @@ def bearing_films(
     friction : FrictionInput
         Supply and asperities.
     inlet : InletFactors
-        What the inlets leave of the rolling moments [-].
+        Heat of the inlets, and oil there without a stated supply [-].
 
     Returns
     -------
@@ -378,9 +378,10 @@ def bearing_films(
         None where a contact carries no load or entrains no oil.
     """
     supply = None
-    if friction.scarce is not None:
+    oil = inlet.oil if friction.scarce is None else friction.scarce
+    if oil is not None:
         supply = OilAtInlets(
-            oil=friction.scarce,
+            oil=oil,
             balls=solution.bearing.balls,
             as_solved=friction.solved_supply in (None, friction.scarce),
         )
@@ -389,7 +390,7 @@ def bearing_films(
         with_formulas(contacts, films),
         supply=supply,
         asperities=friction.asperities,
-        rolling_factor=inlet.rolling,
+        rolling_factor=inlet.shear_heating,
         unheated_factor=inlet.unheated,
         hysteresis=friction.hysteresis_loss,
     )

@@ -24,6 +24,7 @@ from ..geometry import Bearing
 from ..library.catalogue import friction_series
 from ..library.designation import read_designation
 from ..library.plugins import library_data
+from ..supply.supply import ReplenishedInlet
 
 SKF_DATA = "skf_friction.toml"
 # series of deep groove bearings beside those of the catalogue, longer names first
@@ -555,11 +556,20 @@ class InletFactors:
     heating_source: str = ""
     replenishment_source: str = ""
     limit: str = ""  # the end of the factors' range at which they are held; empty inside
+    # phi_rs beyond the end of its range as well [-]
+    extrapolated_replenishment: float = 1.0
 
     @property
     def rolling(self) -> float:
-        """Both together [-]."""
+        """Both together [-], of a moment that has no film."""
         return self.shear_heating * self.replenishment
+
+    @property
+    def oil(self) -> ReplenishedInlet | None:
+        """Oil at the inlets by the replenishment; None: as much as is stated, or ample."""
+        if self.replenishment == 1.0:
+            return None
+        return ReplenishedInlet(rolling_moment=self.replenishment)
 
 
 NO_LOSS = InletFactors()
@@ -597,7 +607,7 @@ def inlet_factors(
     InletFactors
         factors [-] and their sources
     """
-    shear = supplied = 1.0
+    shear = supplied = extrapolated = 1.0
     why_shear = "solved with the films; SKF's phi_ish where one is not"
     why_supplied = "the oil at the inlets is that of the stated supply"
     counted = min(viscosity, to_si("viscosity_mm2_s", RANGES["skf"].viscosity[1]))
@@ -608,7 +618,9 @@ def inlet_factors(
     if not layered:
         geometry = geometry_factor(bearing_kind(bearing))
         product = speed * counted
-        by_skf = replenishment_factor(geometry, lubrication, product, diameters(bearing))
+        sizes = diameters(bearing)
+        by_skf = replenishment_factor(geometry, lubrication, product, sizes)
+        extrapolated = replenishment_factor(geometry, lubrication, speed * viscosity, sizes)
         supplied = max(by_skf, LEAST_REPLENISHMENT)
         why_supplied = f"SKF's phi_rs, {lubrication.value}"
     return InletFactors(
@@ -618,6 +630,7 @@ def inlet_factors(
         heating_source=why_shear,
         replenishment_source=why_supplied,
         limit=_limit(viscosity, supplied),
+        extrapolated_replenishment=extrapolated,
     )
 
 

@@ -29,7 +29,7 @@ from ..films.operating_film import (
 )
 from ..friction.resistance import contact_rolling_power
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import PrescribedInlet, Supply, cavity_volume, oil_fraction
+from ..supply.supply import InletOil, PrescribedInlet, Supply, cavity_volume, oil_fraction
 from .inputs import FrictionInput
 from .models import cage_and_drag
 from .paper_models import pure_rolling_line_torque, sliding_contacts
@@ -158,7 +158,7 @@ def _of_films(
     return _OfFilms(rolling, film, asperity)
 
 
-Total = Callable[[Supply | PrescribedInlet], float | None]  # torque at a supply [N m]
+Total = Callable[[InletOil], float | None]  # torque at a supply [N m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

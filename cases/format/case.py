@@ -18,7 +18,7 @@ from oilfilm.bearing.rating.load_rating import capacity
 from oilfilm.bearing.supply.supply import Supply
 from oilfilm.bearing.supply.track import TrackPasses
 from oilfilm.bearing.torque.inputs import FrictionInput
-from oilfilm.bearing.torque.skf import NO_LOSS, InletFactors, inlet_factors
+from oilfilm.bearing.torque.skf import NO_LOSS, InletFactors, Lubrication, inlet_factors
 from oilfilm.ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions
@@ -40,6 +40,9 @@ from .rules import CaseError, InvalidKeyError, key_lines
 from .shipped import find_case
 from .traction import ball_traction
 from .transient import transient, transient_options
+
+# layer at the inlets in an oil bath, which reaches from ball to ball; 1 to 3 mm, an estimate [um]
+BATH_LAYER_UM = 1000.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -287,7 +290,10 @@ def oil_of_file(file: BearingFile | ContactFile) -> Oil:
         The keys, in the units of the file.
     """
     document = file.model_dump(exclude_none=True, include={"lubricant", "lubricants"})
-    return oil_of(document["lubricant"], document["lubricants"])
+    oil = oil_of(document["lubricant"], document["lubricants"])
+    if isinstance(file, BearingFile) and file.friction.lubrication == Lubrication.OIL_BATH.value:
+        oil.keys.setdefault("flooded_layer_um", BATH_LAYER_UM)
+    return oil
 
 
 def _bearing_case(file: BearingFile) -> Case:

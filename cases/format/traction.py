@@ -6,6 +6,7 @@ from math import isclose
 from pathlib import Path
 from typing import Any
 
+from oilfilm.bearing.films.operating_film import OilAtInlets
 from oilfilm.bearing.friction.contact_friction import BallTraction, FrictionSource
 from oilfilm.bearing.friction.friction_sources import (
     CoefficientTraction,
@@ -110,7 +111,14 @@ def resisted_traction(
         The friction, SI.
     """
     if isinstance(source, FilmTraction):
-        source = replace(source, rolling_factor=inlet.rolling, hysteresis=friction.hysteresis_loss)
+        oil_back = inlet.oil
+        supply = None if oil_back is None else OilAtInlets(oil=oil_back, balls=bearing.balls)
+        source = replace(
+            source,
+            rolling_factor=inlet.shear_heating,
+            supply=supply,
+            hysteresis=friction.hysteresis_loss,
+        )
     if isinstance(source, LawTraction):  # of tables, whose films are isothermal
         source = replace(source, rolling_factor=inlet.rolling * inlet.unheated)
     resistance = friction.resistance(bearing, oil, speed)

@@ -26,7 +26,7 @@ from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from oilfilm.bearing.rating.life import bearing_life
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
 from oilfilm.bearing.supply.oil_balance import GrooveOil, groove_oil
-from oilfilm.bearing.supply.supply import AMPLE, PrescribedInlet, Supply
+from oilfilm.bearing.supply.supply import AMPLE, InletOil, ReplenishedInlet, Supply
 from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, friction_torque
 from oilfilm.bearing.torque.integrated import (
     SolvedShear,
@@ -82,6 +82,7 @@ HALF_AND_HALF = (
 
 OnFilmsSolved = Callable[[BearingResults], None]
 WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
+LEAST_SHARE = 1e-4  # of the rolling moment, below which a contact counts as dry [-]
 ROUGH_POINTS = 129  # of films with heat in the first round [-]
 STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
@@ -169,8 +170,8 @@ def torque_over_supply(
     films: Films,
     torque: TorqueBreakdown | None,
 ) -> dict[str, Any]:
-    """Torque at the supply and flooded, its band over the captured share of a flow, and the films
-    after the supply has stopped.
+    """Torque at the supply and flooded, its band over the captured share of a flow, its range by
+    replenishment, and the films after the supply has stopped.
 
     Parameters
     ----------
@@ -195,6 +196,10 @@ def torque_over_supply(
         return {}
     total = _total_at(case, state, contacts, films, torque)
     found: dict[str, Any] = {}
+    if case.inlet.limit and case.inlet.oil is not None:
+        dry = max(case.inlet.extrapolated_replenishment, LEAST_SHARE)
+        ends = (ReplenishedInlet(rolling_moment=dry), AMPLE)
+        found["replenishment_range"] = tuple(map(total, ends))
     if friction.supply is not None:
         found["supply_torque"] = SupplyTorque(scarce=total(friction.supply), flooded=total(AMPLE))
     if isinstance(friction.supply, Supply):
@@ -240,7 +245,7 @@ def _total_at(
         return lambda supply: None
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
 
-    def total(supply: Supply | PrescribedInlet) -> float:
+    def total(supply: InletOil) -> float:
         if supply == friction.scarce:
             return known
         at = friction.at_supply(supply, state.bearing)
@@ -429,7 +434,8 @@ def _run(
 def _oil_at_inlets(case: Case) -> OilAtInlets | None:
     """Oil that the contacts of a case get; None: ample."""
     scarce = None if case.friction is None else case.friction.scarce
-    return None if scarce is None else OilAtInlets(oil=scarce, balls=case.bearing.balls)
+    oil = case.inlet.oil if scarce is None else scarce
+    return None if oil is None else OilAtInlets(oil=oil, balls=case.bearing.balls)
 
 
 def _with_friction(

@@ -30,7 +30,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import Array, radial, trend_terms
+from ..arrays import Array, trend_terms
 from ..data_files import read_arrays
 from ..options import require_not_negative, require_positive
 from .film import moes_film_nijenbanning
@@ -39,7 +39,7 @@ from .hertz import hertz_coefficients
 FILE = Path(__file__).parent / "starvation_law.npz"
 DAMPING_FILE = Path(__file__).parent / "starvation_damping.npz"
 STRETCH = 3.0  # of L, ln(1 + L/3): films leave the isoviscous ones about there
-NODES = 121  # of ln r, between which the functions of one contact are linear
+NODES = 61  # of ln r, between which the functions of one contact are linear
 LEAST_RISE = 1e-6  # of ln R, ln R_min and s from node to node
 HALVINGS = 50
 LARGEST_LOG_EXPONENT = 5.0  # ln g
@@ -64,6 +64,8 @@ class Table(NamedTuple):
     """Contents of the files of the law [-]."""
 
     functions: tuple[Function, ...]
+    log_ratios: Array  # (m,) nodes of ln r
+    along: tuple[Array, ...]  # (m, n) squared steps of these from the centres, over the scale
     lower: Array  # (4,) of x
     upper: Array
     # (3,) M, Rx/Ry and alpha p_h between which contacts were solved
@@ -97,8 +99,12 @@ def table() -> Table:
     ]
     of_damping = [damping[name] for name in ("scales", "trend", "weights")]
     functions.append(Function(damping["places"].astype(float), *of_damping))
+    log_ratios = np.linspace(file["lower"][3], file["upper"][3], NODES)
+    steps = [(log_ratios[:, None] - f.centres[:, 3]) / f.scales[3] for f in functions]
     return Table(
         functions=tuple(functions),
+        log_ratios=log_ratios,
+        along=tuple(step**2 for step in steps),
         lower=file["lower"],
         upper=file["upper"],
         least=file["least"],
@@ -151,13 +157,14 @@ def curves(load: float, lubricant: float, radius_ratio: float) -> Curves:
     """
     tabulated = table()
     contact_point = contact_coordinates(load, lubricant, radius_ratio)
-    log_ratios = np.linspace(tabulated.lower[3], tabulated.upper[3], NODES)
+    log_ratios = tabulated.log_ratios
     x = np.empty((NODES, 4))
     x[:, :3] = np.clip(contact_point, tabulated.lower[:3], tabulated.upper[:3])
     x[:, 3] = log_ratios
+    terms = trend_terms(x)
     exponent, gain, moment, damping = (
-        trend_terms(x) @ f.trend + radial(x, f.centres, f.scales) @ f.weights
-        for f in tabulated.functions
+        terms @ f.trend + _radial(f, x[0, :3], along) @ f.weights
+        for f, along in zip(tabulated.functions, tabulated.along, strict=True)
     )
     log_factor = _rising(log_film_factor(exponent, log_ratios))
     exponent = _exponents(log_factor, log_ratios, exponent)
@@ -174,6 +181,15 @@ def curves(load: float, lubricant: float, radius_ratio: float) -> Curves:
         errors=_errors(tabulated, x[0, 0]),
         inside=bool(np.all(tabulated.least <= contact) and np.all(contact <= tabulated.largest)),
     )
+
+
+def _radial(function: Function, contact_point: Array, along: Array) -> Array:
+    """k(d) of one contact at the nodes of ln r, (m, n) [-]: the steps of the contact's coordinates
+    from the centres are the same at all of them.
+    """
+    steps = (contact_point - function.centres[:, :3]) / function.scales[:3]
+    t = np.sqrt(5.0 * (along + (steps**2).sum(axis=1)))
+    return np.asarray((1.0 + t * (1.0 + t / 3.0)) * np.exp(-t))
 
 
 def log_film_factor(exponent: Array, log_ratio: Array) -> Array:
@@ -369,6 +385,71 @@ def starvation_factors(
         ),
         damping=factors.damping.raised(fraction * (1.0 - ample.damping.value)),
     )
+
+
+def inlet_ratio_of_moment(
+    load_parameter: float,
+    lubricant_parameter: float,
+    radius_ratio: float,
+    rolling_moment: float,
+    flooded_ratio: float,
+) -> float:
+    """Layer behind which a share of the flooded rolling moment is left: the inverse of the moment
+    of `starvation_factors`.
+
+    Parameters
+    ----------
+    load_parameter : float
+        Moes' M [-]
+    lubricant_parameter : float
+        Moes' L [-]
+    radius_ratio : float
+        Rx/Ry, x the direction of the entrainment [-]
+    rolling_moment : float
+        share of the flooded moment, above zero [-]
+    flooded_ratio : float
+        r of an inlet that counts as flooded [-]
+
+    Returns
+    -------
+    float
+        r, layer over the oil of the flooded film [-]; the flooded one of a share of 1 and more
+    """
+    if rolling_moment >= 1.0:
+        return flooded_ratio
+    functions = curves(load_parameter, lubricant_parameter, radius_ratio)
+    nodes = functions.log_ratios
+    end = log(flooded_ratio)
+    # the table's nodes as far as they go, and beyond them to the flooded inlet
+    farther = np.linspace(nodes[-1], end, NODES)[1:] if end > nodes[-1] else np.array([end])
+    at = np.append(nodes[nodes < end], farther)
+    moment = 1.0 / (1.0 + np.exp(-np.interp(at, nodes, functions.moment)))
+    moment = 1.0 - (1.0 - moment) * np.exp(-np.maximum(at - nodes[-1], 0.0))
+    shares = moment + np.exp(2.0 * (at - end)) * (1.0 - moment[-1])
+    wanted = log(rolling_moment)
+    below = min(wanted - log(shares[0]), 0.0)
+    return exp(below + float(np.interp(wanted, np.log(shares), at)))
+
+
+def rolling_moment_inlet_biboulet_houpert(rolling_moment: float) -> float:
+    """S of `rolling_moment_factor_biboulet_houpert` of a moment over the flooded one.
+
+    Parameters
+    ----------
+    rolling_moment : float
+        share of the flooded moment, between 0 and 1 [-]
+
+    Returns
+    -------
+    float
+        S, layer over the flooded film [-]
+    """
+    left = 1.0 - rolling_moment
+    linear = 162.8 - 193.1 * rolling_moment
+    constant = 1257.0 * rolling_moment
+    if left <= 0.0:
+        return inf
+    return 2.0 * constant / (linear + (linear**2 + 4.0 * left * constant) ** 0.5)
 
 
 def _factors(functions: Curves, inlet_ratio: float) -> StarvationFactors:

@@ -27,6 +27,7 @@ from oilfilm.bearing.quasistatic.solution import Frequencies, QuasistaticSolutio
 from oilfilm.bearing.rating.duty_cycle import DutyCycle
 from oilfilm.bearing.rating.life import LifeRating
 from oilfilm.bearing.supply.oil_balance import GrooveOil
+from oilfilm.bearing.supply.supply import ReplenishedInlet
 from oilfilm.bearing.torque.breakdown import TorqueBreakdown
 from oilfilm.bearing.torque.integrated import RollingExtent, rolling_extent, rolling_moments
 from oilfilm.bearing.torque.starved import SupplyBand, SupplyTorque
@@ -66,6 +67,9 @@ class BearingResults(Results):
     duty_cycle: DutyCycle | None = None  # None where the case has no load cases
     supply_torque: SupplyTorque | None = None  # None where no supply is given
     supply_band: SupplyBand | None = None  # None without a flow of oil
+    # torque of contacts that SKF's extrapolated phi_rs leaves, and flooded [N m]; None where the
+    # films are within its range
+    replenishment_range: tuple[float | None, float | None] | None = None
     groove_oil: GrooveOil | None = None  # None where it was not asked for
     decay: FilmDecay | None = None  # None where it was not asked for, or no ball has a film
     # heat conductances of the contacts, (3, balls, 2): value, low and high end [W/K]; None where
@@ -93,8 +97,9 @@ class BearingResults(Results):
     @cached_property
     def operating(self) -> tuple[ContactFilm | None, ...]:
         """Operating films of the contacts: table, files and pictures are of these."""
-        if self.supply is None:
-            return operating_films(self.contacts, self.films, box_inlet=True)
+        if self.supply is None or isinstance(self.supply.oil, ReplenishedInlet):
+            supply = self.supply
+            return operating_films(self.contacts, self.films, supply=supply, box_inlet=True)
         return supplied_films(self.contacts, self.films, self.supply)
 
     @cached_property

@@ -5,8 +5,9 @@ from math import isfinite
 from typing import Any
 
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
-from oilfilm.bearing.films.operating_film import of_driven_balls
+from oilfilm.bearing.films.operating_film import mean_fraction, of_driven_balls
 from oilfilm.bearing.operation import BallKinematics
+from oilfilm.bearing.supply.supply import ReplenishedInlet
 from oilfilm.bearing.torque.breakdown import INTEGRATED, NAMES, TorqueBreakdown
 from oilfilm.bearing.torque.integrated import SolvedShear
 from oilfilm.bearing.torque.models import COMPUTED_RATING, ModelTorque
@@ -35,6 +36,7 @@ VISIBLE_LAG = 0.03  # of the orbit speed, from which it is said [-]
 BEYOND = "*"  # mark of a torque outside the range of its model
 LARGE_SHARE = 0.05  # of the torque: from there on it is reported what the layer decides
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
+FEW_FILMS = 0.01  # of the flooded film missing, from which on that is said [-]
 FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
 
 
@@ -247,7 +249,18 @@ def oil_messages(results: BearingResults) -> Iterator[str]:
     if torque is None or torque.chosen != "integrated" or torque.inlet is None:
         return
     if torque.inlet.limit:
-        yield Caution(f"torque_N_mm.total: an estimate, {torque.inlet.limit}")
+        yield Caution(
+            f"torque_N_mm.total: an estimate, {torque.inlet.limit}{_range_text(results)}"
+        )
+
+
+def _range_text(results: BearingResults) -> str:
+    """Torque from dry to flooded inlets; empty where it is not known."""
+    ends = results.replenishment_range
+    if ends is None or ends[0] is None or ends[1] is None:
+        return ""
+    low, high = sorted(TORQUE.in_unit(end) for end in ends)
+    return f"; {low:.3g} to {high:.3g} N mm from oil that does not come back to flooded inlets"
 
 
 def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
@@ -506,8 +519,10 @@ def supply_kind(results: BearingResults) -> str:
     Returns
     -------
     str
-        "inlet film", "flow", else "flooded"
+        "inlet film", "flow"; without them "replenishment" by SKF's phi_rs, else "flooded"
     """
+    if results.supply is not None and isinstance(results.supply.oil, ReplenishedInlet):
+        return "replenishment"
     if "inlet_film_um" in results.case.get("lubricant", ()):
         return "inlet film"
     return "flow" if "supply_mL_min" in results.case.get("friction", ()) else "flooded"
@@ -528,6 +543,10 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
     """
     kind = supply_kind(results)
     torque = results.torque
+    supply = results.supply
+    if supply is not None and isinstance(supply.oil, ReplenishedInlet):
+        yield _replenished_text(results, supply.oil)
+        return
     if kind == "flooded":
         yield "supply: flooded; its numbers and the starved films of contacts are null"
         return
@@ -563,6 +582,18 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         yield "supply.torque_N_mm, ..._low_, ..._high_, flooded_...: null without torque of films"
     if films and all(film.supply.central > 1.0 - FLOOD_MARGIN for film in films):
         yield f"supply: ample, every contact keeps its flooded film to {FLOOD_MARGIN:.1%}"
+
+
+def _replenished_text(results: BearingResults, oil: ReplenishedInlet) -> str:
+    """Films of a bearing whose oil is not all back when the next ball arrives."""
+    share = mean_fraction(_driven(results))
+    return (
+        f"supply: replenishment; behind the layer that leaves {oil.rolling_moment:.3g} of the "
+        f"rolling moment, SKF's phi_rs, loaded films are {share:.3g} of flooded, by Biboulet and "
+        "Houpert's formula as much as their bars reach; lambda, capacitance and torque are those "
+        "of these films. supply.oil_fraction, torque_N_mm, ..._low_, ..._high_, groove_... null "
+        "without a flow or a layer"
+    )
 
 
 def _groove_message(results: BearingResults) -> Iterator[str]:
@@ -770,9 +801,9 @@ def supply_rows(results: BearingResults) -> dict[str, str]:
         texts by their titles
     """
     films = _driven(results)
-    if not films:
+    mean = mean_fraction(films)
+    if not films or (supply_kind(results) == "replenishment" and mean > 1.0 - FEW_FILMS):
         return {}
-    mean = sum(film.supply.central for film in films) / len(films)
     least = min(film.lambda_ratio for film in films)
     text = f"{supply_kind(results)}: loaded films {100.0 * mean:.3g} % of flooded"
     band = results.supply_band
@@ -783,7 +814,7 @@ def supply_rows(results: BearingResults) -> dict[str, str]:
 
 def _driven(results: BearingResults) -> list[ContactFilm]:
     """Films of the balls that both races load; none where the oil is not scarce."""
-    torque = results.torque
-    if torque is None or not torque.films:
-        return []
-    return of_driven_balls(results.quasistatic, results.contacts, torque.films)
+    films = () if results.torque is None else results.torque.films
+    if results.supply is not None and isinstance(results.supply.oil, ReplenishedInlet):
+        films = results.operating
+    return of_driven_balls(results.quasistatic, results.contacts, films) if films else []

@@ -12,6 +12,7 @@ import tomllib
 import pytest
 from typer.testing import CliRunner
 
+from oilfilm.bearing.supply.supply import ReplenishedInlet
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.runs.bearing import run_case
@@ -95,3 +96,31 @@ def test_cold_oil_is_named_first(folder):
     assert any("torque_N_mm.total: an estimate, SKF's factors of the inlet" in message for message in messages)
     warm = summary(run_case(at(folder, 60.0, *GREASED_6205)))["messages"]
     assert not any("pour point" in message or "an estimate, SKF" in message for message in warm)
+
+
+def test_films_stand_behind_the_layer_of_the_torque(folder):
+    """Of oil-air: at 20 C with a phi_rs of 0.3; at 45 C, in the atlas, those of results and torque are one."""
+    oil_air = ("6208", "iso vg 68", 3000.0, 1500.0, 0.0, "oil air")
+    warm = run_case(at(folder, 45.0, *oil_air))
+    pairs = [
+        (film.supply, other.supply)
+        for film, other in zip(warm.operating, warm.torque.shear.films, strict=True)
+        if film is not None
+    ]
+    assert pairs and all(film == other for film, other in pairs)
+    assert warm.replenishment_range is None
+    results = run_case(at(folder, 20.0, *oil_air))
+    assert isinstance(results.supply.oil, ReplenishedInlet)
+    for film in results.torque.shear.films:
+        if film is not None:
+            assert film.supply.rolling_moment == pytest.approx(results.supply.oil.rolling_moment, rel=5e-3)
+            assert 0.4 < film.supply.central < 0.97
+            assert film.central.value < film.central.value + film.central.supply < 1.05 * film.flooded_central
+    low, high = results.replenishment_range
+    assert low == pytest.approx(results.torque.total) and results.torque.total < high  # held nowhere
+
+
+def test_a_bath_is_its_own_layer(folder):
+    given = ("6208", "iso vg 68", 3000.0, 1500.0, 0.0)
+    bath, low = (at(folder, 40.0, *given, kind).lubricant.flooded_layer for kind in ("oil bath", "low oil bath"))
+    assert (bath, low) == (1.0e-3, 1.0e-4)

@@ -14,7 +14,9 @@ from oilfilm.ehl.closed_form.starvation import (
     FILE,
     FLOODED,
     contact_coordinates,
+    inlet_ratio_of_moment,
     rolling_moment_factor_biboulet_houpert,
+    rolling_moment_inlet_biboulet_houpert,
     starvation_exponent,
     starvation_factors,
     starved_film_factor,
@@ -173,3 +175,19 @@ def test_rolling_moment_of_starved_line_contacts():
     for contact in CONTACTS[:3]:
         ours = [starvation_factors(*contact, s).rolling_moment.value for s in (2.0, 5.0, 10.0)]
         assert all(own > line for own, line in zip(ours, values, strict=False))
+
+
+@pytest.mark.parametrize("contact", [(100.0, 10.0, 0.1), (20.0, 5.0, 0.3), (1000.0, 15.0, 0.05), (8.0, 3.0, 1.0)])
+@pytest.mark.parametrize("ample", [60.0, 8.0])
+def test_layer_of_a_moment_is_the_inverse_of_the_law(contact, ample):
+    for share in (0.02, 0.2, 0.35, 0.7, 0.95, 0.999):
+        ratio = inlet_ratio_of_moment(*contact, share, ample)
+        assert 0.0 < ratio <= ample
+        assert starvation_factors(*contact, ratio, ample).rolling_moment.value == pytest.approx(share, rel=5e-3)
+    assert inlet_ratio_of_moment(*contact, 1.0, ample) == ample
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9, 0.99])
+def test_line_layer_of_a_moment_is_the_inverse_of_the_formula(share):
+    layer = rolling_moment_inlet_biboulet_houpert(share)
+    assert rolling_moment_factor_biboulet_houpert(layer) == pytest.approx(share, rel=1e-9)
