@@ -311,7 +311,7 @@ def contact_films(
     >>> films = oilfilm.contact_films(contacts)
     >>> thinnest = min((film for film in films if film), key=lambda film: film.central.value)
     >>> f"{thinnest.central.value * 1e6:.2f} um by {thinnest.origin.value}"
-    '0.63 um by atlas'
+    '0.64 um by atlas'
     """
     computed = solved_films(contacts, solutions or (None,) * len(contacts))
     return operating_films(
