@@ -138,8 +138,9 @@ def table() -> Table:
     central, minimum = (
         Function(*(file[name][film].astype(float) for name in names)) for film in range(2)
     )
-    ends = (file[name].astype(float) for name in ("centres", "lower", "upper", "losses", "loads"))
-    return Table(*ends, central, minimum)
+    ends = ("centres", "lower", "upper", "losses", "loads")
+    whole = {name: file[name].astype(float) for name in ends}
+    return Table(**whole, central=central, minimum=minimum)
 
 
 def inlet_groups(
@@ -248,7 +249,7 @@ def _film(
     ]
     # the law is steep in y far from the table: a range that holds both ends
     law = np.minimum(lost * error, np.maximum(s, 1.0 - s))
-    inside = ~outside.any(axis=1)
+    inside = np.asarray(~outside.any(axis=1))
     return [
         ThermalReduction(float(a), float(b), float(c * d), bool(e))
         for a, b, c, d, e in zip(s, law, lost, spread, inside, strict=True)
