@@ -34,6 +34,7 @@ DOCS = ROOT / "docs"
         pytest.param("validation_002_films", marks=pytest.mark.slow),
         pytest.param("validation_002_supply", marks=pytest.mark.slow),
         pytest.param("heat_of_bearings", marks=pytest.mark.slow),
+        pytest.param("torque_of_bearings", marks=pytest.mark.slow),
     ],
 )
 def test_a_generated_page_is_up_to_date(script):
