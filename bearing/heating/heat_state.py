@@ -131,8 +131,9 @@ def _of_solved(
     pair: tuple[SolidThermal, SolidThermal],
     temperature: float,
 ) -> Ends:
-    """Value, low and high end of one contact [W/K]: the film of its solution, its error, and oil
-    that conducts as at ambient pressure or as pressed.
+    """Value, low and high end of one contact [W/K]: the film of its solution within Hertz'
+    ellipse, as of a flat film, its error, and oil that conducts as at ambient pressure or as
+    pressed.
     """
     field = film.operating_field
     assert field is not None
@@ -141,7 +142,7 @@ def _of_solved(
     conditions = dimensional_conditions(solution)
     axes = (hertz.semi_axis_x, hertz.semi_axis_y)
     speed = moving_speed(conditions.entrainment_speed, axes, *pair)
-    inside = solution.P > CONTACT_PRESSURE
+    inside = (x[:, None] / hertz.semi_axis_x) ** 2 + (y / hertz.semi_axis_y) ** 2 < 1.0
     oil = _oil_ends(conditions.lubricant, solution.pressure, temperature)
     value, low, high = (
         marched_conductance(

@@ -16,16 +16,17 @@ from oilfilm.bearing import (
     load_material,
     solve_quasistatic,
 )
+from oilfilm.bearing.films.operating_film import solved_films, with_formulas
 from oilfilm.bearing.friction.resistance import contact_rolling_power
 from oilfilm.bearing.heating.friction_heat import heat_of_torque
-from oilfilm.bearing.heating.heat_state import SelfHeatingProblem, formula_conductances
+from oilfilm.bearing.heating.heat_state import SelfHeatingProblem, film_conductances, formula_conductances
 from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.heating.paths import Surroundings
 from oilfilm.bearing.heating.self_heating import solve_self_heating
 from oilfilm.bearing.supply.supply import PrescribedInlet, Supply
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.starved import starved_torque
-from oilfilm.ehl import ViscosityLaw
+from oilfilm.ehl import SolverOptions, ViscosityLaw, solve_contact
 
 pytestmark = pytest.mark.filterwarnings("ignore:lubricant")  # the search goes beyond the data of the oil
 STEEL = load_material("bearing steel")
@@ -229,3 +230,15 @@ def test_balances_close_to_each_other_between_two_states_are_seen(bearing):
         assert [one.stable for one in found.balances] == [True, False] * (len(found.balances) // 2) + [True]
         seen += len(found.balances) > 1
     assert 0 < seen < 9
+
+
+def test_a_solved_film_conducts_as_that_of_the_film_atlas(bearing):
+    """A light contact, whose pressure reaches far ahead of the ellipse: by nodes above 1 % of Hertz' pressure, which
+    cover 1.7 ellipses there, it conducted a fifth more. What is left is the shape of the film.
+    """
+    solution = solve_quasistatic(bearing, Operation(inner_speed=150.0, force=(0.0, 600.0, 0.0), temperature=330.0))
+    contacts = contact_conditions(solution, load_lubricant("iso vg 46", 330.0))
+    solved = solve_contact(contacts[0].conditions, SolverOptions(points=129))
+    films = with_formulas(contacts, solved_films(contacts, [solved, *[None] * (len(contacts) - 1)]))
+    own, atlas = film_conductances(solution, contacts, films), formula_conductances(solution, contacts)
+    assert own[0, 0, 0] == pytest.approx(atlas[0, 0, 0], rel=0.04)
