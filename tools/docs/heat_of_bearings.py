@@ -72,7 +72,7 @@ def nasa(speed: float, share: float = 1.0, transfer: float = 2.0) -> dict[str, A
         friction__oil_fraction=round(share * PARKER / speed, 5),
         friction__heat_transfer_W_K=transfer,
     )
-    assert found["converged"] and found["temperatures_C"]
+    assert found["self_heating"]["converged"] and found["temperatures_C"]
     return found
 
 
