@@ -106,7 +106,7 @@ RACE_LEFT = 0.043  # of the race beside its row
 FOOTNOTES = {
     "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
     "minimum film; grey: film beyond the colour scale;\ncontour lines at 0.8 … 1.5 of each "
-    "contact's central film; error bars: mesh, inlet heating and supply",
+    "contact's central film; error bars: mesh, heat and supply",
     "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest "
     "pressure;\ncontour lines at 0.1, 0.3 … 0.9 of it",
 }
