@@ -13,7 +13,7 @@ import numpy as np
 from oilfilm.ehl.units import from_si
 
 from .contacts.contact import BearingContact
-from .films.film import ContactFilm
+from .films.film import ContactFilm, FilmOrigin
 from .heating.network import NODES
 from .heating.self_heating import SelfHeatingSolution
 from .quasistatic.solution import Frequencies, QuasistaticSolution
@@ -26,6 +26,7 @@ POWER_TOLERANCE = 1.0e-3  # of rings' power against torque times speed, balls in
 # stiffness is symmetric only nearly: to 0.029 of its diagonal in 60 draws [-]
 SYMMETRY_TOLERANCE = 0.1
 FILM_TOLERANCE = 1.0e-6  # of films that must be the same, and of the minimum over the centre [-]
+GAP_TOLERANCE = 1.0e-3  # of films against the gap that they fill [-]
 TEMPERATURE_TOLERANCE = 0.01  # [K]
 TORQUE_TOLERANCE = 1.0e-9  # of a part that must not be negative, over the total [-]
 FREQUENCY_TOLERANCE = 1.0e-9  # [-]
@@ -82,6 +83,26 @@ def _minimum_films(results: CheckedState) -> Iterator[str]:
             yield (
                 f"{place}: the minimum film, {from_si('film_um', least):.4g} um, exceeds the "
                 f"central one, {from_si('film_um', central):.4g} um"
+            )
+
+
+def _gaps(results: CheckedState) -> Iterator[str]:
+    """Check that films of balls between two films fit their gaps.
+
+    These were found with the films of atlas or formula, which a solved one differs from.
+    """
+    for contact, film in zip(results.contacts, results.films, strict=True):
+        if contact.gap is None or contact.hertz is None:
+            continue
+        if film is None or film.origin is FilmOrigin.SOLVED or film.scaled:
+            continue
+        room = contact.gap + contact.hertz.approach
+        central = film.central.value
+        if abs(central - room) > GAP_TOLERANCE * central:
+            yield (
+                f"ball {contact.ball}, {contact.race.value} race: the film, "
+                f"{from_si('film_um', central):.4g} um, does not fit the gap of "
+                f"{from_si('film_um', room):.4g} um"
             )
 
 
@@ -169,6 +190,7 @@ def _frequencies(results: CheckedState) -> Iterator[str]:
 
 CHECKS: tuple[Callable[[CheckedState], Iterator[str]], ...] = (
     _minimum_films,
+    _gaps,
     _forces,
     _stiffness,
     _powers,

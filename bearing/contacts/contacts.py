@@ -26,7 +26,7 @@ SIDES = np.array([-1.0, 1.0])  # of the inner and the outer contact, from the ba
 
 
 def contact_conditions(
-    solution: QuasistaticSolution, lubricant: Lubricant
+    solution: QuasistaticSolution, lubricant: Lubricant, *, thick: bool = False
 ) -> tuple[BearingContact, ...]:
     """All contacts of a bearing as lubricated contacts.
 
@@ -36,6 +36,8 @@ def contact_conditions(
         Equilibrium of the bearing.
     lubricant : Lubricant
         The oil.
+    thick : bool
+        Whether light contacts on films outside the model keep their conditions.
 
     Returns
     -------
@@ -55,7 +57,8 @@ def contact_conditions(
     ('outer', '1572 N')
     """
     motions = _motions(solution)
-    light = NEGLIGIBLE_LOAD * float(max(solution.inner_load.max(), solution.outer_load.max()))
+    heaviest = float(max(solution.inner_load.max(), solution.outer_load.max()))
+    light = 0.0 if thick else NEGLIGIBLE_LOAD * heaviest
     frames = _placements(solution, np.array([motion.speed for motion in motions]).reshape(-1, 2))
     parts = zip(motions, _hertz(solution), frames, strict=True)
     return BearingContacts.of(
@@ -89,7 +92,8 @@ def with_oil(
     if all(own.conditions is None or own.conditions.lubricant == lubricant for own in contacts):
         return contacts
     light = NEGLIGIBLE_LOAD * max(solution.inner_load.max(), solution.outer_load.max())
-    if any(contact.hertz is not None and contact.load < light for contact in contacts):
+    light_films = (contact.hertz is not None and contact.load < light for contact in contacts)
+    if any(light_films) or any(contact.gap is not None for contact in contacts):
         return contact_conditions(solution, lubricant)
     return BearingContacts.of(
         solution,

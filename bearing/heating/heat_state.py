@@ -25,7 +25,9 @@ from oilfilm.ehl.traction.shear import dimensional_conditions, dimensional_grid
 
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions, with_oil
+from ..films.between_races import contacts_between_films
 from ..films.film import CONTACT_PRESSURE, ContactFilm, Films, first_same
+from ..films.operating_film import OilAtInlets
 from ..films.unsolved_films import formula_films
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
 from ..friction.balance import BalancedFriction
@@ -273,6 +275,9 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
+        scarce = self.friction.scarce
+        supply = scarce and OilAtInlets(oil=scarce, balls=solution.bearing.balls)
+        contacts = contacts_between_films(solution, contacts, oil, supply)
         operating, balance = computed.films, computed.balance
         if operating is None:
             none = (None,) * len(contacts)

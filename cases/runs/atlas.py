@@ -7,12 +7,14 @@ from time import perf_counter
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
+from oilfilm.bearing.films.between_races import contacts_between_films
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
 from oilfilm.bearing.films.unsolved_films import formula_films, too_thick
 from oilfilm.bearing.geometry import SINGLE
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.ehl import ContactConditions, atlas_films
 from oilfilm.ehl.atlas.films import NotInAtlasError
+from oilfilm.ehl.units import from_si
 from oilfilm.postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasRecord
 from oilfilm.postprocess.contact.atlas import AtlasContactResults, AtlasRecord
 
@@ -27,6 +29,7 @@ HALF_AND_HALF = (
     "loads of half and half in place of traction equilibrium, which takes its friction from films"
 )
 TOO_LIGHT = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
+FILLS_GAP = "between two films, in a gap of {:.3g} um: use 'oilfilm run'"
 NO_EQUILIBRIUM = "there is no equilibrium"
 
 
@@ -95,6 +98,7 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
     contacts = contact_conditions(state, case.lubricant)
     if case.file.ehl.finite_bodies and state.converged:
         contacts = with_finite_bodies(contacts, finite_bodies(case.bearing, contacts))
+    contacts = contacts_between_films(state, contacts, case.lubricant)
     wanted, messages = wanted_contacts(case, state, contacts)
     if model is not case.model:
         messages += (HALF_AND_HALF,)
@@ -130,15 +134,16 @@ def fill_from_atlas(
     """
 
     def free(contact: BearingContact) -> bool:
-        return contact.conditions is not None and not too_thick(contact.conditions)
+        given = contact.conditions
+        return given is not None and (contact.gap is not None or not too_thick(given))
 
     places = [
         contact if own is None and film is None and free(contact) else None
         for contact, own, film in zip(contacts, wanted, films, strict=True)
     ]
     of_atlas = [
-        film if film is not None and film.origin is FilmOrigin.ATLAS else None
-        for film in formula_films(places)
+        film if film and (contact.gap is not None or film.origin is FilmOrigin.ATLAS) else None
+        for contact, film in zip(contacts, formula_films(places), strict=True)
     ]
     return tuple(film or own for film, own in zip(films, of_atlas, strict=True))
 
@@ -151,7 +156,9 @@ def _record(
     """
     films = None
     reason = contact.note
-    if wanted is None and contact.conditions is not None:
+    if contact.gap is not None:
+        reason = FILLS_GAP.format(from_si("film_um", contact.gap))
+    elif wanted is None and contact.conditions is not None:
         reason = NO_EQUILIBRIUM  # all balls were asked for
     elif wanted is not None and wanted.inlet_layer is None and too_thick(wanted):
         reason = TOO_LIGHT

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
+from oilfilm.bearing.films.between_races import contacts_between_films
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.film import ContactFilm, Films
 from oilfilm.bearing.films.operating_film import OilAtInlets, solved_films, supplied_films
@@ -129,7 +130,8 @@ def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilib
     solution = case_equilibrium(case, equilibria)
     if not solution.converged:
         messages.append(f"equilibrium not converged: {solution.message}")
-    contacts = contact_conditions(solution, case.lubricant)
+    contacts: Sequence[BearingContact] = contact_conditions(solution, case.lubricant)
+    contacts = contacts_between_films(solution, contacts, case.lubricant, _oil_at_inlets(case))
     torque, model = _load_case_torque(case, solution, contacts)
     assert case.rating is not None  # of every bearing case
     pressures = [contact.hertz.pressure for contact in contacts if contact.hertz is not None]
@@ -522,11 +524,13 @@ def _contacts(
     case asks for it.
     """
     contacts = contact_conditions(state, case.lubricant)
-    if not (case.file.ehl.finite_bodies and state.converged):
-        return contacts, None
-    notify(0, 1, "finite bodies")
-    bodies = finite_bodies(case.bearing, contacts)
-    return with_finite_bodies(contacts, bodies), bodies
+    bodies = None
+    if case.file.ehl.finite_bodies and state.converged:
+        notify(0, 1, "finite bodies")
+        bodies = finite_bodies(case.bearing, contacts)
+        contacts = with_finite_bodies(contacts, bodies)
+    oil = case.lubricant
+    return contacts_between_films(state, contacts, oil, _oil_at_inlets(case)), bodies
 
 
 def _friction(

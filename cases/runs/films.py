@@ -66,7 +66,9 @@ def wanted_contacts(
     if not state.converged:
         return [None] * len(contacts), ("no film was computed, since there is no equilibrium",)
     chosen = _chosen_balls(case, contacts)
-    wanted = [c.conditions if c.ball in chosen else None for c in contacts]
+    # the gap decides the film of a ball that only films load: it is not solved
+    floating = {c.ball for c in contacts if c.gap is not None and not state.inner_load[c.ball - 1]}
+    wanted = [c.conditions if c.ball in chosen - floating else None for c in contacts]
     if case.inlet_layer is not None:
         layers = inlet_layers(case.inlet_layer, state, contacts)
         pairs = zip(wanted, layers, strict=True)

@@ -226,6 +226,9 @@ MOTION_COLUMNS = (
     *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "moes_M", "moes_L"),
 )
 
+# load that films put on a light ball over the heaviest elastic one from which it is named [-]
+PRESSED = 0.1
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactRecord(FilmRecord):
@@ -405,6 +408,7 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
         A message.
     """
     yield from _absent_films(results)
+    yield from _light_balls(results)
     yield from heat_messages(
         [film for film in results.operating if film is not None and not film.solved_with_heat]
     )
@@ -415,6 +419,26 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
         )
     yield from shoulder_messages(results)
     yield from _ratio_messages(results)
+
+
+def _light_balls(results: BearingResults) -> Iterator[str]:
+    """Name balls between two films, by row."""
+    light = [c for c in results.contacts if c.gap is not None and c.race is Race.INNER]
+    if not light:
+        return
+    loads = [c.load for c in light]
+    elastic = max(c.load for c in results.contacts if c.gap is None)
+    if max(loads) > PRESSED * elastic:
+        yield (
+            f"contacts: films take more than the clearance and press light balls with up to "
+            f"{max(loads):.3g} N, {max(loads) / elastic:.2g} of the heaviest load ({elastic:.3g} "
+            "N); loads, life and temperature of the others are those without films"
+        )
+    yield (
+        f"contacts: {balls_text([str(c.ball) for c in light])} between two films that fill "
+        f"the gap: loads of {min(loads):.2g} to {max(loads):.2g} N at the inner race by the "
+        "films of atlas or formula; weights of balls left out"
+    )
 
 
 def _absent_films(results: BearingResults) -> Iterator[str]:
@@ -428,7 +452,8 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
             if results.formula_films
             else "not asked for by [ehl] film_maps"
         )
-        if contact.conditions is not None and too_thick(contact.conditions):
+        given = contact.conditions
+        if contact.gap is None and given is not None and too_thick(given):
             reason = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
             reason = Caution(reason)
         absent_film = film is None and solution is None
