@@ -50,7 +50,7 @@ class BearingContact:
     effusivities: tuple[float, float] = (STEEL_EFFUSIVITY, STEEL_EFFUSIVITY)
     note: str = ""  # why there are no conditions; empty where there are
     row: int = 1  # number of the ball's row, from 1
-    # of a light ball between two films: from ball to race, undeformed [m]; else None
+    # gap between ball and race, undeformed, of a light ball between two films, else None [m]
     gap: float | None = None
 
     @property

@@ -109,7 +109,7 @@ class _LightBalls:
     ring: Ring
     light: NDArray[np.int64]  # numbers of the balls, from 0
     V: Array  # between the grooves' centres of all balls in the dry equilibrium, (2, N) [m]
-    # of all balls in the dry equilibrium: both approaches together, and both films, (N,) [m]
+    # sums over both races of each ball in the dry equilibrium, (N,) [m]
     approach: Array
     film: Array
 
