@@ -544,7 +544,10 @@ def _friction(
     """Shear of the contacts, balls as balanced by the torque, friction torque, self-heating."""
     start = perf_counter()
     notify(0, 1, "friction torque")
-    fields = [a or (b and b.field) for a, b in zip(films.solutions, films.films, strict=True)]
+    fields = [
+        solution or (None if film is None else film.field)
+        for solution, film in zip(films.solutions, films.films, strict=True)
+    ]
     torque = _torque(case, state, contacts, films)
     shear = None if torque is None else torque.shear
     balanced = () if shear is None else shear.tractions

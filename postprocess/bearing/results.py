@@ -90,7 +90,7 @@ class BearingResults(Results):
     def maps(self) -> tuple[ContactSolution | None, ...]:
         """Pressure and gap as computed: solved, converged or not, or of the film atlas."""
         return tuple(
-            solution or (film and film.field)
+            solution or (None if film is None else film.field)
             for solution, film in zip(self.solutions, self.films, strict=True)
         )
 
