@@ -545,8 +545,8 @@ def _layer_faults(values: CaseValues) -> Iterator[CaseProblem]:
         )
     if values.get("ehl", "films") == "atlas" and not (newtonian and chosen in (None, "none")):
         refused = "film_model" if not newtonian else "starvation"
-        found = f'found {shown(values.get("ehl", refused))} with films "atlas", which has no such films'
-        yield CaseProblem(("ehl", refused), found, 'allowed: films "auto" or "solved"')
+        finding = f'found {shown(values.get("ehl", refused))} with films "atlas", which has none'
+        yield CaseProblem(("ehl", refused), finding, 'allowed: films "auto" or "solved"')
     solved = chosen == "solved" or (chosen is None and values.given("contact") and newtonian)
     by_law = chosen == "tabulated" or (chosen is None and newtonian and not _kept_flooded(values))
     if not (solved or by_law):
