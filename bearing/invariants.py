@@ -106,6 +106,28 @@ def _gaps(results: CheckedState) -> Iterator[str]:
             )
 
 
+def _sheared_films(results: CheckedState) -> Iterator[str]:
+    """Check that torque and results have the same films."""
+    shear = results.shear
+    if shear is None or not shear.films:
+        return
+    pairs = zip(results.contacts, shear.films, results.films, strict=True)
+    apart = [
+        (contact, sheared.central.value, shown.central.value)
+        for contact, sheared, shown in pairs
+        if sheared is not None
+        and shown is not None
+        and abs(sheared.central.value - shown.central.value) > FILM_TOLERANCE * shown.central.value
+    ]
+    if apart:
+        contact, sheared, shown = max(apart, key=lambda one: abs(one[1] / one[2] - 1.0))
+        yield (
+            f"the torque is of other films than the results: ball {contact.ball}, "
+            f"{contact.race.value} race, {from_si('film_um', sheared):.4g} against "
+            f"{from_si('film_um', shown):.4g} um"
+        )
+
+
 def _forces(results: CheckedState) -> Iterator[str]:
     """Check forces and moments of ring and balls."""
     residual = results.quasistatic.residual
@@ -191,6 +213,7 @@ def _frequencies(results: CheckedState) -> Iterator[str]:
 CHECKS: tuple[Callable[[CheckedState], Iterator[str]], ...] = (
     _minimum_films,
     _gaps,
+    _sheared_films,
     _forces,
     _stiffness,
     _powers,

@@ -232,7 +232,6 @@ def operating_films(
     rolling_factor: float = 1.0,
     unheated_factor: float = 1.0,
     hysteresis: float = 0.0,
-    box_inlet: bool = False,
 ) -> tuple[ContactFilm | None, ...]:
     """Films of contacts as the bearing runs.
 
@@ -253,9 +252,6 @@ def operating_films(
         The same, more, of films that are not solved with heat [-].
     hysteresis : float
         Share of the elastic energy that the contacts lose in rolling, beta_a [-].
-    box_inlet : bool
-        Whether the heat of the inlet of a film behind a layer follows the rolling moment of the
-        box, as results report it; else that of the oil up to the meniscus, as friction takes it.
 
     Returns
     -------
@@ -264,9 +260,7 @@ def operating_films(
     """
     left = (rolling_factor, rolling_factor * unheated_factor)
     running = (
-        None
-        if film is None
-        else _operating(film, contact, heat, supply, asperities, left, box_inlet)
+        None if film is None else _operating(film, contact, heat, supply, asperities, left)
         for contact, film, heat in zip(contacts, films, film_heats(contacts, films), strict=True)
     )
     return tuple(
@@ -326,7 +320,6 @@ def _operating(
     supply: OilAtInlets | None,
     asperities: Asperities | None,
     factors: tuple[float, float],
-    box_inlet: bool,
 ) -> ContactFilm:
     """One of `operating_films`; factors of the rolling moment of films solved with heat, and of
     others [-].
@@ -339,7 +332,7 @@ def _operating(
     central = film.central
     minimum = film.minimum
     if not with_heat:
-        inlet = film.supply.rolling_moment if box_inlet else film.rolling_fraction
+        inlet = film.rolling_fraction
         if supply is not None and isinstance(supply.oil, ReplenishedInlet):
             # the moment that is missing is that far ahead of where the film is heated
             inlet = film.supply.central
@@ -502,7 +495,7 @@ def supplied_films(
         else None
         for film in known
     )
-    return operating_films(contacts, known, supply=supply, asperities=asperities, box_inlet=True)
+    return operating_films(contacts, known, supply=supply, asperities=asperities)
 
 
 def of_driven_balls(

@@ -99,7 +99,7 @@ class BearingResults(Results):
         """Operating films of the contacts: table, files and pictures are of these."""
         if self.supply is None or isinstance(self.supply.oil, ReplenishedInlet):
             supply = self.supply
-            return operating_films(self.contacts, self.films, supply=supply, box_inlet=True)
+            return operating_films(self.contacts, self.films, supply=supply)
         return supplied_films(self.contacts, self.films, self.supply)
 
     @cached_property

@@ -47,6 +47,12 @@ def test_a_minimum_above_the_centre_is_told_with_its_ball(state):
     assert fault.startswith("check failed: ball ")
 
 
+def test_films_of_the_torque_are_those_of_the_results(state):
+    film = next(film for film in state.films if film is not None)
+    thicker = film.central._replace(value=2.0 * film.central.value)
+    assert any("of other films" in fault for fault in broken_laws(_with_film(state, central=thicker)))
+
+
 def test_forces_and_stiffness_are_checked(state):
     solution = state.quasistatic
     uneven = solution.stiffness.copy()
