@@ -53,14 +53,10 @@ def test_films_of_the_torque_are_those_of_the_results(state):
     assert any("of other films" in fault for fault in broken_laws(_with_film(state, central=thicker)))
 
 
-def test_forces_and_stiffness_are_checked(state):
-    solution = state.quasistatic
-    uneven = solution.stiffness.copy()
-    uneven[0, 1] += abs(uneven[1, 1])
-    (residual,) = broken_laws(replace(state, quasistatic=replace(solution, residual=1.0e-3)))
-    (stiffness,) = broken_laws(replace(state, quasistatic=replace(solution, stiffness=uneven)))
+def test_forces_are_checked(state):
+    solution = replace(state.quasistatic, residual=1.0e-3)
+    (residual,) = broken_laws(replace(state, quasistatic=solution))
     assert "balance to 1.0e-03" in residual
-    assert "not symmetric" in stiffness
 
 
 def test_parts_of_the_torque_resist_and_add_up(state):
