@@ -255,7 +255,7 @@ def _light_balls(
 def _films(contacts: Sequence[BearingContact], supply: OilAtInlets | None) -> Array:
     """Operating central films [m]; zero where there is none."""
     films = operating_films(
-        contacts, with_formulas(contacts, [None] * len(contacts)), supply=supply, box_inlet=True
+        contacts, with_formulas(contacts, [None] * len(contacts)), supply=supply
     )
     return np.array([0.0 if film is None else film.central.value for film in films])
 
