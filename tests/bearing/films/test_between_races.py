@@ -33,7 +33,7 @@ def state(name, rpm, force, celsius, grade):
 
 def misfits(contacts, supply=None):
     """Film less the gap with the elastic approach, over the film, of each light contact."""
-    films = operating_films(contacts, with_formulas(contacts, [None] * len(contacts)), supply=supply, box_inlet=True)
+    films = operating_films(contacts, with_formulas(contacts, [None] * len(contacts)), supply=supply)
     pairs = [(contact, film) for contact, film in zip(contacts, films, strict=True) if contact.gap is not None]
     return np.array([1.0 - (c.gap + c.hertz.approach) / film.central.value for c, film in pairs])
 
