@@ -580,14 +580,14 @@ def _load_lines(found: Drive, shaft: Component) -> Iterator[str]:
             yield f"moment_N_mm = [{_entries(moment)}]"
             yield ""
     for load in found.model.parts(shaft, "external_load"):
-        force = [load.number(f"force_{axis}_direction", 0.0) or 0.0 for axis in "uvw"]
-        moment = [load.number(f"torque_around_{axis}_axis", 0.0) or 0.0 for axis in "uvw"]
-        if not any((*force, *moment)):
+        pull = [load.number(f"force_{axis}_direction", 0.0) or 0.0 for axis in "uvw"]
+        torque = [load.number(f"torque_around_{axis}_axis", 0.0) or 0.0 for axis in "uvw"]
+        if not any((*pull, *torque)):
             continue
         yield f"[[load]]  # {load.name or load.id}"
         yield f"at_mm = {load.number('u_coordinate_on_shaft', 0.0):.8g}"
-        yield f"force_N = [{_entries(force)}]"
-        yield f"moment_N_mm = [{_entries(moment)}]"
+        yield f"force_N = [{_entries(pull)}]"
+        yield f"moment_N_mm = [{_entries(torque)}]"
         yield ""
 
 

@@ -456,7 +456,7 @@ def _stationarity(
 
 def _gyroscopic(
     simulation: Simulation, motion: Array, sums: Array, samples: float
-) -> dict[str, float | None]:
+) -> dict[str, Any]:
     """Turning of the balls about the tangents of their orbits, and its couple over what friction
     holds at most.
     """
@@ -510,7 +510,7 @@ def _energy_error(residual: float, put_in: float, dissipated: float, start: floa
     return residual / max(abs(put_in), abs(dissipated), STILL * abs(start), 1e-300)
 
 
-def _cage_orbit(simulation: Simulation, position: Array) -> dict[str, float | None]:
+def _cage_orbit(simulation: Simulation, position: Array) -> dict[str, Any]:
     """Radius [m], play [m] and share of one-way turning [-] of the cage's centre."""
     c = simulation.data.constants
     if c.cage_mass <= 0.0:

@@ -179,7 +179,7 @@ def contacts_between_films(
     contacts: Sequence[BearingContact],
     oil: Lubricant,
     supply: OilAtInlets | None = None,
-) -> Sequence[BearingContact]:
+) -> tuple[BearingContact, ...]:
     """Contacts whose balls without elastic load are in balance between two films.
 
     Parameters
@@ -201,7 +201,7 @@ def contacts_between_films(
     """
     balls = _light_balls(solution, contacts, oil, supply)
     if balls is None:
-        return contacts
+        return contacts if isinstance(contacts, tuple) else tuple(contacts)
     found = _balanced(balls)
     return BearingContacts.of(
         solution, (found.get(n, contact) for n, contact in enumerate(contacts))

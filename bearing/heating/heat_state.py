@@ -276,7 +276,7 @@ class FilmsHeat:
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
         scarce = self.friction.scarce
-        supply = scarce and OilAtInlets(oil=scarce, balls=solution.bearing.balls)
+        supply = None if scarce is None else OilAtInlets(oil=scarce, balls=solution.bearing.balls)
         contacts = contacts_between_films(solution, contacts, oil, supply)
         operating, balance = computed.films, computed.balance
         if operating is None:

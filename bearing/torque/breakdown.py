@@ -12,7 +12,7 @@ from ..films.film import ContactFilm, Films
 from ..films.operating_film import OilAtInlets, supplied_films
 from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import Supply
+from ..supply.supply import ReplenishedInlet, Supply
 from .inputs import Assumption, FrictionInput
 from .integrated import SolvedShear
 from .models import (
@@ -284,17 +284,19 @@ def _starved(
     films: Films,
 ) -> tuple[ModelTorque, StarvedTorque | None]:
     """Torque at the oil supply given, first order."""
-    no_width = isinstance(friction.supply, Supply) and solution.bearing.width is None
+    supply = friction.supply
+    known = supply is not None and not isinstance(supply, ReplenishedInlet)
+    no_width = isinstance(supply, Supply) and solution.bearing.width is None
     needed = {
-        "lubricant.inlet_film_um or friction.supply_mL_min": friction.supply is None,
+        "lubricant.inlet_film_um or friction.supply_mL_min": not known,
         "[surface]": friction.roughness is None,
         "bearing.width_mm": no_width,
     }
     missing = [name for name, absent in needed.items() if absent]
-    if friction.supply is None or missing:
+    if supply is None or isinstance(supply, ReplenishedInlet) or missing:
         return ModelTorque(note=f"needs {', '.join(missing)}"), None
     try:
-        torque = starved_torque(solution, contacts, lubricant, friction, friction.supply, films)
+        torque = starved_torque(solution, contacts, lubricant, friction, supply, films)
     except ValueError as error:
         return ModelTorque(note=str(error)), None
     parts = ("rolling", "film", "asperity", "cage", "drag")

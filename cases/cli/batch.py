@@ -150,7 +150,7 @@ def batch(
             else:
                 done = _compute(plan, folder, wanted, choice, keep=keep, quiet=quiet)
             if shard is not None:
-                return _report_shard(done, choice, as_json=as_json, quiet=quiet, notes=notes)
+                return _report_shard(done, choice, as_json=as_json, quiet=quiet)
             with (
                 report_stored_points(folder if keep else None),
                 collect_results(done) as (results, columns),

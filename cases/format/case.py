@@ -233,7 +233,11 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
         except ValueError as error:  # a bound of the physics that no table knows
             raise CaseError(f"{name}: {error}") from error
     # their texts, which may be of a kind
-    notes = tuple(dict.fromkeys(warning.message.args[0] for warning in caught))
+    texts = [
+        str(message) if isinstance(message := warning.message, str) else message.args[0]
+        for warning in caught
+    ]
+    notes = tuple(dict.fromkeys(texts))
     case = replace(case, warnings=notes)
     if isinstance(file, BearingFile) and isinstance(case, Case) and file.load_cases:
         return replace(case, load_cases=tuple(_load_cases(file, name, text, notes)))

@@ -106,11 +106,12 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """
     shaft = values.get("shaft")
     sections = shaft.get("section") if isinstance(shaft, dict) else None
-    ends = [s.get("to_mm") for s in sections or () if isinstance(s, dict)]
-    if not ends or not all(is_number(end) for end in ends):
+    pieces: list[dict[str, Any]] = [s for s in sections or () if isinstance(s, dict)]
+    ends = [end for s in pieces if is_number(end := s.get("to_mm"))]
+    if not ends or len(ends) < len(pieces):
         return
     for index, (before, end) in enumerate(zip([0.0, *ends[:-1]], ends, strict=True)):
-        table = sections[index]
+        table = pieces[index]
         if end <= before:
             path = ("shaft", "section", index, "to_mm")
             yield CaseProblem(path, f"found {shown(end)}", f"allowed: more than {before:g} mm")

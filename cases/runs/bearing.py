@@ -130,7 +130,7 @@ def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilib
     solution = case_equilibrium(case, equilibria)
     if not solution.converged:
         messages.append(f"equilibrium not converged: {solution.message}")
-    contacts: Sequence[BearingContact] = contact_conditions(solution, case.lubricant)
+    contacts = contact_conditions(solution, case.lubricant)
     contacts = contacts_between_films(solution, contacts, case.lubricant, _oil_at_inlets(case))
     torque, model = _load_case_torque(case, solution, contacts)
     assert case.rating is not None  # of every bearing case
@@ -200,7 +200,7 @@ def torque_over_supply(
     found: dict[str, Any] = {}
     if case.inlet.limit and case.inlet.oil is not None:
         dry = max(case.inlet.extrapolated_replenishment, LEAST_SHARE)
-        ends = (ReplenishedInlet(rolling_moment=dry), AMPLE)
+        ends: tuple[InletOil, ...] = (ReplenishedInlet(rolling_moment=dry), AMPLE)
         found["replenishment_range"] = tuple(map(total, ends))
     if friction.supply is not None:
         found["supply_torque"] = SupplyTorque(scarce=total(friction.supply), flooded=total(AMPLE))
@@ -213,6 +213,7 @@ def torque_over_supply(
     if duration is not None:
         oil = OilAtInlets(oil=AMPLE, balls=state.bearing.balls)
         ample = supplied_films(contacts, films, oil, friction.asperities)
+        assert not isinstance(friction.supply, ReplenishedInlet)  # of a layer or a flow
         found["decay"] = film_decay(state, contacts, ample, duration, friction.supply)
     return found
 

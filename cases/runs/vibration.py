@@ -8,6 +8,7 @@ from time import perf_counter
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
+from oilfilm.bearing.supply.supply import ReplenishedInlet
 from oilfilm.bearing.vibration.assembly import FilmsNotSolvedError, assembled, film_load_fractions
 from oilfilm.bearing.vibration.inputs import Direction
 from oilfilm.bearing.vibration.simulation import VibrationRun, pieces, vibration_run
@@ -73,6 +74,7 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
         contacts = _contacts(case, state)
         if case.friction is not None and case.friction.asperities is not None:
             supply = case.friction.scarce if case.inlet_layer is not None else None
+            assert not isinstance(supply, ReplenishedInlet)  # of a layer or a flow
             asperities = case.friction.asperities
             shares = film_load_fractions(contacts, asperities, supply, case.bearing.balls)
             model = replace(model, film_load_fractions=shares)

@@ -63,8 +63,9 @@ class ShaftResults(Results):
     @property
     def torque(self) -> float | None:
         """Friction torque of all bearings [N m]; None where one has none."""
-        torques = [b and b.torque and b.torque.total for b in self.bearings]
-        return None if any(value is None for value in torques) else float(sum(torques))
+        torques = [b.torque.total for b in self.bearings if b is not None and b.torque is not None]
+        known = [torque for torque in torques if torque is not None]
+        return sum(known) if len(known) == len(self.bearings) else None
 
     @property
     def basic_life(self) -> float | None:
@@ -78,10 +79,11 @@ class ShaftResults(Results):
 
     def _life(self, name: str) -> float | None:
         """Life of the system from those of its bearings, product of their survivals [s]."""
-        lives = [b and b.life and getattr(b.life, name) for b in self.bearings]
-        if any(value is None for value in lives):
+        rated = [b.life for b in self.bearings if b is not None and b.life is not None]
+        lives = [life for one in rated if (life := getattr(one, name)) is not None]
+        if len(lives) < len(self.bearings):
             return None
-        return float(sum(value**-WEIBULL for value in lives) ** (-1.0 / WEIBULL))
+        return float(sum(life**-WEIBULL for life in lives) ** (-1.0 / WEIBULL))
 
     @property
     def pictures(self) -> dict[str, int]:

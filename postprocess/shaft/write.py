@@ -11,6 +11,7 @@ from rich.text import Text
 
 from oilfilm.ehl.units import from_si
 
+from ..bearing.results import BearingResults
 from ..netcdf_write import StudyFiles, write_study
 from ..plot_style import titled_panels, write_figure
 from ..quantities import number, number_table, titled
@@ -210,7 +211,7 @@ def shaft_table(results: ShaftResults) -> Group:
     return titled(results.title, units, number_table(HEADERS, rows), *lines)
 
 
-def _bearing_cells(bearing: object) -> list[str]:
+def _bearing_cells(bearing: BearingResults | None) -> list[str]:
     """Least film, torque and life of one bearing."""
     if bearing is None:
         return ["–"] * 3
