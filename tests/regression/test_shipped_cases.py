@@ -5,7 +5,8 @@ take no time.
 
 The numbers are ours, not a reference: a change of them is to be understood, then written down by
 `python tests/regression/test_shipped_cases.py`. Loads and pressures follow from closed equations and are kept to 1e-6,
-films to 0.5 %, which covers a change of grid or of extrapolation, not one of physics.
+films, and the loads of balls between two films, to 0.5 %, which covers a change of grid or of extrapolation, not one of
+physics.
 """
 
 from __future__ import annotations
@@ -44,6 +45,7 @@ EXPECTED = Path(__file__).with_name("expected.json")
 COARSE = Path(__file__).with_name("expected_coarse.json")
 COARSE_POINTS = 65
 CLOSED, FILM = 1e-6, 5e-3
+LIGHT = 0.02  # of the heaviest ball's load
 NOISE = 1e-6  # of values that are zero, in the unit of their key
 
 
@@ -115,8 +117,12 @@ def films():
 def compare(found, expected):
     assert found.keys() == expected.keys()
     offenders = {}
+    loads = {key: value for key, value in expected.items() if key.endswith("inner load_N")}
+    heaviest = max(loads.values(), default=0.0)
+    # balls that ride between two films, whose loads follow from the films
+    light = [key.split(" inner")[0] + " " for key, value in loads.items() if value < LIGHT * heaviest]
     for key, value in expected.items():
-        tolerance = FILM if "film" in key else CLOSED
+        tolerance = FILM if "film" in key or key.startswith(tuple(light)) else CLOSED
         if found[key] != (value if value is None else pytest.approx(value, rel=tolerance, abs=NOISE)):
             offenders[key] = found[key], value
     assert offenders == {}
