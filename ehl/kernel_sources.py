@@ -10,7 +10,6 @@ PACKAGES = ("ehl", "bearing")
 CONSTANTS = (  # modules of which kernels take constants, types, formulas and how they are compiled
     "bearing/dynamics/arrays.py",
     "bearing/quasistatic/kinematics.py",
-    "bearing/vibration/assembly.py",
     "ehl/arrays.py",
     "ehl/compiled.py",
     "ehl/oil/_laws.py",

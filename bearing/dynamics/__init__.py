@@ -19,5 +19,6 @@ model                - inputs of a simulation from loads, drags, materials and o
 record               - state, step control and samples of the integrators
 reduction            - the part of the state that symmetry leaves to be solved
 simulation           - the time simulation, sample by sample, and its restart file
+support              - supports of the rings: seat, masses that move with them, sensor
 statistics           - statistics of a simulation, and of several starts of one
 """

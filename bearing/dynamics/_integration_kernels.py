@@ -29,11 +29,13 @@ from ._motion_kernels import (
     ball_rates,
     cage_equations,
     energies,
+    outer_equations,
     place_bodies,
     put,
     ring_equations,
     schedule_at,
     solved_derivative,
+    take,
 )
 from ._race_kernels import (
     FORCES,
@@ -288,8 +290,10 @@ def ball_alone(data, bodies, y, j):
     impact_speeds = data.impact_speeds
     inner, outer, cage = bodies
     ball.forces[:] = 0.0
-    ball_on_race(p, ball, data.friction_inner, impact_speeds, INNER, inner, y, j)
-    ball_on_race(p, ball, data.friction_outer, impact_speeds, OUTER, outer, y, j)
+    forms = data.inner_form, data.ball_form[INNER]
+    ball_on_race(p, ball, data.friction_inner, forms, impact_speeds, INNER, inner, y, j)
+    forms = data.outer_form, data.ball_form[OUTER]
+    ball_on_race(p, ball, data.friction_outer, forms, impact_speeds, OUTER, outer, y, j)
     ball_in_pocket(p, ball, impact_speeds, cage, cage_direction(y), y, j)
 
 
@@ -323,9 +327,10 @@ def columns_of_ball(data, t, j, base, owner, scale, out):
         y[place] = kept + scale[column]
         copy_rows(others, p.loads)
         ball_alone(data, bodies, y, j)
-        ball_rates(p, data.balls[j], y, j, data.rates)
+        ball_rates(p, data.balls[j], t, acceleration, y, j, data.rates)
         ring_equations(p, t, y, acceleration, bodies[0], data.rates)
         cage_equations(p, y, bodies[2], data.rates)
+        outer_equations(p, t, y, data.rates)
         difference(data, base, owner, j, column, scale[column], out)
         y[place] = kept
     copy_rows(total, p.loads)
@@ -559,7 +564,7 @@ def trial_step(t, y, step, data, control, scale, k, trial, counters):
 def accept_step(t, y, step, data, k, renewed, history, counters):
     """State, attitudes, speeds of impacts and work of films after a step that ends at t."""
     turn_balls(data.balls, data.full_state, step, history.attitude)
-    copy(k[STATE_7], y)
+    take(data.full_state, data.solved, y)  # with what is held in its place
     ended = after_step(data.bearing, data.balls, data.impact_speeds, t, step, history)
     if renewed or ended:
         solved_derivative(t, y, data, k[0])
@@ -646,6 +651,8 @@ def sample(y, data, history, record, row):
     energies(data.full_state, data, record.energy[row])
     copy(p.loads[INNER], record.loads[row, :LOAD_COLUMNS])
     copy(p.loads[CAGE_LOAD], record.loads[row, LOAD_COLUMNS:])
+    first = velocities(p.constants.balls)
+    copy(data.rates[first : first + BODIES], record.acceleration[row])
     copy_rows(history.states, record.contact_state[row])
     copy_rows(history.attitude, record.attitude[row])
 

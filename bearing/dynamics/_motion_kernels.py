@@ -12,15 +12,18 @@ from oilfilm.ehl.compiled import compiled, inlined
 
 from ._cage_kernels import cage_direction, cage_land, pocket_forces
 from ._implicit_kernels import friction_is_stiff, implicit_friction
-from ._race_kernels import ball_collisions, elastic_energy, race_forces
+from ._race_kernels import ball_collisions, elastic_energy, form_share, race_forces, roll_speed
 from ._state_kernels import (
     accumulators,
+    ball_motion,
     ball_position,
     ball_turn,
     ball_velocity,
     dot,
     norm,
+    outer_angle,
     ring_angle,
+    roll_angle,
     times,
     vector,
     velocities,
@@ -34,7 +37,9 @@ from .arrays import (
     CONTACT,
     ELASTIC,
     FORCE,
+    FORM_SHARE,
     FREE_TURN,
+    GUIDE_SPEED,
     GUIDED_BY_BALLS,
     GUIDED_BY_INNER_RING,
     INNER,
@@ -52,6 +57,8 @@ from .arrays import (
     PRESCRIBED_RATE,
     RING,
     RING_TILT,
+    SEAT,
+    SENSOR,
     WORK,
     Body,
 )
@@ -80,6 +87,10 @@ def schedule_at(times, schedule, t, out):
     if t >= times[last] or last == 0:
         for column in range(out.size):
             out[column] = schedule[last, column]
+        return 0.0
+    if t < times[0]:
+        for column in range(out.size):
+            out[column] = schedule[0, column]
         return 0.0
     k = row_before(times, t)
     span = times[k + 1] - times[k]
@@ -139,18 +150,72 @@ def place_body(y, first, tilt, first_velocity, spin):
 def place_bodies(balls, y, inner_speed, outer_speed):
     """Inner ring, outer ring and cage."""
     v = velocities(balls)
-    still = (0.0, 0.0, 0.0)
-    outer = Body(still, (1.0, 0.0, 0.0), still, (outer_speed, 0.0, 0.0))
+    turn = (outer_speed, 0.0, 0.0)
+    outer = Body(vector(y, SEAT), (1.0, 0.0, 0.0), vector(y, v + SEAT), turn)
     cage_speed = y[v + RING + CAGE_ROTATION]
     inner = place_body(y, 0, RING_TILT, v, inner_speed)
     return inner, outer, place_body(y, RING, CAGE_TILT, v + RING, cage_speed)
 
 
+@compiled
+def guide_balls(c, speed, y):
+    """Speeds along the orbits of balls that keep their places in a cage turned as prescribed."""
+    for j in range(c.balls):
+        x = ball_position(j)
+        v = ball_velocity(c.balls, j)
+        ry, rz = y[x + 1], y[x + 2]
+        along = (ry * y[v + 2] - rz * y[v + 1]) / (ry * ry + rz * rz)
+        y[v + 1] -= (speed - along) * rz
+        y[v + 2] += (speed - along) * ry
+
+
+@compiled
+def settling(c, t):
+    """Damping of all bodies over their masses [1/s]."""
+    return c.settling_rate if t < c.settling_end else 0.0
+
+
+@compiled
+def guided_rates(p, ball, t, acceleration, y, j, dy):
+    """Newton's equations of a ball along the axis and the radius; it goes round as prescribed, and
+    what makes it do so works.
+    """
+    c = p.constants
+    x = ball_position(j)
+    v = ball_velocity(c.balls, j)
+    spin = p.prescribed[GUIDE_SPEED]
+    shaft = p.prescribed[INNER_SPEED]
+    gain = acceleration * spin / shaft if shaft != 0.0 else 0.0
+    ry, rz = y[x + 1], y[x + 2]
+    rho = np.sqrt(ry * ry + rz * rz)
+    ny, nz = ry / rho, rz / rho
+    force_x, force_y, force_z = vector(ball.forces, FORCE)
+    outward = ny * y[v + 1] + nz * y[v + 2]
+    damping = settling(c, t)
+    radial = (force_y * ny + force_z * nz) / c.ball_mass - damping * outward
+    along = 2.0 * outward * spin + rho * gain
+    pull = c.ball_mass * along - (force_z * ny - force_y * nz)
+    p.power[WORK.drive_cage] += c.symmetric_copies * pull * rho * spin
+    lost = c.ball_mass * damping * (outward * outward + y[v] * y[v])
+    p.power[WORK.support] += c.symmetric_copies * lost
+    for i in range(3):
+        dy[x + i] = y[v + i]
+        dy[ball_turn(c.balls, j) + i] = 0.0
+    dy[v] = p.free[BODIES] * (force_x / c.ball_mass - damping * y[v])
+    dy[v + 1] = radial * ny - along * nz
+    dy[v + 2] = radial * nz + along * ny
+
+
 @inlined
-def ball_rates(p, ball, y, j, dy):
+def ball_rates(p, ball, t, acceleration, y, j, dy):
     """Newton's and Euler's equations of a ball with drag and weight."""
     c = p.constants
     free = p.free
+    motion = ball_motion(y, c.balls, j)
+    dy[roll_angle(c.balls, j)] = roll_speed(p, motion[1], motion[2], motion[0])
+    if c.guided:
+        guided_rates(p, ball, t, acceleration, y, j, dy)
+        return
     x = ball_position(j)
     v = ball_velocity(c.balls, j)
     w = ball_turn(c.balls, j)
@@ -165,7 +230,7 @@ def ball_rates(p, ball, y, j, dy):
 
 
 @compiled
-def tilting_equations(p, y, rate, dy):
+def tilting_equations(p, t, y, rate, dy):
     """Tilts of the inner ring, their rates from the place `rate` on: contacts, moments, gyroscopic
     coupling.
     """
@@ -174,7 +239,12 @@ def tilting_equations(p, y, rate, dy):
     load = p.loads[INNER]
     wy = y[rate]
     wz = y[rate + 1]
-    coupled = (load[MOMENT + 1] - gyro * wz, load[MOMENT + 2] + gyro * wy)
+    damping = c.ring_transverse * settling(c, t)
+    p.power[WORK.support] += damping * (p.free[3] * wy * wy + p.free[4] * wz * wz)
+    coupled = (
+        load[MOMENT + 1] - gyro * wz - damping * wy,
+        load[MOMENT + 2] + gyro * wy - damping * wz,
+    )
     for i in range(2):
         tilt = RING_TILT + i
         w = y[rate + i]
@@ -211,15 +281,44 @@ def ring_equations(p, t, y, acceleration, body, dy):
         fz += c.rotating_force * np.sin(turning)
     pushes = (fx, fy, fz)
     mobility = 1.0 / c.ring_mass
+    damping = c.ring_damping + c.ring_mass * settling(c, t)
     for i in range(3):
         v = y[first + i]
         dy[i] = v
-        force = pushes[i] + load[FORCE + i] - c.ring_damping * v
+        force = pushes[i] + load[FORCE + i] - damping * v
         dy[first + i] = free[i] * (force * mobility + c.gravity[i])
         power[WORK.loads] += (free[i] * pushes[i] - constrained[i] * load[FORCE + i]) * v
-        power[WORK.support] += free[i] * c.ring_damping * v * v
-    tilting_equations(p, y, first + RING_TILT, dy)
+        power[WORK.support] += free[i] * damping * v * v
+    tilting_equations(p, t, y, first + RING_TILT, dy)
     power[WORK.drive_inner] -= spin * dot(vector(load, MOMENT), body.axis)
+
+
+@compiled
+def outer_equations(p, t, y, dy):
+    """The outer ring on its seat, and the sensor on it: an oscillator along one axis."""
+    c = p.constants
+    first = velocities(c.balls)
+    load = p.loads[OUTER]
+    stretch = y[SENSOR] - y[SEAT + c.sensor_axis]
+    rate = y[first + SENSOR] - y[first + SEAT + c.sensor_axis]
+    pull = c.sensor_stiffness * stretch + c.sensor_damping * rate
+    damping = c.seat_damping + c.outer_mass * settling(c, t)
+    for i in range(3):
+        place = SEAT + i
+        v = y[first + place]
+        dy[place] = v
+        force = load[FORCE + i] + c.outer_load[i] - c.seat_stiffness[i] * y[place] - damping * v
+        force += pull if i == c.sensor_axis else 0.0
+        dy[first + place] = p.free[place] * force / c.outer_mass
+        p.power[WORK.loads] += c.outer_load[i] * v
+        p.power[WORK.support] += damping * v * v
+    v = y[first + SENSOR]
+    dy[SENSOR] = v
+    dy[first + SENSOR] = 0.0
+    if c.sensor_mass > 0.0:
+        slowed = settling(c, t) * v
+        dy[first + SENSOR] = p.free[SENSOR] * (-pull / c.sensor_mass - slowed)
+        p.power[WORK.support] += c.sensor_damping * rate * rate + c.sensor_mass * slowed * v
 
 
 @compiled
@@ -284,7 +383,10 @@ def motion_rates(t, y, data, dy):
     c = p.constants
     prescribed = p.prescribed
     acceleration = schedule_at(data.times, data.schedule, t, prescribed)
+    prescribed[FORM_SHARE] = form_share(c, t)
     place_ring(c.balls, p.constrained, prescribed, y)
+    if c.guided:
+        guide_balls(c, prescribed[GUIDE_SPEED], y)
     inner, outer, cage = place_bodies(c.balls, y, prescribed[INNER_SPEED], prescribed[OUTER_SPEED])
     p.power[:] = 0.0
     p.loads[:] = 0.0
@@ -293,11 +395,13 @@ def motion_rates(t, y, data, dy):
     # 1. races and balls
     for race in range(2):  # written out, the number of a race would be compiled for by itself
         law = data.friction_inner if race == INNER else data.friction_outer
-        race_forces(p, balls, law, impact_speeds, race, inner if race == INNER else outer, y)
+        forms = (data.inner_form if race == INNER else data.outer_form), data.ball_form[race]
+        body = inner if race == INNER else outer
+        race_forces(p, balls, law, forms, impact_speeds, race, body, y)
     # 2. pockets, or balls that meet
     if c.cage_mass > 0.0:
         pocket_forces(p, balls, impact_speeds, cage, y)
-    elif c.symmetric_copies == 1:
+    elif c.symmetric_copies == 1 and not c.guided:
         ball_collisions(p, balls, impact_speeds, y)
     # 3. friction that is stiff, balls that are not solved, and lands
     if friction_is_stiff(p, balls):
@@ -311,10 +415,12 @@ def motion_rates(t, y, data, dy):
             cage_land(p, impact_speeds, side, ring, cage)
     # 4. equations of motion
     for j in range(c.balls):
-        ball_rates(p, balls[j], y, j, dy)
+        ball_rates(p, balls[j], t, acceleration, y, j, dy)
     ring_equations(p, t, y, acceleration, inner, dy)
     cage_equations(p, y, cage, dy)
+    outer_equations(p, t, y, dy)
     dy[ring_angle(c.balls)] = prescribed[INNER_SPEED]
+    dy[outer_angle(c.balls)] = prescribed[OUTER_SPEED]
     first = accumulators(c.balls)
     for k in range(p.power.size):
         dy[first + k] = p.power[k]
@@ -379,6 +485,11 @@ def energies(y, data, out):
         )
     for i in range(RING_TILT, RING):
         kinetic += 0.5 * free[i] * c.ring_transverse * y[first + i] ** 2
+    for i in range(3):
+        kinetic += 0.5 * free[SEAT + i] * c.outer_mass * y[first + SEAT + i] ** 2
+        elastic += 0.5 * c.seat_stiffness[i] * y[SEAT + i] ** 2
+    kinetic += 0.5 * c.sensor_mass * y[first + SENSOR] ** 2
+    elastic += 0.5 * c.sensor_stiffness * (y[SENSOR] - y[SEAT + c.sensor_axis]) ** 2
     tilting = first + RING + CAGE_TILT
     kinetic += (
         0.5 * c.cage_transverse * (y[tilting] ** 2 + y[tilting + 1] ** 2)

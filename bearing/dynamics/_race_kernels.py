@@ -21,8 +21,11 @@ from ._state_kernels import (
     dot,
     minus,
     norm,
+    outer_angle,
     plus,
     point_velocity,
+    ring_angle,
+    roll_angle,
     times,
     vector,
 )
@@ -37,15 +40,23 @@ from .arrays import (
     FORCE,
     FORCE_X,
     FORCE_Y,
+    FORM_SHARE,
     FRICTION_COLUMNS,
     FRICTIONLESS,
+    HEAVY_LOAD,
+    HEAVY_RATE,
     INNER,
+    KNOT_COUNT,
+    KNOT_FIRST,
+    KNOT_STEP,
+    KNOTS,
     LINEAR,
     LOSS,
     MOMENT,
     POCKET,
     RACE_FILM,
     ROLL_MOMENT,
+    ROLL_SPEED,
     SPIN_MOMENT,
     STIFFNESS,
     TABLE,
@@ -72,7 +83,37 @@ LOAD_CHANGE = 2.0
 # differences that slopes are taken from: over the entrainment [-], and at least [m/s]
 DIFFERENCE = 1.0e-6
 LEAST_DIFFERENCE = 1.0e-9
+TURN = 2.0 * np.pi
 SPIN_RADIUS = 0.1  # radius at which a spin slides by the difference, over that of the ball [-]
+
+
+@compiled
+def stiffness_at(law, approach):
+    """Stiffness of a law with knots [N/m^1.5], linear over ln(approach), constant at its ends."""
+    place = (np.log(approach) - law[KNOT_FIRST]) / law[KNOT_STEP]
+    place = min(max(place, 0.0), KNOT_COUNT - 1.0)
+    k = min(int(place), KNOT_COUNT - 2)
+    left = law[KNOTS + k]
+    return left + (place - k) * (law[KNOTS + k + 1] - left)
+
+
+@compiled
+def knot_energy(law, approach):
+    """Integral of the force of a law with knots: (K + s (u - u_k)) e^(5u/2), u = ln(approach)."""
+    end = np.log(approach)
+    first = law[KNOT_FIRST]
+    energy = 0.4 * law[KNOTS] * np.exp(2.5 * min(end, first))
+    for k in range(KNOT_COUNT):
+        left = first + k * law[KNOT_STEP]
+        if end <= left:
+            break
+        last = k == KNOT_COUNT - 1
+        right = end if last else min(end, left + law[KNOT_STEP])
+        slope = 0.0 if last else (law[KNOTS + k + 1] - law[KNOTS + k]) / law[KNOT_STEP]
+        base = law[KNOTS + k] / 2.5 - slope / 6.25
+        at_right = (base + slope * (right - left) / 2.5) * np.exp(2.5 * right)
+        energy += at_right - base * np.exp(2.5 * left)
+    return energy
 
 
 @compiled
@@ -80,6 +121,8 @@ def elastic_force(law, approach):
     """K approach^n, zero in the gap."""
     if approach <= 0.0:
         return 0.0
+    if law[KNOT_STEP] > 0.0:
+        return stiffness_at(law, approach) * approach * np.sqrt(approach)
     if law[EXPONENT] == 1.5:  # a root costs a fifth of a power
         return law[STIFFNESS] * approach * np.sqrt(approach)
     return law[STIFFNESS] * approach ** law[EXPONENT]
@@ -88,6 +131,8 @@ def elastic_force(law, approach):
 @compiled
 def elastic_energy(law, approach):
     """K approach^(n + 1)/(n + 1), stored in a contact."""
+    if law[KNOT_STEP] > 0.0 and approach > 0.0:
+        return knot_energy(law, approach)
     return elastic_force(law, approach) * max(approach, 0.0) / (law[EXPONENT] + 1.0)
 
 
@@ -111,6 +156,10 @@ def lasting(law, elastic, approach, speed):
     adhesive.
     """
     film = law[FILM_RATE] * min(1.0, elastic / law[FILM_LOAD])
+    if law[HEAVY_LOAD] > 0.0 and elastic > law[FILM_LOAD]:
+        heavy = np.log(law[HEAVY_LOAD] / law[FILM_LOAD])
+        part = min(1.0, np.log(elastic / law[FILM_LOAD]) / heavy)
+        film += part * (law[HEAVY_RATE] - law[FILM_RATE])
     loss = law[LOSS] * law[EXPONENT] * elastic / approach
     return max(0.0, elastic + (film + loss) * speed)
 
@@ -519,6 +568,25 @@ def motion_on_race(c, body, centre_radius, groove_radius, y, ball):
 
 
 @compiled
+def on_form(motion, height, rate):
+    """Motion of a ball on a race whose form brings them closer by a height, at a rate."""
+    return RaceMotion(
+        normal=motion.normal,
+        x_axis=motion.x_axis,
+        y_axis=motion.y_axis,
+        point=motion.point,
+        slide_x=motion.slide_x,
+        slide_y=motion.slide_y,
+        spin=motion.spin,
+        roll=motion.roll,
+        entrainment=motion.entrainment,
+        approach_speed=motion.approach_speed + rate,
+        angle=motion.angle,
+        approach=motion.approach + height,
+    )
+
+
+@compiled
 def elastic_and_film(kind, table, law, motion):
     """Approach of the elastic bodies, and the film between them, 0 where the bodies meet dry."""
     approach = motion.approach
@@ -582,9 +650,124 @@ def add_friction(c, motion, body, along, roll, forces, load):
     accumulate(forces, MOMENT, plus(about_centre, couple))
 
 
+@compiled
+def height_at(heights, angle):
+    """Height [m] over an angle of a turn and its slope [m/rad], by a cubic through four places
+    (Catmull and Rom), smooth where the places join.
+    """
+    n = heights.size
+    turn = angle / TURN
+    place = (turn - np.floor(turn)) * n
+    k = int(place)
+    t = place - k
+    a = heights[(k - 1) % n]
+    b = heights[k % n]
+    c = heights[(k + 1) % n]
+    d = heights[(k + 2) % n]
+    linear = 0.5 * (c - a)
+    square = a - 2.5 * b + 2.0 * c - 0.5 * d
+    cube = 0.5 * (d - a) + 1.5 * (b - c)
+    height = b + t * (linear + t * (square + t * cube))
+    return height, (linear + t * (2.0 * square + 3.0 * t * cube)) * n / TURN
+
+
+@compiled
+def form_share(c, t):
+    """Part of the form that has grown."""
+    if c.form_gain == 0.0:
+        return 1.0
+    return min(1.0, max(0.0, c.form_gain * (t - c.settling_start)))
+
+
+@compiled
+def form_at(heights, angles, excess, share):
+    """Form of a race and a ball at their contact [m], and its slopes over the ball's place on the
+    race and over the angle of rolling [m/rad].
+
+    heights: of race and ball; angles: of the contact on either; share: of the form.
+    """
+    height = excess
+    slope = 0.0
+    roll = 0.0
+    if heights[0].size > 2:
+        own, slope = height_at(heights[0], angles[0])
+        height += own
+    if heights[1].size > 2:
+        own, roll = height_at(heights[1], angles[1])
+        height += own
+    return share * height, share * slope, share * roll
+
+
+@compiled
+def add_form_forces(c, position, relative_turn, push, slopes, body, forces, load):
+    """Add forces along a race and about the axis of a ball that a normal force has by the slopes
+    of their forms; body: of the race, whose load it is.
+    """
+    along, roll = slopes
+    _, ey, ez = minus(position, body.centre)
+    rho = np.sqrt(ey * ey + ez * ez)
+    around = (0.0, -ez / rho, ey / rho)
+    pull = -push * along / rho
+    force = times(pull, around)
+    add_load(load, body, position, times(-1.0, force))
+    accumulate(forces, FORCE, force)
+    if roll != 0.0:
+        # the ball's form gives way by its turning against the direction to the contact
+        size = max(norm(relative_turn), 1e-300)
+        sense = 1.0 if relative_turn[0] <= 0.0 else -1.0
+        couple = -sense * push * roll / size
+        accumulate(forces, MOMENT, times(couple, relative_turn))
+        accumulate(forces, FORCE, times(-couple * relative_turn[0] / rho, around))
+
+
+@compiled
+def form_of_contact(p, ball, forms, race, body, y, j):
+    """Form at the contact of a ball and a race [m], its rate [m/s], and its slopes over the ball's
+    place on the race and the angle of rolling [m/rad].
+
+    The ball meets the two races with opposite points of its track.
+    """
+    c = p.constants
+    heights, ball_heights = forms
+    if heights.size <= 2 and ball_heights.shape[1] <= 2:
+        return p.prescribed[FORM_SHARE] * ball.excess, 0.0, 0.0, 0.0
+    position, velocity, turn = ball_motion(y, c.balls, j)
+    _, ey, ez = minus(position, body.centre)
+    _, vy, vz = minus(velocity, body.velocity)
+    orbit = (ey * vz - ez * vy) / (ey * ey + ez * ez)
+    at = ring_angle(c.balls) if race == INNER else outer_angle(c.balls)
+    own = y[roll_angle(c.balls, j)] + (0.0 if race == INNER else np.pi)
+    angles = (np.arctan2(ez, ey) - y[at], own)
+    height, slope, roll = form_at(
+        (heights, ball_heights[j % ball_heights.shape[0]]),
+        angles,
+        ball.excess,
+        p.prescribed[FORM_SHARE],
+    )
+    rate = slope * (orbit - body.turn[0]) + roll * roll_speed(p, velocity, turn, position)
+    return height, rate, slope, roll
+
+
+@compiled
+def roll_speed(p, velocity, turn, position):
+    """Speed at which a ball turns about its own axis against the direction to its contacts,
+    positive where it rolls between an inner ring that turns and an outer one at rest.
+    """
+    if p.constants.guided:
+        return p.prescribed[ROLL_SPEED]
+    _, x, y = position
+    orbit = (x * velocity[2] - y * velocity[1]) / (x * x + y * y)
+    relative = minus(turn, (orbit, 0.0, 0.0))
+    size = norm(relative)
+    return size if relative[0] <= 0.0 else -size
+
+
 @inlined
-def ball_on_race(p, ball, data, impact_speeds, race, body, y, j):
-    """Forces of one race on a ball and back; powers; state of the contact."""
+def ball_on_race(p, ball, data, forms, impact_speeds, race, body, y, j):
+    """Forces of one race on a ball and back; powers; state of the contact.
+
+    forms: heights of the race, shape (n,), and of the balls on it, shape (1 or Z, n) [m].
+    """
     c = p.constants
     kind = p.friction_kind
     law = p.normal[race]
@@ -594,6 +777,9 @@ def ball_on_race(p, ball, data, impact_speeds, race, body, y, j):
     groove_radius = c.inner_groove if race == INNER else c.outer_groove
     # 1. motion, friction, normal force
     motion = motion_on_race(c, body, centre_radius, groove_radius, y, j)
+    height, form_rate, slope, roll = form_of_contact(p, ball, forms, race, body, y, j)
+    if height != 0.0 or form_rate != 0.0:
+        motion = on_form(motion, height, form_rate)
     approach, film = elastic_and_film(kind, data.table, law, motion)
     elastic = elastic_force(law, approach)
     race_friction(c, kind, data, elastic, motion, ball.linear[race], friction)
@@ -626,11 +812,20 @@ def ball_on_race(p, ball, data, impact_speeds, race, body, y, j):
     forces = ball.forces
     add_load(load, body, motion.point, times(-1.0, force))
     accumulate(forces, FORCE, force)
+    if slope != 0.0 or roll != 0.0:
+        if c.guided:
+            power[WORK.drive_cage] += push * roll * p.prescribed[ROLL_SPEED]
+            roll = 0.0
+        position, velocity, turn = ball_motion(y, c.balls, j)
+        _, oy, oz = position
+        orbit = (oy * velocity[2] - oz * velocity[1]) / (oy * oy + oz * oz)
+        relative = minus(turn, (orbit, 0.0, 0.0))
+        add_form_forces(c, position, relative, push, (slope, roll), body, forces, load)
     add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces, load)
 
 
 @compiled
-def race_forces(p, balls, data, impact_speeds, race, body, y):
+def race_forces(p, balls, data, forms, impact_speeds, race, body, y):
     """Forces of one race on every ball and back; powers; states of the contacts."""
     for j in range(p.constants.balls):
-        ball_on_race(p, balls[j], data, impact_speeds, race, body, y, j)
+        ball_on_race(p, balls[j], data, forms, impact_speeds, race, body, y, j)

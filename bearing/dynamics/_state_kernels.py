@@ -40,9 +40,21 @@ def ring_angle(balls):
 
 
 @compiled
+def outer_angle(balls):
+    """Place of the rotation of the outer ring."""
+    return ring_angle(balls) + 1
+
+
+@compiled
+def roll_angle(balls, ball):
+    """Place of the angle by which a ball has rolled about its own axis."""
+    return ring_angle(balls) + 2 + ball
+
+
+@compiled
 def accumulators(balls):
     """Place of the first accumulator of energy."""
-    return ring_angle(balls) + 1
+    return ring_angle(balls) + 2 + balls
 
 
 @compiled

@@ -7,8 +7,10 @@ one record for the bearing and one for each ball, which compiled functions hand 
 `EquationData` are views of them.
 
 The state vector has positions, velocities, the angle of the inner ring and energy accumulators.
-Positions: ring x, y, z, tilt y, tilt z; cage x, y, z, rotation about x, tilt y, tilt z; x, y, z of
-each ball. Velocities: the same, then the angular velocities of the balls, all along inertial axes.
+Positions: ring x, y, z, tilt y, tilt z; cage x, y, z, rotation about x, tilt y, tilt z; outer ring
+x, y, z; sensor along its axis; x, y, z of each ball. Velocities: the same, then the angular
+velocities of the balls, all along inertial axes. Behind them the angles of inner and outer ring,
+and those by which the balls have rolled.
 A ball's attitude does not enter its equations of motion; it is advanced beside them (`attitude`).
 The kernels find these places by `_state_kernels`.
 """
@@ -28,7 +30,12 @@ CAGE_LOAD = 2  # row of `loads` after INNER and OUTER
 # columns of `normal`: the elastic force, the damping of impacts, and that of contacts that last:
 # of a film, which fades below a load, and in proportion to the stiffness
 STIFFNESS, EXPONENT, DAMPING, FILM_RATE, FILM_LOAD, LOSS = range(6)
-NORMAL_COLUMNS = 6
+# damping of a film from FILM_LOAD to a heavier load, linear over its logarithm, and that load
+HEAVY_LOAD, HEAVY_RATE = range(6, 8)
+# stiffness over ln(approach) at even knots, in place of STIFFNESS: the first, their step, 0: none
+KNOT_FIRST, KNOT_STEP, KNOTS = range(8, 11)
+KNOT_COUNT = 24
+NORMAL_COLUMNS = KNOTS + KNOT_COUNT
 # `friction_kind`; FILM: a traction table whose films separate the bodies
 FRICTIONLESS, COEFFICIENT, TABLE, FILM = range(4)
 GUIDED_BY_BALLS, GUIDED_BY_INNER_RING, GUIDED_BY_OUTER_RING = range(3)  # as `inputs.Guidance`
@@ -48,7 +55,10 @@ PRESCRIBED_DISPLACEMENT = (
 )
 PRESCRIBED_RATE = 12  # its rate [m/s], [rad/s]
 OIL_VISCOSITY = 17  # of pockets and lands, over `Constants.film_viscosity` [-]
-PRESCRIBED_COLUMNS = 18
+GUIDE_SPEED = 18  # of balls that keep their places in a cage that turns as prescribed [rad/s]
+ROLL_SPEED = 19  # of these balls about their own axes, against the cage [rad/s]
+FORM_SHARE = 20  # part of the form of the surfaces that has grown [-]
+PRESCRIBED_COLUMNS = 21
 
 # columns of `friction`, as the kernels of `oilfilm.ehl.traction` write them
 FORCE_X, FORCE_Y, SPIN_MOMENT, ROLL_MOMENT = range(4)
@@ -65,7 +75,9 @@ OF_RACES = ("race_out", "films", "linear")  # fields of a ball with a row for ea
 
 RING = 5  # coordinates of the ring; also the place of the cage's first
 CAGE = 6
-BODIES = RING + CAGE  # place of the balls' first coordinate
+SEAT = RING + CAGE  # place of the outer ring's first coordinate
+SENSOR = SEAT + 3
+BODIES = SENSOR + 1  # place of the balls' first coordinate
 # places among the coordinates of the ring, and of the cage
 RING_TILT = 3
 CAGE_ROTATION = 3
@@ -111,6 +123,7 @@ class WorkColumns(NamedTuple):
 
     drive_inner: int
     drive_outer: int
+    drive_cage: int  # of a prescribed cage, which turns the balls
     loads: int
     friction_inner: int
     friction_outer: int
@@ -232,6 +245,19 @@ class Constants(NamedTuple):
     drag: float  # of a ball over the square of its speed [N s^2/m^2]
     gravity: Vector  # [m/s^2]
     floor: float  # least speed that counts as that of an impact [m/s]
+    guided: int  # 1: balls go round at GUIDE_SPEED, whatever pushes them
+    outer_mass: float  # of the outer ring and what moves with it [kg]
+    outer_load: Vector  # on it, which the inner ring's load at the start balances [N]
+    seat_stiffness: Vector  # along x, y, z [N/m]
+    seat_damping: float  # [N s/m]
+    sensor_mass: float  # on the outer ring [kg]; 0: none
+    sensor_axis: int  # along which it moves
+    sensor_stiffness: float  # [N/m]
+    sensor_damping: float  # [N s/m]
+    form_gain: float  # rate at which the form of the surfaces grows from nothing [1/s]; 0: all
+    settling_rate: float  # damping of all bodies over their masses before time zero [1/s]
+    settling_start: float  # time at which the form begins to grow [s]
+    settling_end: float  # and up to which bodies are damped [s]
 
 
 def _constant_type(kind: Any) -> Any:
@@ -249,7 +275,7 @@ BEARING = np.dtype(
         ("normal", np.float64, (4, NORMAL_COLUMNS)),
         ("friction_kind", np.int64),
         ("mechanical", np.int64),
-        ("free", np.float64, (17,)),
+        ("free", np.float64, (FREE_TURN + 3,)),
         ("constrained", np.float64, (5,)),
         ("prescribed", np.float64, (PRESCRIBED_COLUMNS,)),
         ("friction", np.float64, (FRICTION_COLUMNS,)),
@@ -267,6 +293,7 @@ BALL = np.dtype(
         ("pocket_angle", np.float64),
         ("pocket_direction", np.float64, (2,)),
         ("pocket_play", np.float64),
+        ("excess", np.float64),
         ("forces", np.float64, (LOAD_COLUMNS,)),
         ("race_out", np.float64, (2, RACE_COLUMNS)),
         ("pocket_out", np.float64, (POCKET_COLUMNS,)),
@@ -292,6 +319,9 @@ class KernelData(NamedTuple):
     solved: NDArray[np.int64]
     full_state: Array
     rates: Array
+    inner_form: Array
+    outer_form: Array
+    ball_form: Array
 
 
 class EquationData(NamedTuple):
@@ -299,16 +329,24 @@ class EquationData(NamedTuple):
 
     constants: Constants
     # stiffness [N/m^exponent], exponent [-], damping factor [-]; of contacts that last: film's
-    # damping [N s/m], load below which it fades [N], damping over stiffness [s]; shape (4, 6)
+    # damping [N s/m], load below which it fades [N], damping over stiffness [s]; shape (4, ...)
     normal: Array
     friction_kind: int
     friction_inner: FrictionData
     friction_outer: FrictionData
-    free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
+    # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 3 of the outer ring, 1 of the
+    # sensor, 6 of a ball
+    free: Array
     constrained: Array  # 1 for coordinates of the ring with a prescribed place, else 0, shape (5,)
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
     pocket_direction: Array  # direction (y, z) of each pocket in the cage, shape (Z, 2) [-]
     pocket_play: Array  # radial, of each pocket, shape (Z,) [m]
+    excess: Array  # radius of each ball over the nominal one, shape (Z,) [m]
+    # heights of the surfaces over a turn: of the rings, shape (n,), of the balls at inner and
+    # outer race, shape (2, 1 or Z, n); two zeros where a surface is even [m]
+    inner_form: Array
+    outer_form: Array
+    ball_form: Array
     times: Array  # of the rows of the schedule, shape (n,) [s]
     # speeds of inner and outer ring [rad/s], force [N], moment [N m], place of the ring where it
     # is held [m], [rad], its rate, viscosity [-]; shape (n, PRESCRIBED_COLUMNS)
@@ -396,14 +434,17 @@ class Layout:
         self.positions = BODIES + 3 * balls  # number of positions [-]
         # number of positions and velocities, the part under error control [-]
         self.mechanical = self.positions + BODIES + 6 * balls
-        self.size = self.mechanical + 1 + ACCUMULATORS  # of the state vector [-]
-        # positions of ring (5), cage (6) and balls (3 Z), and their velocities
+        self.size = self.mechanical + 2 + balls + ACCUMULATORS  # of the state vector [-]
+        # positions of ring (5), cage (6), outer ring (3), balls (3 Z), and their velocities
         self.ring = slice(0, RING)
-        self.cage = slice(RING, BODIES)
+        self.cage = slice(RING, SEAT)
         self.ball = slice(BODIES, self.positions)
+        self.seat = slice(SEAT, SENSOR)  # outer ring
         self.ring_speed = slice(self.positions, self.positions + RING)
-        self.cage_speed = slice(self.positions + RING, self.positions + BODIES)
+        self.cage_speed = slice(self.positions + RING, self.positions + SEAT)
         self.ball_speed = slice(self.positions + BODIES, 2 * self.positions)
         self.ball_turn = slice(2 * self.positions, self.mechanical)  # angular velocities, 3 Z
         self.ring_angle = self.mechanical  # place of the rotation of the inner ring
-        self.energy = slice(self.mechanical + 1, self.size)  # work and dissipation
+        self.outer_angle = self.mechanical + 1
+        self.roll = slice(self.mechanical + 2, self.mechanical + 2 + balls)  # angles, Z
+        self.energy = slice(self.size - ACCUMULATORS, self.size)  # work and dissipation

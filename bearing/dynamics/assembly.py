@@ -21,8 +21,10 @@ from ..operation import Operation
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import kinematic_cage_speed
 from .arrays import (
+    BODIES,
     CAGE,
     CAGE_ROTATION,
+    EXPONENT,
     FILM,
     FILM_LOAD,
     FILM_RATE,
@@ -35,6 +37,7 @@ from .arrays import (
     PRESCRIBED_MOMENT,
     RING,
     RING_TILT,
+    SEAT,
     STIFFNESS,
     TABLE,
     Constants,
@@ -44,12 +47,13 @@ from .arrays import (
     changed_data,
     equation_data,
 )
-from .bodies import free_coordinates
+from .bodies import SENSOR_AXIS, free_coordinates, free_support, outer_ring_mass
 from .choices import Guidance, LoadType, NormalLaw, RaceStiffness
 from .friction import check_film
 from .initial import StartingPoint
-from .inputs import CageBody, DynamicsModel
+from .inputs import CageBody, DynamicsModel, Guide, Settling, Surfaces
 from .reduction import solved_indices
+from .support import Support
 
 HERTZ_EXPONENT = 1.5
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
@@ -146,24 +150,29 @@ def race_stiffnesses(bearing: Bearing, kind: RaceStiffness) -> dict[str, float]:
     }
 
 
-def vibration_frequency(stiffness: float, load: float, mass: float) -> float:
-    """Angular frequency of a ball between two races, sqrt(2 k/m) with k = 1.5 K^(2/3) Q^(1/3).
+def vibration_frequency(
+    stiffness: float, load: float, mass: float, exponent: float = HERTZ_EXPONENT
+) -> float:
+    """Angular frequency of a ball between two races, sqrt(2 k/m) with k = n K^(1/n) Q^(1 - 1/n).
 
     Parameters
     ----------
     stiffness : float
-        K [N/m^1.5]
+        K [N/m^n]
     load : float
         Q [N]
     mass : float
         m of the ball [kg]
+    exponent : float, optional
+        n [-]
 
     Returns
     -------
     float
         angular frequency [rad/s]
     """
-    return sqrt(3.0 * stiffness ** (2.0 / 3.0) * load ** (1.0 / 3.0) / mass)
+    slope = exponent * load / (load / stiffness) ** (1.0 / exponent)
+    return sqrt(2.0 * slope / mass)
 
 
 def drag_of_mixture(density: float, ball_diameter: float, coefficient: float) -> float:
@@ -260,7 +269,9 @@ def assemble(
     numbers = constants(bearing, model)
     schedule = schedule_array(operation, model)
     laws = normal_laws(bearing, model, point.angles)
-    if model.oil is not None and model.normal.law is not NormalLaw.HERTZ:
+    if model.race_laws is not None:
+        laws[: OUTER + 1] = model.race_laws
+    elif model.oil is not None and model.normal.law is not NormalLaw.HERTZ:
         for race, angle, law in zip(Race, point.angles, laws, strict=False):
             load = reference_load(schedule, numbers, n)
             law[FILM_RATE : FILM_LOAD + 1] = film_damping(
@@ -269,6 +280,13 @@ def assemble(
     races = _race_frictions(bearing, model, schedule)
     if cage is not None and cage.guidance is Guidance.BALLS:  # else nothing would centre it
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
+    if model.support.outer_moves and point.equilibrium is not None:
+        balanced = -point.equilibrium.ring_force
+        numbers = numbers._replace(outer_load=tuple(balanced.tolist()))
+    none = np.zeros(2)
+    surfaces = model.surfaces or Surfaces(
+        inner=none, outer=none, balls=np.zeros((2, 1, 2)), excess=np.zeros(n), even=True
+    )
     return equation_data(
         constants=numbers,
         normal=laws,
@@ -280,6 +298,10 @@ def assemble(
         pocket_angle=np.asarray(azimuth),
         pocket_direction=np.stack((np.cos(azimuth), np.sin(azimuth)), axis=1),
         pocket_play=0.5 * np.array((cage or NO_CAGE).clearances(n)),
+        excess=surfaces.excess,
+        inner_form=surfaces.inner,
+        outer_form=surfaces.outer,
+        ball_form=surfaces.balls,
         times=np.array(model.times, dtype=np.float64),
         schedule=schedule,
         impact_speeds=np.full(3 * n + 2, model.normal.impact_floor),
@@ -315,8 +337,16 @@ def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
     rates = np.zeros_like(displacements)
     if model.schedule is not None and model.schedule.rates is not None:
         rates = np.array(model.schedule.rates)
-    viscosities = np.array(model.viscosities)[:, None]
-    return np.hstack([model.rows(operation), displacements, rates, viscosities])
+    rows = np.array(model.rows(operation))
+    guide = model.guide or Guide(speed=0.0, roll=0.0)
+    turning = rows[:, INNER_SPEED] - rows[:, OUTER_SPEED]
+    others = [
+        model.viscosities,
+        rows[:, OUTER_SPEED] + guide.speed * turning,
+        guide.roll * turning,
+        np.ones(len(rows)),
+    ]
+    return np.hstack([rows, displacements, rates, np.stack(others, axis=1)])
 
 
 def entrainment_speeds(schedule: Array, pitch_radius: float) -> Array:
@@ -383,7 +413,12 @@ def free_array(kind: LoadType, operation: Operation, model: DynamicsModel) -> Ar
     ring, cage, ball = free_coordinates(kind, operation)
     if model.cage is None:
         cage = (0,) * CAGE
-    return np.array([*ring, *cage, *ball], dtype=np.float64)
+    if model.support.inner_ring_fixed:
+        ring = (0,) * RING
+    if model.guide is not None:
+        ball = (*ball[:3], 0, 0, 0)
+    outer = free_support(kind, model.support)
+    return np.array([*ring, *cage, *outer, *ball], dtype=np.float64)
 
 
 def with_equations(
@@ -484,7 +519,7 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         outer_centre=bearing.outer_centre_radius,
         inner_groove=bearing.inner_groove_radius,
         outer_groove=bearing.outer_groove_radius,
-        ring_mass=ring.mass,
+        ring_mass=ring.mass + model.support.shaft_mass,
         ring_transverse=ring.transverse_inertia,
         ring_polar=ring.polar_inertia,
         ring_damping=ring.damping,
@@ -499,7 +534,46 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         drag=model.options.drag,
         gravity=model.options.gravity,
         floor=model.normal.impact_floor,
+        guided=0 if model.guide is None else 1,
+        **_support_numbers(bearing, model.support),
+        **_settling_numbers(model),
     )
+
+
+def _support_numbers(bearing: Bearing, support: Support) -> dict[str, Any]:
+    """Numbers of the outer ring on its seat, and of the sensor on it [SI]."""
+    radial = support.seat_stiffness or 0.0
+    axial = radial if support.seat_axial_stiffness is None else support.seat_axial_stiffness
+    numbers = {
+        "outer_mass": outer_ring_mass(bearing, support) if support.outer_moves else 1.0,
+        "outer_load": (0.0, 0.0, 0.0),
+        "seat_stiffness": (axial, radial, radial),
+        "seat_damping": support.seat_damping,
+        "sensor_mass": 0.0,
+        "sensor_axis": SENSOR_AXIS,
+        "sensor_stiffness": 0.0,
+        "sensor_damping": 0.0,
+    }
+    if support.sensor is None:
+        return numbers
+    sensor = support.sensor
+    omega = 2.0 * pi * sensor.frequency
+    return numbers | {
+        "sensor_mass": sensor.mass,
+        "sensor_stiffness": sensor.mass * omega**2,
+        "sensor_damping": 2.0 * sensor.damping_ratio * sensor.mass * omega,
+    }
+
+
+def _settling_numbers(model: DynamicsModel) -> dict[str, Any]:
+    """Numbers of the time before zero [SI]."""
+    s = model.settling or Settling(time=0.0, growth=0.0, damped=0.0, rate=0.0)
+    return {
+        "form_gain": 1.0 / s.growth if s.growth > 0.0 else 0.0,
+        "settling_rate": s.rate,
+        "settling_start": -s.time,
+        "settling_end": s.damped - s.time,
+    }
 
 
 def _rotating_numbers(model: DynamicsModel) -> dict[str, Any]:
@@ -676,14 +750,16 @@ def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:
         sizes, shape (mechanical,) [m], [rad], [m/s], [rad/s]
     """
     tolerance = model.options.tolerance
-    stiffness = float(data.normal[: OUTER + 1, STIFFNESS].min())
-    length = (load / stiffness) ** (1.0 / HERTZ_EXPONENT)
+    lengths = [
+        (load / law[STIFFNESS]) ** (1.0 / law[EXPONENT]) for law in data.normal[: OUTER + 1]
+    ]
+    length = float(max(lengths))
     speed = length * np.sqrt(2.0 * HERTZ_EXPONENT * load / length / data.constants.ball_mass)
     pitch = 0.5 * (data.constants.inner_centre + data.constants.outer_centre)
     n = 3 * data.constants.balls
     ring = [1.0] * RING_TILT + [1.0 / pitch] * (RING - RING_TILT)
     cage = [1.0] * CAGE_ROTATION + [1.0 / pitch] * (CAGE - CAGE_ROTATION)
-    positions = np.array([*ring, *cage, *[1.0] * n])
+    positions = np.array([*ring, *cage, *[1.0] * (BODIES - SEAT), *[1.0] * n])
     turn = np.full(n, 1.0 / data.constants.ball_radius)
     speed = min(tolerance * speed, RAMP_SHARE * model.friction.ramp)
     fastest = float(np.abs(entrainment_speeds(data.schedule, pitch)).max())

@@ -13,6 +13,7 @@ from ..operation import Operation
 from .arrays import PRESCRIBED_FORCE, PRESCRIBED_MOMENT, RING_TILT
 from .choices import Guidance, LoadType
 from .inputs import CageBody, DynamicsModel, RingBody
+from .support import Support
 
 # estimated cage over the ball's diameter [-]; pockets: 0.2 mm at balls of 7 mm, Ma et al.
 # (2023). Thickness and web make a light cage: half or twice of each takes the shipped 7008 under
@@ -24,6 +25,7 @@ CLEARANCE = 0.03
 # F = (pi/4) E* L d of parallel cylinders, Popov (2010), Contact Mechanics and Friction
 LAND_FORCE = 0.25 * pi
 ESTIMATES = ("mass", "thickness", "width", "pocket_clearance")  # where they are left out
+SENSOR_AXIS = 1  # y, along the load line
 SMALLEST_FILM = 1.0e-6  # between ball and pocket [m]
 
 
@@ -74,6 +76,39 @@ def ring_body(
         unbalance_phase=unbalance[1],
         assumed=assumed,
     )
+
+
+def outer_ring_mass(bearing: Bearing, support: Support) -> float:
+    """Mass of the outer ring and what moves with it: prescribed, or that of a cylinder outside of
+    its groove.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry with outside diameter and width
+    support : Support
+        masses that are known
+
+    Returns
+    -------
+    float
+        mass [kg]
+
+    Raises
+    ------
+    ValueError
+        if a dimension is missing, or leaves no ring
+    """
+    if support.outer_mass is not None:
+        return support.outer_mass + support.housing_mass
+    if bearing.outside_diameter is None or bearing.width is None:
+        raise ValueError("outside_diameter and width are needed for the mass of the outer ring")
+    inside = bearing.outer_centre_radius + bearing.outer_groove_radius
+    section = pi * (0.25 * bearing.outside_diameter**2 - inside**2)
+    if not section > 0.0:
+        raise ValueError("outside_diameter leaves no outer ring around its groove")
+    mass = bearing.outer_ring_material.density * section * bearing.width
+    return mass + support.housing_mass
 
 
 def hollow_cylinder(
@@ -290,6 +325,7 @@ def symmetric_until(kind: LoadType, operation: Operation, model: DynamicsModel) 
     if kind is LoadType.AXIAL:
         even = model.ring.unbalance == 0.0 and (model.cage is None or model.cage.even)
         even = even and model.rotating is None
+        even = even and (model.surfaces is None or model.surfaces.even)
         broken = np.any(gravity[1:]) or not even
         loaded = np.any(rows[:, ACROSS], axis=1) | np.any(
             displacements[:, DISPLACEMENTS_ACROSS], axis=1
@@ -318,6 +354,28 @@ FREE_COORDINATES: dict[LoadType, tuple[tuple[int, ...], ...]] = {
     LoadType.PLANAR: ((0, 1, 1, 0, 0), (0, 1, 1, 1, 0, 0), (0, 1, 1, 1, 0, 0)),
     LoadType.GENERAL: ((1, 1, 1, 1, 1), (1, 1, 1, 1, 1, 1), (1, 1, 1, 1, 1, 1)),
 }
+
+
+def free_support(kind: LoadType, support: Support) -> tuple[int, ...]:
+    """Free coordinates of the outer ring and the sensor on it: as those of the inner ring.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    support : Support
+        seat and sensor
+
+    Returns
+    -------
+    tuple[int, ...]
+        1 or 0 for x, y, z of the outer ring and for the sensor [-]
+    """
+    if not support.outer_moves:
+        return (0, 0, 0, 0)
+    along = FREE_COORDINATES[kind][0][:3]
+    sensor = 0 if support.sensor is None else along[SENSOR_AXIS]
+    return (*along, sensor)
 
 
 def free_coordinates(kind: LoadType, operation: Operation) -> tuple[tuple[int, ...], ...]:

@@ -16,6 +16,7 @@ from ..operation import Operation
 from .arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
 from .choices import Guidance, LoadType, NormalLaw, Start
 from .friction import RaceFriction
+from .support import Support
 
 
 def prescribed_values(operation: Operation) -> tuple[float, ...]:
@@ -153,6 +154,37 @@ class RingBody:
         require_positive(self, "mass", "polar_inertia", "transverse_inertia")
         if not self.damping >= 0.0:
             raise ValueError(f"damping must not be negative, got {self.damping!r}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surfaces:
+    """Heights of the surfaces over a turn, as they enter the contacts, and what is left of loads
+    and damping to the forms: laws of the races by their films.
+    """
+
+    inner: Array  # shape (n,) [m]
+    outer: Array
+    balls: Array  # at inner and outer race, shape (2, 1 or Z, n) [m]
+    excess: Array  # radius of each ball over the nominal one, shape (Z,) [m]
+    even: bool  # no height differs from zero
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Guide:
+    """A cage that turns as prescribed, and the balls in their places in it, without friction."""
+
+    speed: float  # over that of the rings against each other, added to the outer one's [-]
+    roll: float  # of a ball about its own axis, likewise [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Settling:
+    """Time before zero in which the form grows from nothing and bodies are damped."""
+
+    time: float  # [s]
+    growth: float  # of the form [s]
+    damped: float  # [s]
+    rate: float  # damping over the masses [1/s]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -315,6 +347,11 @@ class DynamicsModel:
     friction_ramp: float = 0.01
     ball_friction: float = 0.0  # Coulomb's mu of ball on ball, without a cage [-]
     oil: Lubricant | None = None  # whose films damp contacts that last; None: the impact floor
+    support: Support = field(default_factory=Support)
+    surfaces: Surfaces | None = None  # None: even
+    race_laws: Array | None = None  # rows of `EquationData.normal`; None: Hertz, the oil's damping
+    guide: Guide | None = None  # None: cage and balls go as they are pushed
+    settling: Settling | None = None
     notes: Mapping[str, str] = field(default_factory=dict)
 
     @property

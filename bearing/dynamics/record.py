@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
 
-from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Layout
+from .arrays import BODIES, LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Layout
 from .choices import LoadType
 
 
@@ -23,6 +23,7 @@ class Record(NamedTuple):
     loads: Array  # on ring and cage (m, 12) [N], [N m]
     contact_state: NDArray[np.int8]  # 0 separated, 1 in contact, 2 in an impact (m, 2, Z)
     attitude: Array  # of the balls, quaternion w, x, y, z (m, Z, 4) [-]
+    acceleration: Array  # of ring, cage, outer ring and sensor (m, BODIES) [m/s^2], [rad/s^2]
 
 
 class StepControl(NamedTuple):
@@ -102,6 +103,7 @@ def empty_record(times: Array, balls: int) -> Record:
         loads=np.zeros((m, 2 * LOAD_COLUMNS)),
         contact_state=np.zeros((m, 2, balls), dtype=np.int8),
         attitude=np.zeros((m, balls, 4)),
+        acceleration=np.zeros((m, BODIES)),
     )
 
 

@@ -254,7 +254,8 @@ def _first_indices(balls: int, solved: int) -> NDArray[np.int64]:
         (slice(0, 0), layout.ball_turn),
     ):
         selected += [indices[bodies], indices[of_balls][: 3 * solved]]
-    return np.concatenate([*selected, indices[layout.mechanical :]])
+    angles = indices[layout.mechanical : layout.roll.start + solved]
+    return np.concatenate([*selected, angles, indices[layout.energy]])
 
 
 def _first_contacts(balls: int) -> NDArray[np.int64]:
@@ -348,6 +349,7 @@ def all_states(states: Array, balls: int, solved: int) -> Array:
     for name in ("ball", "ball_speed", "ball_turn"):
         vectors = turned(states[:, getattr(one, name)], balls)
         out[:, getattr(all_of_them, name)] = vectors.reshape(len(states), -1)
+    out[:, all_of_them.roll] = states[:, one.roll]
     return out
 
 

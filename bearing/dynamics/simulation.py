@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from time import perf_counter
 
@@ -18,11 +19,12 @@ from oilfilm.ehl.foreign_files import DAMAGE
 from ..files import write_bytes
 from ..geometry import Bearing
 from ..operation import Operation
+from . import arrays as places
 from ._integration_kernels import COUNTERS, DONE, NOT_FINITE, STIFF, TOO_SMALL
 from ._motion_kernels import energies
-from .arrays import DAMPING, FILM, GUIDED_BY_BALLS, OUTER, STIFFNESS, EquationData, Layout
+from .arrays import EquationData, Layout
 from .assembly import assemble, reference_load, scales, vibration_frequency, with_equations
-from .bodies import equation_counts, symmetric_until
+from .bodies import symmetric_until
 from .choices import LoadType
 from .initial import StartingPoint, initial_state, starting_point
 from .inputs import DynamicsModel
@@ -50,7 +52,7 @@ FAILURES = {
     NOT_FINITE: "the state is not finite at t = {t:.6g} s",
 }
 
-FORMAT = 3
+FORMAT = 4
 # field of the state by its key in a restart file
 ARRAYS = {
     "y": "y",
@@ -92,7 +94,12 @@ class Simulation:
         were solved.
         """
         static, quasi_static = self.point.unknowns
-        motion = equation_counts(self.state.kind, self.bearing.balls, self.operation)
+        ends = (0, places.RING, places.SEAT, places.BODIES, places.FREE_TURN + 3)
+        parts = [int(self.data.free[a:b].sum()) for a, b in pairwise(ends)]
+        parts[3] *= self.motion.solved
+        named = zip(("ring", "cage", "support", "balls"), parts, strict=True)
+        motion = {name: count for name, count in named if count or name != "support"}
+        motion["dynamic"] = sum(parts)
         return {"static": static, "quasi_static": quasi_static, **motion}
 
     @property
@@ -130,14 +137,25 @@ class Simulation:
     def _control(self, scale: Array) -> StepControl:
         """`control` by the `scale` of the errors [SI]."""
         options = self.model.options
-        stiffness = float(self.data.normal[: OUTER + 1, STIFFNESS].max())
+        laws = self.data.normal[: places.OUTER + 1]
         heaviest = HEAVIEST * self.reference_load
-        undamped = not np.any(self.data.normal[:, DAMPING]) and self.data.friction_kind != FILM
-        angle = UNDAMPED_ANGLE if undamped else STEP_ANGLE
-        frequency = vibration_frequency(stiffness, heaviest, self.data.constants.ball_mass)
+        damped = (
+            np.any(laws[:, [places.DAMPING, places.FILM_RATE, places.LOSS]])
+            or self.data.friction_kind == places.FILM
+        )
+        angle = STEP_ANGLE if damped else UNDAMPED_ANGLE
+        mass = self.data.constants.ball_mass
+        frequency = max(
+            vibration_frequency(law[places.STIFFNESS], heaviest, mass, law[places.EXPONENT])
+            for law in laws
+        )
+        steepest = max(
+            heaviest / (heaviest / law[places.STIFFNESS]) ** (1.0 / law[places.EXPONENT])
+            for law in laws
+        )
         return StepControl(
             shortest=SHORTEST_STEP * options.end_time,
-            steepest=stiffness * (heaviest / stiffness) ** (1.0 / 3.0),
+            steepest=float(steepest),
             longest=min(options.longest_step or angle / frequency, options.sample_interval),
             stiff=STIFF_STEP * 2.0 * np.pi / frequency,
             speed=float(scale[self.layout.ball_speed][0]),
@@ -147,8 +165,8 @@ class Simulation:
         """Times of the samples still to come [s]."""
         options = self.model.options
         count = round(options.end_time / options.sample_interval)
-        times = np.linspace(0.0, options.end_time, count + 1)[1:]
-        return times[times > self.state.time * (1.0 + 1e-12)]
+        times = np.linspace(0.0, options.end_time, count + 1)
+        return times[times > self.state.time + 1e-12 * abs(self.state.time)]
 
     def pieces(self) -> Iterator[Record]:
         """Move on to the end; a record after each piece, the shorter the harder the samples are.
@@ -252,7 +270,7 @@ class Simulation:
 
     def _fail(self, status: int) -> None:
         c = self.data.constants
-        film = c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS and c.film_viscosity > 0.0
+        film = c.cage_mass > 0.0 and c.guide != places.GUIDED_BY_BALLS and c.film_viscosity > 0.0
         values = {
             "t": self.state.time,
             "step": self.state.step,
@@ -378,9 +396,15 @@ def from_state(
     """
     point, data, y = start
     n = bearing.balls
+    time = 0.0 if model.settling is None else -model.settling.time
+    layout = Layout(n)
+    speeds = data.schedule[0]
+    y[layout.ring_angle] = speeds[places.INNER_SPEED] * time
+    y[layout.outer_angle] = speeds[places.OUTER_SPEED] * time
+    y[layout.roll] = speeds[places.ROLL_SPEED] * time
     state = SimulationState(
         kind=point.kind,
-        time=0.0,
+        time=time,
         step=FIRST_STEP,
         y=y,
         impact_speeds=data.impact_speeds,
@@ -391,7 +415,7 @@ def from_state(
         counters=np.zeros(COUNTERS, dtype=np.int64),
     )
     energy = np.zeros(3)
-    derivative(0.0, y, data, np.zeros_like(y))
+    derivative(time, y, data, np.zeros_like(y))
     energies(y, data.kernel, energy)
     return Simulation(
         bearing=bearing,

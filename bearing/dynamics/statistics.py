@@ -51,7 +51,7 @@ FEWEST_PLACES = 3  # of a centre, below which its turning is not told
 STILL = 1.0e-3
 AVERAGED_SHARE = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
 MECHANISMS = WORK._fields
-INPUTS = 3  # of them put energy in
+INPUTS = 4  # of them put energy in
 LOSSES = slice(INPUTS, -1)  # those that dissipate it; the last, the films, gives or takes
 
 SLOWER = 0.05  # of the first speeds of balls and cage, that the last start lacks [-]

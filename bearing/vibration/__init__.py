@@ -1,10 +1,9 @@
-"""Vibration of a bearing: form of its surfaces, films, rings on their supports, over time.
+"""Vibration of a bearing: what form of its surfaces, films and supports add to its motion.
 
-_kernels     - equations of motion, compiled
-assembly     - arrays of the equations from a bearing in equilibrium, laws of the contacts
+assembly     - heights of the surfaces and laws of the contacts from a bearing in equilibrium
 form         - waviness, profiles, defects, diameters of the balls
 inputs       - inputs of vibration, and transmission of waves of a surface
 lines        - frequencies at which the form of the surfaces shows
-simulation   - the computation over time, and its record
+simulation   - the simulation with form and supports, and its record
 transmission - fraction of a waviness that moves the bodies
 """

@@ -1,12 +1,11 @@
-"""Numbers of the equations of motion from a bearing in equilibrium and what makes it vibrate:
-arrays of the compiled equations, indices in the state, and laws of ball and race (Hertz, solved
-films, linear springs).
+"""Contributions to the equations of motion (`dynamics`) from what makes a bearing vibrate: heights
+of the surfaces as they enter the contacts, and laws of ball and race (Hertz, solved films, linear
+springs).
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import pi, sqrt
-from typing import NamedTuple
 
 import numpy as np
 
@@ -17,36 +16,19 @@ from oilfilm.ehl.options import SolverOptions
 from oilfilm.ehl.traction.linear_response import NormalResponse, highest_frequency, normal_response
 
 from ..contacts.contact import BearingContact
-from ..dynamics.bodies import ring_body
+from ..dynamics.arrays import HEAVY_LOAD, KNOT_COUNT, NORMAL_COLUMNS
+from ..dynamics.bodies import outer_ring_mass, ring_body
+from ..dynamics.inputs import Surfaces
+from ..dynamics.support import Support
 from ..films.asperities import Asperities
 from ..films.operating_film import OilAtInlets, supplied_films
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
-from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import AMPLE, PrescribedInlet, Supply
-from .form import FormBody, heights, hollow, rolled
-from .inputs import ContactLaw, Direction, Sensor, Support, VibrationModel, WaveFilter
+from .form import FormBody, SurfaceForm, heights, hollow, rolled
+from .inputs import ContactLaw, VibrationModel, WaveFilter
 from .transmission import Transmission, dry_transmission, film_transmission, filtered
 
-# first index of a body's coordinates in the state
-INNER = 0  # x, y, z, tilt y, tilt z of the inner ring
-OUTER = 5  # x, y, z of the outer ring
-SENSOR = 8  # of the oscillator on it
-BALLS = 9  # axial and radial position of each ball
-
-# work done since the start of the record
-EXTERNAL = 0  # by loads, centrifugal forces, and the cage that turns the balls
-BY_FORM = 1  # by the form of the surfaces, which pushes the bodies apart
-LOST = 2  # in films, seat and sensor
-STORED = 3  # place of the elastic energy beside their powers
-
-# columns of the law of a contact, over the logarithm of the approach
-FACTOR = 0  # elastic force over approach^n [N/m^n]
-DAMPING = 1  # [N s/m]
-ENERGY = 2  # elastic energy over approach^(n + 1) [J/m^(n + 1)]
-
-NODES = 600  # of a law, over the logarithm of the approach
-SPAN = (1e-4, 30.0)  # of approaches, over that of the largest load [-]
 HERTZ = 1.5  # exponent of the force
 # loads over the largest of a race, at which films are solved; stiffness over that of Hertz and
 # damping change by some per cent between them
@@ -54,46 +36,9 @@ SOLVED_LOADS = (0.2, 1.0)
 POINTS = 129  # and half of them; damping of the 6208 within 1.5 % of that from 257
 STARVED_POINTS = 257  # behind a layer, where the damping is small and feels the mesh
 
+SPAN = (0.03, 30.0)  # of approaches with knots of their own, over that of the largest load [-]
+PLAIN = (0.0,) * (NORMAL_COLUMNS - HEAVY_LOAD)  # end of a law without films
 RACES = {Race.INNER: FormBody.INNER, Race.OUTER: FormBody.OUTER}
-AXES = {Direction.X: 0, Direction.Y: 1, Direction.Z: 2}
-
-
-class ContactLawTable(NamedTuple):
-    """Law of the contacts with one race, even in the logarithm of the approach."""
-
-    first: float  # ln of the smallest approach [ln m]
-    step: float  # [-]
-    table: Array  # (n, 3), see FACTOR
-    exponent: float  # n [-]
-
-
-class VibrationArrays(NamedTuple):
-    """Numbers of the equations of motion, SI."""
-
-    balls: int
-    azimuth: Array  # of the balls at time zero [rad], shape (Z,)
-    speeds: Array  # of inner ring, outer ring, cage, ball against the cage, at the end [rad/s]
-    start_ratio: float  # of the speeds at time zero over those at the end [-]
-    duration: float  # from time zero [s]
-    inner_centre_radius: float  # of the circle of the groove's centres [m]
-    outer_centre_radius: float
-    inner_length: float  # groove radius less ball radius [m]
-    outer_length: float
-    ball_excess: Array  # radius of each ball over the nominal one [m], shape (Z,)
-    inner_law: ContactLawTable
-    outer_law: ContactLawTable
-    inner_height: Array  # form over a turn [m], shape (n,)
-    outer_height: Array
-    ball_height: Array  # at the inner and outer race, shape (2, 1 or Z, n) [m]
-    mass: Array  # of the 9 coordinates of rings and sensor [kg], [kg m^2], shape (9,)
-    free: Array  # 1 of those that move, else 0, shape (9,)
-    polar_inertia: float  # of the inner ring [kg m^2]
-    load: Array  # on inner and outer ring [N], [N m], shape (8,)
-    seat_stiffness: Array  # x, y, z [N/m], shape (3,)
-    seat_damping: float  # [N s/m]
-    sensor: Array  # stiffness [N/m], damping [N s/m], axis it moves along (0, 1, 2), shape (3,)
-    ball_mass: float  # [kg]
-    centrifugal_force: float  # on a ball at the end's speed [N]
 
 
 class FilmsNotSolvedError(RuntimeError):
@@ -270,10 +215,11 @@ def solved_films(
     )
 
 
-def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
+def film_law(factor: float, films: SolvedFilms) -> tuple[float, ...]:
     """Law with the stiffness dQ/dd and the damping of solved films over the load.
 
-    The damping of lighter contacts fades with the load.
+    Both are linear over the logarithm of the load between the two films; beyond them the stiffness
+    over that of Hertz stays, and the damping of lighter contacts fades with the load.
 
     Parameters
     ----------
@@ -284,50 +230,43 @@ def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
 
     Returns
     -------
-    ContactLawTable
-        law over the logarithm of the approach
+    tuple[float, ...]
+        row of `EquationData.normal`
     """
-    largest = films.loads[-1]
-    dry = (largest / factor) ** (2.0 / 3.0)
-    loads = largest * np.geomspace(SPAN[0] ** HERTZ, SPAN[1] ** HERTZ, 4 * NODES)
+    light, heavy = films.loads
+    loads = heavy * np.geomspace(SPAN[0] ** HERTZ, SPAN[1] ** HERTZ, 100 * KNOT_COUNT)
     ratio = np.interp(np.log(loads), np.log(films.loads), films.stiffness_ratio)
     # d = integral of dQ/k, with the ratio constant between two loads
     hertz = (loads / factor) ** (2.0 / 3.0)
     steps = np.diff(hertz) * 0.5 * (1.0 / ratio[1:] + 1.0 / ratio[:-1])
     approach = hertz[0] / ratio[0] + np.concatenate([[0.0], np.cumsum(steps)])
-    grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
-    load = np.exp(np.interp(np.log(grid), np.log(approach), np.log(loads)))
+    knots = np.linspace(np.log(approach[0]), np.log(approach[-1]), KNOT_COUNT)
+    stiffness = np.exp(np.interp(knots, np.log(approach), np.log(loads)) - HERTZ * knots)
     # damping negative at the one frequency is positive at those of balls: none, over time
-    solved = np.maximum(films.damping, 0.0)
-    damping = films.film_share * np.interp(np.log(load), np.log(films.loads), solved)
-    damping *= np.minimum(load / films.loads[0], 1.0)
-    return law_table(grid, load / grid**HERTZ, damping, HERTZ)
+    rates = films.film_share * np.maximum(films.damping, 0.0)
+    first = factor, HERTZ, 0.0, rates[0], light, 0.0, heavy, rates[1]
+    return (*first, knots[0], knots[1] - knots[0], *stiffness.tolist())
 
 
-def dry_law(factor: float, largest: float, loss_time: float) -> ContactLawTable:
+def dry_law(factor: float, loss_time: float) -> tuple[float, ...]:
     """Hertz' law with a damping in proportion to its stiffness.
 
     Parameters
     ----------
     factor : float
         K of Hertz [N/m^1.5]
-    largest : float
-        largest load of the race [N]
     loss_time : float
         damping over stiffness [s]
 
     Returns
     -------
-    ContactLawTable
-        law over the logarithm of the approach
+    tuple[float, ...]
+        row of `EquationData.normal`
     """
-    dry = (largest / factor) ** (2.0 / 3.0)
-    grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
-    damping = loss_time * HERTZ * factor * np.sqrt(grid)
-    return law_table(grid, np.full(NODES, factor), damping, HERTZ)
+    return factor, HERTZ, 0.0, 0.0, 1.0, loss_time, *PLAIN
 
 
-def linear_law(factor: float, mean: float, largest: float, loss_time: float) -> ContactLawTable:
+def linear_law(factor: float, mean: float, loss_time: float) -> tuple[float, ...]:
     """Spring k d with Hertz' stiffness k at the mean load of the loaded contacts.
 
     Parameters
@@ -336,69 +275,33 @@ def linear_law(factor: float, mean: float, largest: float, loss_time: float) -> 
         K of Hertz [N/m^1.5]
     mean : float
         mean load [N]
-    largest : float
-        largest load of the race [N]
     loss_time : float
         damping over stiffness [s]
 
     Returns
     -------
-    ContactLawTable
-        law over the logarithm of the approach
+    tuple[float, ...]
+        row of `EquationData.normal`
     """
-    stiffness = HERTZ * factor ** (2.0 / 3.0) * mean ** (1.0 / 3.0)
-    grid = np.geomspace(SPAN[0], SPAN[1], NODES) * largest / stiffness
-    damping = np.full(NODES, loss_time * stiffness)
-    return law_table(grid, np.full(NODES, stiffness), damping, 1.0)
-
-
-def law_table(approach: Array, factor: Array, damping: Array, exponent: float) -> ContactLawTable:
-    """Law from its factor and damping at approaches even in their logarithm.
-
-    The energy is the force's integral.
-
-    Parameters
-    ----------
-    approach : Array
-        approaches, shape (n,) [m]
-    factor : Array
-        elastic force over approach^n, shape (n,) [N/m^n]
-    damping : Array
-        shape (n,) [N s/m]
-    exponent : float
-        n [-]
-
-    Returns
-    -------
-    ContactLawTable
-        law for the kernels
-    """
-    logs = np.log(approach)
-    power = exponent + 1.0
-    slope = np.diff(factor) / np.diff(logs)
-    edges = approach**power
-    # integral of (f + s (u - u_0)) e^(p u) du = [(f/p - s/p^2) e^(p u)]
-    upper = (factor[1:] / power - slope / power**2) * edges[1:]
-    lower = (factor[:-1] / power - slope / power**2) * edges[:-1]
-    energy = factor[0] / power * edges[0] + np.concatenate([[0.0], np.cumsum(upper - lower)])
-    return ContactLawTable(
-        first=float(logs[0]),
-        step=float(logs[1] - logs[0]),
-        table=np.ascontiguousarray(np.stack([factor, damping, energy / edges], axis=1)),
-        exponent=exponent,
-    )
+    stiffness = HERTZ * factor ** (2.0 / 3.0) * float(np.cbrt(mean))
+    return stiffness, 1.0, 0.0, 0.0, 1.0, loss_time, *PLAIN
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Assembled:
     """Numbers of the equations, and what was solved for them."""
 
-    arrays: VibrationArrays
+    laws: Array  # of inner and outer race, rows of `EquationData.normal`
+    surfaces: Surfaces
+    speeds: Array  # of inner ring, outer ring, cage, ball against the cage, at the end [rad/s]
     films: dict[Race, SolvedFilms]  # none with other laws
     transmissions: dict[Race, Transmission]  # none without a filter
     stiffness: dict[Race, float]  # of the heaviest contacts, after Hertz [N/m]
-    cage_speed: float  # [rad/s]
-    ball_speed: float  # of a ball about its axis against the cage [rad/s]
+
+    @property
+    def cage_speed(self) -> float:
+        """Speed of the cage [rad/s]."""
+        return float(self.speeds[2])
 
 
 def track_radius(bearing: Bearing, race: Race, contact_angle: float) -> float:
@@ -453,7 +356,7 @@ def assembled(
     """
     _check(solution, model)
     films: dict[Race, SolvedFilms] = {}
-    laws: dict[Race, ContactLawTable] = {}
+    laws: dict[Race, tuple[float, ...]] = {}
     transmissions: dict[Race, Transmission] = {}
     stiffness: dict[Race, float] = {}
     frequency = resonance(solution, model.support)
@@ -482,14 +385,24 @@ def assembled(
     cage -= model.options.cage_slip * (cage - solution.operation.outer_speed)
     loaded = solution.inner_load > 0.0
     ball = float(np.mean(solution.spin_speed[loaded] if loaded.any() else solution.spin_speed))
-    arrays = _arrays(solution, model, laws, transmissions, (cage, ball))
+    operation = solution.operation
+    heights = [_ring_heights(solution, model, race, transmissions) for race in RACES]
+    excess = np.zeros(solution.bearing.balls)
+    if model.form.ball_diameters:
+        excess = 0.5 * np.array(model.form.ball_diameters)
     return Assembled(
-        arrays=arrays,
+        laws=np.array([laws[race] for race in Race]),
+        surfaces=Surfaces(
+            inner=heights[0],
+            outer=heights[1],
+            balls=_ball_heights(solution, model, transmissions),
+            excess=excess,
+            even=_even(model.form),
+        ),
+        speeds=np.array([operation.inner_speed, operation.outer_speed, cage, ball]),
         films=films,
         transmissions=transmissions,
         stiffness=stiffness,
-        cage_speed=cage,
-        ball_speed=ball,
     )
 
 
@@ -510,7 +423,11 @@ def resonance(solution: QuasistaticSolution, support: Support) -> float:
     float
         frequency [Hz]
     """
-    mass = _masses(solution.bearing, support)[0 if not support.inner_ring_fixed else OUTER]
+    bearing = solution.bearing
+    if support.inner_ring_fixed:
+        mass = outer_ring_mass(bearing, support)
+    else:
+        mass = ring_body(bearing).mass + support.shaft_mass
     return sqrt(float(solution.stiffness[1, 1]) / mass) / (2.0 * pi)
 
 
@@ -520,7 +437,8 @@ def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
     operation = solution.operation
     if operation.shaft_speed == 0.0:
         raise ValueError("inner_speed: nothing turns, so nothing vibrates")
-    if not _free(solution, model.support).any():
+    fixed = model.support.inner_ring_fixed or not any(x is not None for x in operation.loads)
+    if fixed and not model.support.outer_moves:
         raise ValueError(
             "displacement: is given in all directions, and the outer ring stands still"
         )
@@ -557,13 +475,21 @@ def _check_orders(solution: QuasistaticSolution, model: VibrationModel, limit: f
 
 def _other_law(
     solution: QuasistaticSolution, race: Race, factor: float, model: VibrationModel
-) -> ContactLawTable:
-    load = solution.inner_load if race is Race.INNER else solution.outer_load
-    largest = float(load.max())
+) -> tuple[float, ...]:
     if model.options.law is ContactLaw.DRY:
-        return dry_law(factor, largest, model.options.loss_time)
-    mean = float(load[load > 0.0].mean())
-    return linear_law(factor, mean, largest, model.options.loss_time)
+        return dry_law(factor, model.options.loss_time)
+    return linear_law(factor, _mean_load(solution, race), model.options.loss_time)
+
+
+def _mean_load(solution: QuasistaticSolution, race: Race) -> float:
+    """Mean load of the loaded contacts of a race [N]."""
+    load = solution.inner_load if race is Race.INNER else solution.outer_load
+    return float(load[load > 0.0].mean())
+
+
+def _even(form: SurfaceForm) -> bool:
+    """All surfaces are circles, of equal balls."""
+    return all(form.is_even(place) for place in FormBody) and not any(form.ball_diameters)
 
 
 def _largest_number(
@@ -579,104 +505,6 @@ def _largest_number(
         conditions_speed = abs(solution.operation.shaft_speed) * radius
         numbers.append(pi * model.options.sample_rate * along / max(0.5 * conditions_speed, 1e-9))
     return max(numbers, default=0.0)
-
-
-def _arrays(
-    solution: QuasistaticSolution,
-    model: VibrationModel,
-    laws: dict[Race, ContactLawTable],
-    transmissions: dict[Race, Transmission],
-    speeds: tuple[float, float],
-) -> VibrationArrays:
-    bearing = solution.bearing
-    operation = solution.operation
-    cage, ball = speeds
-    mass = ball_mass(bearing.ball_diameter, bearing.ball_material.density)
-    support = model.support
-    excess = np.zeros(bearing.balls)
-    if model.form.ball_diameters:
-        excess = 0.5 * np.array(model.form.ball_diameters)
-    load = np.zeros(SENSOR)
-    load[INNER:OUTER] = [*solution.ring_force, *solution.ring_moment]
-    load[OUTER:SENSOR] = -solution.ring_force
-    radial = support.seat_stiffness or 0.0
-    axial = radial if support.seat_axial_stiffness is None else support.seat_axial_stiffness
-    inertia = _masses(bearing, support)
-    return VibrationArrays(
-        balls=bearing.balls,
-        azimuth=np.ascontiguousarray(solution.azimuth),
-        speeds=np.array([operation.inner_speed, operation.outer_speed, cage, ball]),
-        start_ratio=model.options.start_speed_ratio,
-        duration=model.options.duration,
-        inner_centre_radius=bearing.inner_centre_radius,
-        outer_centre_radius=bearing.outer_centre_radius,
-        inner_length=bearing.inner_groove_radius - 0.5 * bearing.ball_diameter,
-        outer_length=bearing.outer_groove_radius - 0.5 * bearing.ball_diameter,
-        ball_excess=excess,
-        inner_law=laws[Race.INNER],
-        outer_law=laws[Race.OUTER],
-        inner_height=_ring_heights(solution, model, Race.INNER, transmissions),
-        outer_height=_ring_heights(solution, model, Race.OUTER, transmissions),
-        ball_height=_ball_heights(solution, model, transmissions),
-        mass=inertia[:BALLS],
-        free=_free(solution, support),
-        polar_inertia=float(inertia[BALLS]),
-        load=load,
-        seat_stiffness=np.array([axial, radial, radial]),
-        seat_damping=support.seat_damping,
-        sensor=_sensor(support.sensor),
-        ball_mass=mass,
-        centrifugal_force=0.5 * mass * bearing.pitch_diameter * cage**2,
-    )
-
-
-def _masses(bearing: Bearing, support: Support) -> Array:
-    """Masses of the nine coordinates and the inner ring's polar inertia [kg], [kg m^2]."""
-    masses = np.ones(BALLS + 1)
-    if not support.inner_ring_fixed:
-        ring = ring_body(bearing)
-        masses[INNER:OUTER] = ring.mass + support.shaft_mass
-        masses[INNER + 3 : OUTER] = ring.transverse_inertia
-        masses[BALLS] = ring.polar_inertia
-    if support.outer_moves:
-        masses[OUTER:SENSOR] = _outer_mass(bearing, support) + support.housing_mass
-    if support.sensor is not None:
-        masses[SENSOR] = support.sensor.mass
-    return masses
-
-
-def _outer_mass(bearing: Bearing, support: Support) -> float:
-    """Mass of the outer ring [kg]: prescribed, or that of a cylinder outside of its groove."""
-    if support.outer_mass is not None:
-        return support.outer_mass
-    if bearing.outside_diameter is None or bearing.width is None:
-        raise ValueError("outside_diameter and width are needed for the mass of the outer ring")
-    inside = bearing.outer_centre_radius + bearing.outer_groove_radius
-    section = pi * (0.25 * bearing.outside_diameter**2 - inside**2)
-    if not section > 0.0:
-        raise ValueError("outside_diameter leaves no outer ring around its groove")
-    return bearing.outer_ring_material.density * section * bearing.width
-
-
-def _free(solution: QuasistaticSolution, support: Support) -> Array:
-    free = np.zeros(BALLS)
-    if not support.inner_ring_fixed:
-        loaded = [load is not None for load in solution.operation.loads]
-        free[INNER:OUTER] = loaded
-    if support.outer_moves:
-        free[OUTER:SENSOR] = 1.0
-    if support.sensor is not None:
-        free[SENSOR] = 1.0
-    return free
-
-
-def _sensor(sensor: Sensor | None) -> Array:
-    """Stiffness [N/m], damping [N s/m], axis."""
-    if sensor is None:
-        return np.array([0.0, 0.0, 1.0])
-    omega = 2.0 * pi * sensor.frequency
-    damping = 2.0 * sensor.damping_ratio * sensor.mass * omega
-    return np.array([sensor.mass * omega**2, damping, float(AXES[Direction.Y])])
 
 
 def _entering(profile: Array, transmission: Transmission | None, radius: float) -> Array:

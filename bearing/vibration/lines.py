@@ -10,8 +10,10 @@ through, at the same frequencies. A ball's odd orders move it between the races 
 even ones show along the axis at n w_b and across at n w_b +- w_c.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import pi
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,6 +24,7 @@ from .form import FormBody, SurfaceForm
 LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as one [-]
 HARMONICS = 3  # of what repeats with each ball, smoothly
 SHARP_HARMONICS = 12  # of a defect
+SIDEBANDS = 3  # on either side of a harmonic
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +56,7 @@ def expected_lines(
     tuple[Line, ...]
         lines, each frequency once [Hz]
     """
-    speeds = np.asarray(equations.arrays.speeds) / (2.0 * pi)
+    speeds = np.asarray(equations.speeds) / (2.0 * pi)
     balls = solution.bearing.balls
     lines = []
     for place, ring in ((FormBody.INNER, speeds[0]), (FormBody.OUTER, speeds[1])):
@@ -95,7 +98,7 @@ def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
     Frequencies
         frequencies [Hz]
     """
-    inner, outer, cage, ball = np.asarray(equations.arrays.speeds) / (2.0 * pi)
+    inner, outer, cage, ball = np.asarray(equations.speeds) / (2.0 * pi)
     balls = solution.bearing.balls
     return Frequencies(
         cage=abs(float(cage)),
@@ -103,6 +106,110 @@ def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
         ball_pass_inner=balls * abs(float(inner - cage)),
         ball_spin=abs(float(ball)),
     )
+
+
+class NamedFrequency(NamedTuple):
+    """A harmonic of a bearing's frequencies, or its sum with multiples of a slower one."""
+
+    body: str  # shaft, cage, ball pass outer, ball pass inner, or ball spin twice
+    name: str  # as "2 BPFI - f_r"
+    terms: int  # multiples that it is made of [-]
+    frequency: float  # [Hz]
+    sideband: int  # multiples of the slower one, with their sign [-]
+
+
+def sums_and_harmonics(passes: Frequencies, shaft: float) -> tuple[NamedFrequency, ...]:
+    """Frequencies that a defect shows at: multiples of those of the passing balls with sidebands
+    of what turns the defect through the load, the shaft for a ring and the cage for a ball.
+
+    A defect of a ball meets both races in a turn: twice its spin (McFadden and Smith, 1984).
+
+    Parameters
+    ----------
+    passes : Frequencies
+        frequencies of the bearing [Hz]
+    shaft : float
+        frequency of the shaft [Hz]
+
+    Returns
+    -------
+    tuple[NamedFrequency, ...]
+        frequencies above zero
+    """
+    by_shaft = "f_r", shaft
+    by_cage = "FTF", passes.cage
+    rows = (
+        ("shaft", "f_r", shaft, None),
+        ("cage", "FTF", passes.cage, None),
+        ("ball pass outer", "BPFO", passes.ball_pass_outer, by_shaft),
+        ("ball pass inner", "BPFI", passes.ball_pass_inner, by_shaft),
+        ("ball spin twice", "2BSF", 2.0 * passes.ball_spin, by_cage),
+    )
+    found = []
+    for body, name, frequency, side in rows:
+        beside, step = side or ("", 0.0)
+        for h in range(1, SHARP_HARMONICS + 1):
+            for k in range(-SIDEBANDS, SIDEBANDS + 1) if side else (0,):
+                total = h * frequency + k * step
+                text = _multiple(h, name) + _signed(k, beside)
+                if total > 0.0:
+                    found.append(NamedFrequency(body, text, h + abs(k), total, k))
+    return tuple(found)
+
+
+def _multiple(count: int, name: str) -> str:
+    return name if count == 1 else f"{count} {name}"
+
+
+def _signed(count: int, name: str) -> str:
+    """A multiple of a frequency that is added or taken away."""
+    if count == 0:
+        return ""
+    return f" {'+' if count > 0 else '-'} {_multiple(abs(count), name)}"
+
+
+def name_of(frequency: float, named: Sequence[NamedFrequency], width: float) -> str | None:
+    """Name of a frequency: of those within a width the one made of the fewest multiples.
+
+    Parameters
+    ----------
+    frequency : float
+        frequency [Hz]
+    named : Sequence[NamedFrequency]
+        frequencies with names
+    width : float
+        largest distance [Hz]
+
+    Returns
+    -------
+    str | None
+        name; None where none is near
+    """
+    near = [line for line in named if abs(line.frequency - frequency) <= width]
+    if not near:
+        return None
+    return min(near, key=lambda line: (line.terms, abs(line.frequency - frequency))).name
+
+
+def is_resolved(line: NamedFrequency, named: Sequence[NamedFrequency], width: float) -> bool:
+    """Check that no harmonic of another body is closer to a line than a record resolves.
+
+    Parameters
+    ----------
+    line : NamedFrequency
+        line
+    named : Sequence[NamedFrequency]
+        all frequencies with names
+    width : float
+        width of a line of the record [Hz]
+
+    Returns
+    -------
+    bool
+        true if it stands alone
+    """
+    others = [other for other in named if other.body != line.body and other.sideband == 0]
+    return all(abs(other.frequency - line.frequency) > width for other in others)
 
 
 def _ring_lines(

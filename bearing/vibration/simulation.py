@@ -1,42 +1,58 @@
-"""Vibration of a bearing over time, from its equilibrium: motion of rings and sensor, loads."""
+"""Vibration of a bearing: the equations of motion of `dynamics` with form, seat and films, from an
+equilibrium, and the motion of rings and sensor, the loads and the energies that they give.
+"""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from math import ceil, pi, sqrt
+from dataclasses import dataclass, field, replace
+from math import pi, sqrt
 
 import numpy as np
 
 from oilfilm.ehl.arrays import Array
 
+from ..dynamics import inputs as motion
+from ..dynamics.arrays import CONTACT, DAMPING, MOMENT, RING, SEAT
+from ..dynamics.assembly import assemble, damping_factor
+from ..dynamics.bodies import load_type, ring_body
+from ..dynamics.friction import RaceFriction
+from ..dynamics.initial import StartingPoint, initial_state
+from ..dynamics.record import Record
+from ..dynamics.simulation import Simulation, from_state, simulation
+from ..dynamics.statistics import INPUTS, orbit_speeds, spin_speeds
+from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
-from ._kernels import advance
-from .assembly import BALLS, INNER, OUTER, SENSOR, STORED, Assembled
-from .inputs import VibrationModel
+from .assembly import Assembled, mean_angle
+from .inputs import Direction, VibrationModel
 
 OVERSAMPLED = 4  # rows kept for each sample of the record, against aliasing
-# angular frequency of the fastest vibration times step: the phase of Runge and Kutta's method is
-# off by (0.35)^5/120 = 4e-5 a step, its stability ends at 2.8
-STEP = 0.35
-STIFFER = 1.3  # of contacts, by loads beyond those at rest
-MOST_STEPS = 4.0e7  # an hour of ten balls
-PIECE = 0.005  # of a step of progress, of the whole [-]
 GROWTH = 0.5  # part of the settling time over which the form grows
 DAMPED = 0.6  # and over which all bodies are damped as their slowest vibration would die away
+MOST_SAMPLES = 2.0e7  # rows of a record, a day of ten balls
+STILL = 1e6  # no contact counts as an impact: its law damps it [m/s]
+GUIDED_TOLERANCE = 1.0e-5  # of a step, where form and springs are all that is solved [-]
+
+# places in the motion of a run, which has displacements, speeds and accelerations of them
+INNER = 0  # x, y, z, tilt y, tilt z of the inner ring
+OUTER = 5  # x, y, z of the outer ring
+SENSOR = 8  # of the oscillator on it
+BODIES = 9
+PLACES = np.array([*range(RING), *range(SEAT, SEAT + BODIES - RING)])  # in the state of `dynamics`
+AXES = {Direction.X: 0, Direction.Y: 1, Direction.Z: 2}
 
 
 @dataclass(slots=True, kw_only=True)
 class VibrationRun:
-    """Equations, step, state and record of a vibration that is being computed."""
+    """A simulation with form and supports, and the record of what vibrates."""
 
     solution: QuasistaticSolution
     model: VibrationModel
     assembled: Assembled
-    step: float  # [s]
-    per_sample: int  # steps a sample of the record
-    state: tuple[Array, Array, Array]  # positions, velocities, works
-    motion: Array = field(default_factory=lambda: np.zeros((0, 3 * BALLS)))
+    simulation: Simulation
+    motion: Array = field(default_factory=lambda: np.zeros((0, 3 * BODIES)))
     loads: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    energy: Array = field(default_factory=lambda: np.zeros((0, STORED + 1)))
+    energy: Array = field(default_factory=lambda: np.zeros((0, 3)))  # stored, put in, lost [J]
+    # speeds of cage and of a ball against it [rad/s], friction torque on the inner ring [N m]
+    turning: Array = field(default_factory=lambda: np.zeros((0, 3)))
 
     @property
     def samples(self) -> int:
@@ -44,29 +60,39 @@ class VibrationRun:
         return round(self.model.options.duration * self.model.options.sample_rate)
 
     @property
-    def settling_steps(self) -> int:
-        """Steps before the record [-]."""
-        return round(self.model.options.settling / self.step)
-
-    @property
-    def steps(self) -> int:
-        """Steps in all [-]."""
-        return self.settling_steps + self.samples * self.per_sample
-
-    @property
     def energy_balance_error(self) -> float:
         """Largest imbalance of energy and works, over the mean energy and all works [-]."""
-        external, formed, dissipated = self.energy[:, 1:].T
-        energy = self.energy[:, 0]
-        balance = energy - energy[0] - external - formed + dissipated
-        size = energy.mean() + sum(float(np.ptp(work)) for work in (external, formed, dissipated))
+        stored, external, lost = self.energy.T
+        balance = stored - stored[0] - (external - external[0]) + lost - lost[0]
+        size = stored.mean() + np.ptp(external) + np.ptp(lost)
         return float(abs(balance).max() / size) if size > 0.0 else 0.0
 
 
-def vibration_run(
+def slowest_vibration(solution: QuasistaticSolution, masses: list[float]) -> float:
+    """Angular frequency of the rings on the balls in the stiffest direction, which the damping in
+    the settling time is measured by.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    masses : list[float]
+        of the rings that move [kg]
+
+    Returns
+    -------
+    float
+        angular frequency [rad/s]
+    """
+    largest = max(float(solution.stiffness[k, k]) for k in range(3))
+    return sqrt(max(largest, 0.0) / max(masses)) if masses else 2.0 * pi * 1e3
+
+
+def guided_model(
     solution: QuasistaticSolution, model: VibrationModel, equations: Assembled
-) -> VibrationRun:
-    """A run that starts at the equilibrium.
+) -> motion.DynamicsModel:
+    """A cage that turns as in the equilibrium, less its slip, with the balls in their places and
+    without friction; speeds rise over the record in a run-up.
 
     Parameters
     ----------
@@ -75,7 +101,108 @@ def vibration_run(
     model : VibrationModel
         form of the surfaces, supports and options
     equations : Assembled
-        numbers of the equations
+        heights and laws of the contacts
+
+    Returns
+    -------
+    DynamicsModel
+        model of the simulation
+    """
+    options = model.options
+    inner, outer, cage, ball = equations.speeds
+    schedule = None
+    if options.start_speed_ratio != 1.0:
+        first, *others = motion.prescribed_values(solution.operation)
+        values = [(share * first, *others) for share in (options.start_speed_ratio, 1.0)]
+        places = motion.prescribed_displacements(solution.operation)
+        schedule = motion.Schedule(
+            time=(0.0, options.duration),
+            values=tuple(values),
+            places=(places, places),
+            rates=((0.0,) * RING,) * 2,
+        )
+    return motion.DynamicsModel(
+        options=motion.DynamicsOptions(
+            end_time=options.duration, sample_interval=options.duration, tolerance=GUIDED_TOLERANCE
+        ),
+        ring=ring_body(solution.bearing),
+        friction=RaceFriction(),
+        normal=motion.NormalContact(restitution=1.0, impact_floor=STILL),
+        schedule=schedule,
+        guide=motion.Guide(speed=(cage - outer) / (inner - outer), roll=ball / (inner - outer)),
+    )
+
+
+def with_form(
+    base: motion.DynamicsModel,
+    solution: QuasistaticSolution,
+    model: VibrationModel,
+    equations: Assembled,
+) -> motion.DynamicsModel:
+    """The model of a simulation with form, supports, laws of the contacts, and samples as the
+    record of a vibration needs them.
+
+    Parameters
+    ----------
+    base : DynamicsModel
+        ring, cage, friction and schedule
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    model : VibrationModel
+        form of the surfaces, supports and options
+    equations : Assembled
+        heights and laws of the contacts
+
+    Returns
+    -------
+    DynamicsModel
+        model of the simulation
+    """
+    options = model.options
+    interval = 1.0 / (OVERSAMPLED * options.sample_rate)
+    samples = round(options.duration * options.sample_rate)
+    laws = equations.laws.copy()
+    if base.guide is None:  # impacts lose what the restitution says
+        laws[:, DAMPING] = damping_factor(base.normal.law, base.normal.restitution)
+    result = replace(
+        base,
+        options=replace(
+            base.options, end_time=samples / options.sample_rate, sample_interval=interval
+        ),
+        support=model.support,
+        surfaces=equations.surfaces,
+        race_laws=laws,
+    )
+    if options.settling == 0.0:
+        return result
+    masses = [] if model.support.inner_ring_fixed else [base.ring.mass + model.support.shaft_mass]
+    settling = motion.Settling(
+        time=options.settling,
+        growth=GROWTH * options.settling,
+        damped=DAMPED * options.settling,
+        rate=0.5 * slowest_vibration(solution, masses),
+    )
+    return replace(result, settling=settling)
+
+
+def vibration_run(
+    solution: QuasistaticSolution,
+    model: VibrationModel,
+    equations: Assembled,
+    base: motion.DynamicsModel | None = None,
+) -> VibrationRun:
+    """A run at its start, before the settling time.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    model : VibrationModel
+        form of the surfaces, supports and options
+    equations : Assembled
+        heights and laws of the contacts
+    base : DynamicsModel, optional
+        friction, cage and schedule; left out, the cage turns the balls
 
     Returns
     -------
@@ -85,85 +212,30 @@ def vibration_run(
     Raises
     ------
     ValueError
-        if it would take too many steps
+        if its record would be too long
     """
-    rate = model.options.sample_rate
-    fastest = fastest_vibration(equations)
-    per_sample = OVERSAMPLED * ceil(max(fastest / STEP, 1.0) / (rate * OVERSAMPLED))
-    step = 1.0 / (rate * per_sample)
-    bodies = BALLS + 2 * equations.arrays.balls
-    q, v = np.zeros(bodies), np.zeros(bodies)
-    q[INNER : INNER + 3] = solution.displacement
-    q[INNER + 3 : OUTER] = solution.tilt
-    q[BALLS::2] = solution.ball_axial
-    q[BALLS + 1 :: 2] = solution.ball_radial
-    state = (q, v, np.zeros(STORED + 1))
-    run = VibrationRun(
-        solution=solution,
-        model=model,
-        assembled=equations,
-        step=step,
-        per_sample=per_sample,
-        state=state,
-    )
-    if run.steps > MOST_STEPS:
-        raise ValueError(
-            f"duration: takes {run.steps:.2g} steps of {step:.2g} s, more than {MOST_STEPS:.2g}"
+    rows = OVERSAMPLED * model.options.duration * model.options.sample_rate
+    if rows > MOST_SAMPLES:
+        raise ValueError(f"duration: takes {rows:.2g} rows, more than {MOST_SAMPLES:.2g}")
+    operation = solution.operation
+    whole = with_form(base or guided_model(solution, model, equations), solution, model, equations)
+    before = model.options.settling * equations.speeds[2] * model.options.start_speed_ratio
+    azimuth = solution.bearing.first_ball_azimuth - before
+    bearing = replace(solution.bearing, first_ball_azimuth=azimuth)
+    if base is not None:
+        run = simulation(bearing, operation, whole)
+    else:
+        angles = mean_angle(solution, Race.INNER), mean_angle(solution, Race.OUTER)
+        point = StartingPoint(
+            kind=load_type(operation, whole), angles=angles, equilibrium=solution, messages=()
         )
-    return run
+        data = assemble(bearing, operation, whole, point)
+        state = initial_state(bearing, data, point, whole.options.start)
+        run = from_state(bearing, operation, whole, (point, data, state))
+    return VibrationRun(solution=solution, model=model, assembled=equations, simulation=run)
 
 
-def fastest_vibration(equations: Assembled) -> float:
-    """Largest angular frequency of the linear vibrations, estimated from above.
-
-    Parameters
-    ----------
-    equations : Assembled
-        numbers of the equations
-
-    Returns
-    -------
-    float
-        angular frequency [rad/s]
-    """
-    arrays = equations.arrays
-    stiffness = STIFFER * sum(equations.stiffness.values())
-    squares = [stiffness / arrays.ball_mass]
-    ring = STIFFER * arrays.balls * max(equations.stiffness.values())
-    squares += [
-        (ring + arrays.seat_stiffness.max() + arrays.sensor[0]) / arrays.mass[k]
-        for k in (INNER + 1, OUTER + 1)
-        if arrays.free[k]
-    ]
-    lever = arrays.inner_centre_radius**2
-    squares += [ring * lever / arrays.mass[k] for k in (3, 4) if arrays.free[k]]
-    if arrays.free[SENSOR]:
-        squares.append(arrays.sensor[0] / arrays.mass[SENSOR])
-    return sqrt(sum(squares))
-
-
-def slowest_vibration(run: VibrationRun) -> float:
-    """Angular frequency of the rings on the balls in the stiffest direction.
-
-    The damping in the settling time is measured by it.
-
-    Parameters
-    ----------
-    run : VibrationRun
-        run with its equations
-
-    Returns
-    -------
-    float
-        angular frequency [rad/s]
-    """
-    arrays = run.assembled.arrays
-    largest = max(float(run.solution.stiffness[k, k]) for k in range(3))
-    moving = [arrays.mass[k] for k in (INNER, OUTER) if arrays.free[k : k + 3].any()]
-    return sqrt(max(largest, 0.0) / max(moving)) if moving else 2.0 * pi * 1e3
-
-
-def pieces(run: VibrationRun) -> Iterator[int]:
+def pieces(run: VibrationRun) -> Iterator[float]:
     """Compute a run piece by piece.
 
     Parameters
@@ -173,52 +245,44 @@ def pieces(run: VibrationRun) -> Iterator[int]:
 
     Yields
     ------
-    Iterator[int]
-        steps done so far [-]
+    float
+        part done so far [-]
     """
-    settle = run.settling_steps
-    damping = 0.5 * slowest_vibration(run)
-    done = 0
-    for first, last, rate in _stages(run, settle, damping):
-        share = (min(done / max(GROWTH * settle, 1.0), 1.0), _gain(run, settle), rate)
-        nothing = (np.zeros((0, 27)), np.zeros((0, 0)), np.zeros((0, STORED + 1)))
-        clock = ((first - settle) * run.step, run.step, last - first, 0)
-        advance(run.assembled.arrays, clock, share, run.state, nothing)
-        done = last
-        yield done
-    yield from _recorded(run, settle)
-
-
-def _gain(run: VibrationRun, settle: int) -> float:
-    return 1.0 / (GROWTH * settle * run.step) if settle else 0.0
-
-
-def _stages(run: VibrationRun, settle: int, damping: float) -> Iterator[tuple[int, int, float]]:
-    """Pieces of the settling time: first and last step, damping of all bodies [1/s]."""
-    size = max(int(PIECE * run.steps), 1)
-    damped = int(DAMPED * settle)
-    for first, last, rate in ((0, damped, damping), (damped, settle, 0.0)):
-        for begin in range(first, last, size):
-            yield begin, min(begin + size, last), rate
-
-
-def _recorded(run: VibrationRun, settle: int) -> Iterator[int]:
-    """The record, in pieces of whole samples."""
-    stride = run.per_sample // OVERSAMPLED
     rows = OVERSAMPLED * run.samples
-    balls = run.assembled.arrays.balls
-    run.motion = np.zeros((rows, 3 * BALLS))
-    run.loads = np.zeros((rows, 2 * balls))
-    run.energy = np.zeros((rows, STORED + 1))
-    run.state[2][:] = 0.0
-    size = max(int(PIECE * rows), 1)
-    for row in range(0, rows, size):
-        last = min(row + size, rows)
-        part = slice(row, last)
-        record = (run.motion[part], run.loads[part], run.energy[part])
-        clock = (row * stride * run.step, run.step, (last - row) * stride, stride)
-        advance(run.assembled.arrays, clock, (1.0, 0.0, 0.0), run.state, record)
-        yield settle + last * stride
+    run.motion = np.zeros((rows, 3 * BODIES))
+    run.loads = np.zeros((rows, 2 * run.solution.bearing.balls))
+    run.energy = np.zeros((rows, 3))
+    run.turning = np.zeros((rows, 3))
+    settling = run.model.options.settling
+    done = 0
+    for record in run.simulation.pieces():
+        done = _keep(run, record, done)
+        yield (settling + float(record.time[-1])) / (settling + run.model.options.duration)
+    if done < rows:
+        run.motion[done:] = np.nan
+    elif run.simulation.model.guide is None:
+        simulated = run.assembled.speeds.copy()
+        simulated[2:] = run.turning[:, :2].mean(axis=0)
+        run.assembled = replace(run.assembled, speeds=simulated)
+
+
+def _keep(run: VibrationRun, record: Record, done: int) -> int:
+    """Write a record into the rows of a run; how many are written."""
+    last = min(done + record.time.size, len(run.motion))
+    part = slice(0, last - done)
+    layout = run.simulation.layout
+    columns = [record.state[:, PLACES], record.state[:, layout.positions + PLACES]]
+    run.motion[done:last] = np.hstack([*columns, record.acceleration[:, PLACES]])[part]
+    run.loads[done:last] = record.races[..., CONTACT.load].reshape(len(record.time), -1)[part]
+    work = record.state[:, layout.energy]
+    put_in, lost = work[:, :INPUTS].sum(axis=1), work[:, INPUTS:].sum(axis=1)
+    stored = record.energy.sum(axis=1)
+    orbits = orbit_speeds(record.state, layout)
+    turns = record.state[:, layout.ball_turn].reshape(len(orbits), -1, 3)
+    means = [orbits.mean(axis=1), spin_speeds(turns, orbits).mean(axis=1)]
+    run.turning[done:last] = np.stack([*means, -record.loads[:, MOMENT]], axis=1)[part]
+    run.energy[done:last] = np.stack([stored, put_in, lost], axis=1)[part]
+    return last
 
 
 def computed(run: VibrationRun) -> VibrationRun:

@@ -153,9 +153,6 @@ def dynamics(
     if loaded.file.form is not None or loaded.file.support is not None:
         if any(option is not None for option in (restart, table, animation)):
             raise CaseError(f"{case}: --restart, --table, --animate: not with [form] or [support]")
-        print_message(
-            "oilfilm: with [form] or [support] as 'oilfilm vibration': the cage turns the balls"
-        )
         return run_and_report(case, output, as_json=as_json, quiet=quiet, notes=notes)
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):

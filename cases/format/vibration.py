@@ -6,12 +6,11 @@ from typing import Annotated, Literal
 
 import numpy as np
 
+from oilfilm.bearing.dynamics.support import Sensor, Support
 from oilfilm.bearing.vibration.form import Defect, DefectKind, FormBody, SurfaceForm, Wave
 from oilfilm.bearing.vibration.inputs import (
     ContactLaw,
     Direction,
-    Sensor,
-    Support,
     VibrationModel,
     VibrationOptions,
     WaveFilter,

@@ -19,9 +19,13 @@ from ..format.case import Case
 from ..format.rules import CaseError, InvalidKeyError
 from ..format.vibration import VibrationTable, frequency_response, vibration
 from ..version import version
+from .dynamics import build_model
 from .equilibrium import case_equilibrium
 from .films import Progress, inlet_layers
 from .interrupt import interruptible
+
+# keys of [dynamics] for its own history and end
+NOT_TAKEN = {"end_time", "output_interval_us", "starts", "start", "equations"}
 
 
 class NotSolvedError(RuntimeError):
@@ -55,12 +59,10 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     notify = progress or (lambda done, total, state: None)
     began = perf_counter()
     file = case.file
-    if file.dynamics is not None and (keys := file.dynamics.model_fields_set - {"end_time_s"}):
-        names = ", ".join(f"dynamics.{key}" for key in sorted(keys))
-        raise CaseError(
-            f"{name}: {names}: not taken where the cage turns the balls, as with [form] and "
-            "[support]; allowed: end_time_s"
-        )
+    given = set() if file.dynamics is None else file.dynamics.model_fields_set
+    if refused := given & NOT_TAKEN:
+        names = ", ".join(f"dynamics.{key}" for key in sorted(refused))
+        raise CaseError(f"{name}: {names}: not taken with [form], [support] or [vibration]")
     end_time = None if file.dynamics is None else file.dynamics.end_time_s
     table = file.vibration or VibrationTable()
     try:
@@ -79,7 +81,9 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
             shares = film_load_fractions(contacts, asperities, supply, case.bearing.balls)
             model = replace(model, film_load_fractions=shares)
         equations = interruptible(partial(assembled, state, contacts, model))
-        run = vibration_run(state, model, equations)
+        simulated = given - {"end_time_s"}
+        base = build_model(case, None, notify) if simulated else None
+        run = vibration_run(state, model, equations, base)
     except InvalidKeyError as error:
         raise CaseError(f"{name}: {error.fault.text(name, {})}") from error
     except ValueError as error:
@@ -109,7 +113,7 @@ def _step(run: VibrationRun, notify: Progress) -> None:
         done = interruptible(partial(next, steps, None))
         if done is None:
             return
-        notify(round(1000.0 * done / run.steps), 1000, "vibration over time")
+        notify(round(1000.0 * done), 1000, "vibration over time")
 
 
 def _contacts(case: Case, state: QuasistaticSolution) -> list[BearingContact]:

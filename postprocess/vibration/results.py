@@ -6,9 +6,16 @@ from math import log2, pi, sqrt
 import numpy as np
 from scipy.signal import ShortTimeFFT, get_window, hilbert, resample_poly
 
-from oilfilm.bearing.vibration.assembly import AXES, BALLS, INNER, OUTER, SENSOR
 from oilfilm.bearing.vibration.inputs import Direction
-from oilfilm.bearing.vibration.simulation import OVERSAMPLED, VibrationRun
+from oilfilm.bearing.vibration.simulation import (
+    AXES,
+    BODIES,
+    INNER,
+    OUTER,
+    OVERSAMPLED,
+    SENSOR,
+    VibrationRun,
+)
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import RPM
 
@@ -324,7 +331,7 @@ def measured(results: VibrationResults) -> Measured:
     run = results.run
     body, first = measured_body(run, results.direction)
     rate = run.model.options.sample_rate
-    columns = first + BALLS * np.arange(3)
+    columns = first + BODIES * np.arange(3)
     motion = sampled(run.motion[:, columns], OVERSAMPLED)
     time = np.arange(len(motion)) / rate
     acceleration = motion[:, 2]

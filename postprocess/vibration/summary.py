@@ -1,17 +1,18 @@
 """Summary of a vibration."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from math import log10
 from typing import Any
 
 import numpy as np
 
+from oilfilm.bearing.dynamics._integration_kernels import EVALUATIONS, STEPS
 from oilfilm.bearing.quasistatic.solution import bearing_frequencies
-from oilfilm.bearing.vibration.assembly import BALLS
+from oilfilm.bearing.vibration import lines as spectral
 from oilfilm.bearing.vibration.inputs import ContactLaw, WaveFilter
-from oilfilm.bearing.vibration.lines import expected_lines, passing
-from oilfilm.bearing.vibration.simulation import VibrationRun
+from oilfilm.bearing.vibration.simulation import BODIES, VibrationRun
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si
 
 from ..files import plain
@@ -27,10 +28,14 @@ from .results import (
     envelope_band,
     kurtosis,
     measured,
+    shaft_frequency,
     spectrum,
     speed_bands,
 )
 
+WIDTH = 2.0  # of a line in Hann's window, over that of a bin [-]
+SLOW = ("shaft_m_s2", "cage_m_s2")  # lines that are no defect of a track
+UNKNOWN = "unknown"
 PEAKS = 12  # largest of a spectrum that are listed
 
 
@@ -51,15 +56,16 @@ def vibration_summary(results: VibrationResults) -> dict[str, Any]:
     seen = measured(results)
     document = {
         "simulated_s": run.model.options.duration,
-        "steps": run.steps,
-        "step_us": from_si("step_us", run.step),
-        "equations": int(run.assembled.arrays.free.sum()) + 2 * run.assembled.arrays.balls,
+        "steps": int(run.simulation.state.counters[STEPS]),
+        "evaluations": int(run.simulation.state.counters[EVALUATIONS]),
+        "equations": run.simulation.equations["dynamic"],
         "energy_balance_error": run.energy_balance_error,
         "cage_speed_rpm": from_si("cage_speed_rpm", run.assembled.cage_speed),
         "cage_speed_ratio": _cage_ratio(run),
+        "friction_torque_N_mm": _friction_torque(run),
         "frequencies_Hz": {
             "kinematic": asdict(bearing_frequencies(run.solution)),
-            "with_slip": asdict(passing(run.solution, run.assembled)),
+            "with_slip": asdict(spectral.passing(run.solution, run.assembled)),
         },
         "vibration": _vibration(results, seen),
         "balls": _balls(run),
@@ -71,10 +77,17 @@ def vibration_summary(results: VibrationResults) -> dict[str, Any]:
     return head | dict(plain(document))
 
 
+def _friction_torque(run: VibrationRun) -> float | None:
+    """Friction torque on the inner ring, mean over the record; None with a prescribed cage."""
+    if run.simulation.model.guide is not None:
+        return None
+    return from_si("friction_torque_N_mm", abs(float(run.turning[:, 2].mean())))
+
+
 def _cage_ratio(run: VibrationRun) -> float | None:
     """Cage speed over that of the equilibrium, without slip."""
     rolling = bearing_frequencies(run.solution).cage
-    result = passing(run.solution, run.assembled).cage
+    result = spectral.passing(run.solution, run.assembled).cage
     return result / rolling if rolling > 0.0 else None
 
 
@@ -96,7 +109,7 @@ def _vibration(results: VibrationResults, seen: Measured) -> dict[str, Any]:
         "lines": _lines(results.run, seen),
         "peaks": _peaks(results.run, seen),
         "envelope_band_Hz": envelope_band(results),
-        "envelope_lines": _envelope_lines(results, seen),
+        **_diagnosis(results, seen),
     }
 
 
@@ -129,7 +142,7 @@ def _is_covered(run: VibrationRun, band: tuple[float, float]) -> bool:
 def _lines(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
     """Amplitudes at the frequencies that the form of the surfaces makes one expect."""
     rows = []
-    for line in expected_lines(run.solution, run.assembled, run.model.form):
+    for line in spectral.expected_lines(run.solution, run.assembled, run.model.form):
         sizes = [
             amplitude_at(signal, seen.turned, line.frequency)
             for signal in (seen.displacement, seen.velocity, seen.acceleration)
@@ -158,41 +171,85 @@ def _peaks(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
     inner = size[1:-1]
     tops = 1 + np.flatnonzero((inner > size[:-2]) & (inner >= size[2:]) & (inner > 0.0))
     largest = tops[np.argsort(-size[tops])][:PEAKS]
-    width = 2.0 * seen.rate / seen.velocity.size
-    available = expected_lines(run.solution, run.assembled, run.model.form)
+    width = WIDTH * seen.rate / seen.velocity.size
+    waves = spectral.expected_lines(run.solution, run.assembled, run.model.form)
+    shaft = abs(shaft_frequency(run))
+    named = spectral.sums_and_harmonics(spectral.passing(run.solution, run.assembled), shaft)
     rows = []
     for k in largest:
         frequency = float(result.frequency[k])
-        near = [line for line in available if abs(line.frequency - frequency) <= width]
+        near = [line for line in waves if abs(line.frequency - frequency) <= width]
         name = min(near, key=lambda line: abs(line.frequency - frequency)).source if near else None
         rows.append(
             {
                 "frequency_Hz": frequency,
                 "velocity_um_s": from_si("x_um_s", float(size[k])),
-                "source": name,
+                "source": name or spectral.name_of(frequency, named, width) or UNKNOWN,
             }
         )
     return rows
 
 
-def _envelope_lines(results: VibrationResults, seen: Measured) -> dict[str, Any]:
-    """Amplitude of the envelope at the passing frequencies, kinematic and with the cage's slip."""
-    size = envelope(seen.acceleration, seen.rate, envelope_band(results))
+def _diagnosis(results: VibrationResults, seen: Measured) -> dict[str, Any]:
+    """Envelope at the frequencies of shaft, cage and passing balls, its largest peaks by name, and
+    the strongest line of a defect; None where two lines are closer than the record resolves.
+    """
     run = results.run
+    signal = envelope(seen.acceleration, seen.rate, envelope_band(results))
+    width = WIDTH * seen.rate / signal.size
+    shaft = abs(shaft_frequency(run))
     kinds = {"kinematic": bearing_frequencies(run.solution)}
-    kinds["with_slip"] = passing(run.solution, run.assembled)
-    return {
-        kind: {
-            f"{name}_m_s2": amplitude_at(size, seen.turned, frequency)
-            for name, frequency in asdict(frequencies).items()
+    kinds["with_slip"] = spectral.passing(run.solution, run.assembled)
+    lines: dict[str, dict[str, float | None]] = {}
+    for kind, frequencies in kinds.items():
+        named = spectral.sums_and_harmonics(frequencies, shaft)
+        lines[kind] = {
+            f"{line.body.replace(' ', '_')}_m_s2": amplitude_at(
+                signal, seen.turned, line.frequency
+            )
+            if spectral.is_resolved(line, named, width)
+            else None
+            for line in named
+            if line.terms == 1
         }
-        for kind, frequencies in kinds.items()
+    races = {
+        name: size
+        for name, size in lines["with_slip"].items()
+        if size is not None and name not in SLOW
     }
+    strongest = max(races, key=lambda name: races[name], default=None)
+    return {
+        "envelope_lines": lines,
+        "envelope_peaks": _envelope_peaks(run, signal, seen.rate, named),
+        "strongest_line": None if strongest is None else strongest.removesuffix("_m_s2"),
+    }
+
+
+def _envelope_peaks(
+    run: VibrationRun, signal: Array, rate: float, named: Sequence[spectral.NamedFrequency]
+) -> list[dict[str, Any]]:
+    """Largest lines of an envelope's spectrum with their names; none in a run-up."""
+    if run.model.options.start_speed_ratio != 1.0:
+        return []
+    width = WIDTH * rate / signal.size
+    result = spectrum(signal, rate)
+    size = np.where(result.frequency > width, result.amplitude, 0.0)
+    inner = size[1:-1]
+    tops = 1 + np.flatnonzero((inner > size[:-2]) & (inner >= size[2:]) & (inner > 0.0))
+    largest = tops[np.argsort(-size[tops])][:PEAKS]
+    return [
+        {
+            "frequency_Hz": float(result.frequency[k]),
+            "acceleration_m_s2": float(size[k]),
+            "source": spectral.name_of(float(result.frequency[k]), named, width) or UNKNOWN,
+        }
+        for k in largest
+    ]
 
 
 def _balls(run: VibrationRun) -> list[dict[str, Any]]:
     """Loads of each ball over the record."""
-    balls = run.assembled.arrays.balls
+    balls = run.solution.bearing.balls
     inner, outer = run.loads[:, :balls], run.loads[:, balls:]
     return [
         {
@@ -228,7 +285,13 @@ def _films(run: VibrationRun) -> list[dict[str, Any]]:
 def _messages(results: VibrationResults) -> Iterator[str]:
     run = results.run
     options = run.model.options
-    if not np.isfinite(run.motion[:, :BALLS]).all():
+    yield from run.simulation.messages
+    if run.simulation.model.guide is not None:
+        yield (
+            "vibration: the cage turns the balls at the equilibrium's speed, without friction; "
+            "[dynamics] simulates both"
+        )
+    if not np.isfinite(run.motion[:, :BODIES]).all():
         yield "vibration: not converged: the motion grew without limit"
     elif not results.converged:
         error = f"{run.energy_balance_error:.2g}"

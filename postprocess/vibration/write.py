@@ -12,9 +12,8 @@ from matplotlib.figure import Figure
 from rich.console import Group
 
 from oilfilm.bearing.files import write_bytes
-from oilfilm.bearing.vibration.assembly import INNER, OUTER, SENSOR
 from oilfilm.bearing.vibration.inputs import VibrationOptions
-from oilfilm.bearing.vibration.simulation import OVERSAMPLED
+from oilfilm.bearing.vibration.simulation import INNER, OUTER, OVERSAMPLED, SENSOR
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si
 
@@ -314,7 +313,7 @@ def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, docume
     """
     axes = titled_panels(figure, f"{results.title}: loads of the balls", 3.2)
     run = results.run
-    balls = run.assembled.arrays.balls
+    balls = run.solution.bearing.balls
     time = np.arange(len(run.loads)) * (run.model.options.duration / len(run.loads))
     shown = time >= time[-1] - SHOWN_TURNS / shaft_frequency(run)
     for j in range(balls):
@@ -418,7 +417,7 @@ def _tables(
 def _variables(results: VibrationResults, seen: Measured) -> Variables:
     """Record in SI: what is measured, all motion of the rings, loads of the balls."""
     run = results.run
-    balls = run.assembled.arrays.balls
+    balls = run.solution.bearing.balls
     motion = sampled(run.motion, OVERSAMPLED)
     loads = run.loads[::OVERSAMPLED].astype(np.float32)
     rings = {

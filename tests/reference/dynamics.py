@@ -155,6 +155,7 @@ def bodies(problem: EquationData, y: Array, inner: float, outer: float) -> tuple
     """Inner ring, outer ring, cage of a state, the rings at speeds [rad/s]."""
     layout = Layout(problem.constants.balls)
     bodies = []
+    seat = y[layout.seat], y[layout.positions :][layout.seat]
     for place, motion, first, spin in (
         (y[layout.ring], y[layout.ring_speed], 3, inner),
         (y[layout.cage], y[layout.cage_speed], 4, y[layout.cage_speed][3]),
@@ -164,7 +165,7 @@ def bodies(problem: EquationData, y: Array, inner: float, outer: float) -> tuple
         turn = spin * axis + np.array([0.0, motion[first], motion[first + 1]])
         bodies.append(Body(place[:3], axis, motion[:3], turn))
     x = np.array([1.0, 0.0, 0.0])
-    return bodies[0], Body(np.zeros(3), x, np.zeros(3), outer * x), bodies[1]
+    return bodies[0], Body(seat[0], x, seat[1], outer * x), bodies[1]
 
 
 def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table: TractionTable | None) -> Pair:
@@ -179,7 +180,7 @@ def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table:
     e = out / rho
     distance = np.hypot(axial, radial)
     n = (axial * body.axis + radial * e) / distance
-    approach = distance - (groove - c.ball_radius)
+    approach = distance - (groove - c.ball_radius) + problem.excess[:, None]
     arm = c.ball_radius * n
     ball = balls.velocity + np.cross(balls.turn, arm)
     ring = body.velocity + np.cross(body.turn, balls.position + arm - body.centre)
@@ -371,7 +372,8 @@ def accelerations(
     given: Array,
     tables: tuple[TractionTable | None, TractionTable | None] = (None, None),
 ) -> Array:
-    """Accelerations of ring, cage and balls, shape (11 + 6 Z,) [m/s^2], [rad/s^2].
+    """Accelerations of ring, cage, outer ring, sensor and balls, shape (15 + 6 Z,) [m/s^2],
+    [rad/s^2].
 
     Parameters
     ----------
@@ -416,7 +418,23 @@ def accelerations(
         turning[1:3] += c.cage_unbalance * spin**2 / c.cage_mass * np.array([np.cos(angle), np.sin(angle)])
         turning[3] -= c.cage_drag * abs(spin) * spin / c.cage_polar
         parts[1] = turning * free[5:11]
-    return np.concatenate([*parts, (ball[0] * free[11:14]).ravel(), (ball[1] * free[14:]).ravel()])
+    parts.append(seat_and_sensor(problem, y, outer, pairs[1]))
+    return np.concatenate([*parts, (ball[0] * free[15:18]).ravel(), (ball[1] * free[18:]).ravel()])
+
+
+def seat_and_sensor(problem: EquationData, y: Array, outer: Body, pair: Pair) -> Array:
+    """Accelerations of the outer ring on its seat and of the sensor on it, shape (4,) [m/s^2]."""
+    c = problem.constants
+    layout = Layout(c.balls)
+    axis = c.sensor_axis
+    stretch = y[layout.seat.stop] - outer.centre[axis]
+    rate = y[layout.positions + layout.seat.stop] - outer.velocity[axis]
+    pull = c.sensor_stiffness * stretch + c.sensor_damping * rate
+    force = _opposite(pair, outer)[:3] + np.array(c.outer_load)
+    force = force - np.array(c.seat_stiffness) * outer.centre - c.seat_damping * outer.velocity
+    force[axis] += pull
+    sensor = -pull / c.sensor_mass if c.sensor_mass > 0.0 else 0.0
+    return np.array([*(force / c.outer_mass), sensor]) * problem.free[11:15]
 
 
 def _opposite(pair: Pair, body: Body) -> Array:

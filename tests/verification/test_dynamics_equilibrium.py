@@ -27,6 +27,7 @@ from oilfilm.bearing.dynamics.friction import RaceFriction, race_friction
 from oilfilm.bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from oilfilm.bearing.dynamics.record import join
 from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.dynamics.statistics import INPUTS
 from oilfilm.bearing.friction.balance import balance_driven_balls
 from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction, LawTraction
@@ -62,7 +63,7 @@ def settled(operation, friction, end_time=0.04, **options):
     for piece in made.pieces():
         record = piece if record is None else join(record, piece)
     assert made.converged
-    lost = record.state[:, made.layout.energy][:, 3:].sum(axis=1)
+    lost = record.state[:, made.layout.energy][:, INPUTS:].sum(axis=1)
     half = record.time.size // 2
     return record, made.layout, (lost[-1] - lost[half]) / (record.time[-1] - record.time[half])
 

@@ -18,7 +18,7 @@ from oilfilm.bearing.dynamics.friction import RaceFriction, race_friction
 from oilfilm.bearing.dynamics.inputs import CageBody, DynamicsModel, DynamicsOptions, NormalContact, Schedule
 from oilfilm.bearing.dynamics.record import Record
 from oilfilm.bearing.dynamics.simulation import Simulation, from_state, simulation
-from oilfilm.bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
+from oilfilm.bearing.dynamics.statistics import INPUTS, RunningStatistics, SimulationStatistics, simulation_statistics
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction
 from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb
 
@@ -178,7 +178,7 @@ def settle(draw: Drawn) -> Settled:
 def energy_left(made: Simulation, record: Record) -> float:
     """Largest residual of the energies of a record over what turned over, put in, lost or stored [-]."""
     work = record.state[:, made.layout.energy]
-    put_in, lost = work[:, :3].sum(axis=1), work[:, 3:].sum(axis=1)
+    put_in, lost = work[:, :INPUTS].sum(axis=1), work[:, INPUTS:].sum(axis=1)
     stored = record.energy.sum(axis=1)
     error = np.abs(stored - made.start_energy - put_in + lost).max()
     return float(error / max(np.abs(put_in).max(), np.abs(lost).max(), stored.max()))

@@ -112,11 +112,11 @@ def event_rows() -> str:
         defect = {**base["form"]["defects"][0], "width_mm": width}
         time = {**base["vibration"], "duration_s": 0.05, "settling_time_s": 0.05}
         run = run_vibration(case_of_document({**base, "form": {"defects": [defect]}, "vibration": time}), "events").run
-        balls = run.assembled.arrays.balls
+        balls = run.solution.bearing.balls
         # the ball that passes the defect at the load line in the middle of the record
         sampled = np.arange(len(run.loads)) * run.model.options.duration / len(run.loads)
         middle = 0.5 * run.model.options.duration
-        turns = (run.assembled.arrays.azimuth + run.assembled.cage_speed * middle) / (2.0 * np.pi)
+        turns = (run.solution.azimuth + run.assembled.cage_speed * middle) / (2.0 * np.pi)
         j = int(np.argmin(abs(turns - np.round(turns))))
         passage = middle - (turns[j] - round(float(turns[j]))) * 2.0 * np.pi / run.assembled.cage_speed
         radius = track_radius(run.solution.bearing, Race.OUTER, mean_angle(run.solution, Race.OUTER))

@@ -89,9 +89,11 @@ def run(simulation):
 
 def balance(simulation, record):
     """Largest residual of the energies over what turned over [-]."""
+    from oilfilm.bearing.dynamics.statistics import INPUTS
+
     layout = simulation.layout
     work = record.state[:, layout.energy]
-    put_in, lost = work[:, :3].sum(axis=1), work[:, 3:].sum(axis=1)
+    put_in, lost = work[:, :INPUTS].sum(axis=1), work[:, INPUTS:].sum(axis=1)
     stored = record.energy.sum(axis=1) - simulation.start_energy
     return float(np.abs(stored - put_in + lost).max() / max(np.abs(put_in).max(), np.abs(lost).max()))
 

@@ -10,13 +10,14 @@ from numpy.testing import assert_allclose
 
 from oilfilm.bearing import Race
 from oilfilm.bearing.dynamics import _race_kernels as film_kernels
+from oilfilm.bearing.dynamics.arrays import NORMAL_COLUMNS
 from oilfilm.bearing.dynamics.choices import LoadType, NormalLaw
 from oilfilm.bearing.dynamics.friction import RaceFriction, check_film
 from oilfilm.bearing.dynamics.inputs import NormalContact, Schedule
 from oilfilm.bearing.dynamics.integrators import advance_implicit
 from oilfilm.bearing.dynamics.reduction import derivative
 from oilfilm.bearing.dynamics.simulation import simulation
-from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
+from oilfilm.bearing.dynamics.statistics import INPUTS, RunningStatistics, simulation_statistics
 from oilfilm.bearing.geometry import contact_modulus, reduced_radii
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 from oilfilm.ehl.closed_form.hertz import contact_stiffness
@@ -86,7 +87,8 @@ def dry(setup):
     bearing = setup.bearing_7008(3)
     data = RaceFriction(inner=made_up_table(bearing, Race.INNER), outer=made_up_table(bearing, Race.OUTER))
     radii = reduced_radii(bearing, Race.INNER, radians(15.0))
-    law = np.array([contact_stiffness(*radii, contact_modulus(bearing, Race.INNER)), 1.5, 0.0])
+    law = np.zeros(NORMAL_COLUMNS)
+    law[:2] = contact_stiffness(*radii, contact_modulus(bearing, Race.INNER)), 1.5
     return data.data(Race.INNER).table, law
 
 
@@ -236,11 +238,11 @@ def test_the_energies_close_with_films(setup):
     closed = setup.balance(sim, record)
     assert closed < 1e-3
     work = record.state[-1, sim.layout.energy]
-    assert abs(work[-1]) > 3.0 * closed * max(work[:3].sum(), work[3:].sum())  # they count
+    assert abs(work[-1]) > 3.0 * closed * max(work[:INPUTS].sum(), work[INPUTS:].sum())  # they count
     running = RunningStatistics(7)
     running.add(record, sim.start_energy)
     found = simulation_statistics(sim, running)
-    assert found.energy_error == pytest.approx(running.residual / max(work[:3].sum(), work[3:-1].sum()))
+    assert found.energy_error == pytest.approx(running.residual / max(work[:INPUTS].sum(), work[INPUTS:-1].sum()))
     assert found.stored == pytest.approx(record.energy[-1].sum() - sim.start_energy, abs=1.001 * running.residual)
     assert record.races[:, 0, :, 0].min() == 0.0
     assert record.races[..., 0].min() >= 0.0

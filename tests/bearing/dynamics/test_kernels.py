@@ -12,6 +12,7 @@ from oilfilm.bearing import Race
 from oilfilm.bearing.dynamics import _motion_kernels
 from oilfilm.bearing.dynamics._integration_kernels import duration, jacobian
 from oilfilm.bearing.dynamics._state_kernels import ring_angle
+from oilfilm.bearing.dynamics.arrays import NORMAL_COLUMNS
 from oilfilm.bearing.dynamics.choices import Guidance, LoadType
 from oilfilm.bearing.dynamics.friction import race_friction
 from oilfilm.bearing.dynamics.inputs import Schedule
@@ -187,7 +188,9 @@ def test_a_tilting_ring_that_spins_turns_across(setup):
 
 def test_an_elastic_impact_lasts_as_its_motion_says():
     """Twice the integral of dx/v of m v dv = -K x^1.5 dx, x = deepest (1 - s^2): 2.943 deepest/v (Hertz, 1882)."""
-    law, mass, speed = np.array([1.2e10, 1.5, 0.0]), 1.4e-3, 0.3
+    mass, speed = 1.4e-3, 0.3
+    law = np.zeros(NORMAL_COLUMNS)
+    law[:2] = 1.2e10, 1.5
     deepest = (1.25 * mass * speed**2 / law[0]) ** 0.4
     nodes, weights = np.polynomial.legendre.leggauss(60)
     s = 0.5 * (nodes + 1.0)

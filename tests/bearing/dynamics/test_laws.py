@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from oilfilm.bearing import Operation, Race
 from oilfilm.bearing.dynamics import _cage_kernels, _race_kernels
 from oilfilm.bearing.dynamics._cage_kernels import film_by_matrix, film_matrix, film_matrix_is_valid, pocket_film
-from oilfilm.bearing.dynamics.arrays import Constants
+from oilfilm.bearing.dynamics.arrays import NORMAL_COLUMNS, Constants
 from oilfilm.bearing.dynamics.assembly import (
     constants,
     damping_factor,
@@ -79,7 +79,8 @@ def test_flores_holds_for_soft_impacts():
 
 def test_kernel_agrees_with_its_twin_and_never_adheres():
     random = np.random.default_rng(618033)
-    law = np.array([1.2e10, 1.5, 0.3])
+    law = np.zeros(NORMAL_COLUMNS)
+    law[:3] = 1.2e10, 1.5, 0.3
     approach, speed = random.uniform(-2e-6, 5e-6, 300), random.uniform(-2.0, 2.0, 300)
     twin = normal_force(law, approach, speed, np.full(300, 0.3))
     assert_allclose([_race_kernels.normal_force(law, d, v, 0.3) for d, v in zip(approach, speed, strict=True)], twin)

@@ -54,9 +54,9 @@ def test_orbit_speed_is_that_across_the_radius():
 
 
 def test_what_is_put_in_is_lost_or_stored():
-    """7 J in three ways, 4 J lost in others, one taken up by films: 2 J more than at the start balance."""
+    """7 J in four ways, 4 J lost in others, one taken up by films: 2 J more than at the start balance."""
     work = np.zeros(len(MECHANISMS))
-    work[:INPUTS] = 3.0, 2.5, 1.5
+    work[:INPUTS] = 3.0, 2.5, 0.5, 1.0
     work[INPUTS], work[INPUTS + 2], work[-1] = 3.0, 1.0, 1.0
     running = RunningStatistics(BALLS)
     running.add(made_up_record(work, [1.0, 4.0, 2.0]), start_energy=5.0)

@@ -8,11 +8,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.dynamics.support import Support
 from oilfilm.bearing.operation import Operation
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.bearing.vibration.assembly import assembled
 from oilfilm.bearing.vibration.form import FormBody, SurfaceForm, Wave
-from oilfilm.bearing.vibration.inputs import ContactLaw, Support, VibrationModel, VibrationOptions, WaveFilter
+from oilfilm.bearing.vibration.inputs import ContactLaw, VibrationModel, VibrationOptions, WaveFilter
 from oilfilm.bearing.vibration.lines import expected_lines, passing
 from oilfilm.bearing.vibration.simulation import computed, vibration_run
 from oilfilm.cases.format.case import load_case
@@ -57,9 +58,7 @@ def amplitudes(found, frequency, first=0):
 
 def closed_form(found, frequency, mass):
     """Amplitude of a ring on Z springs in a plane, driven by a wave of a suited order [m]: A/(1 - w^2 m/(Z k/2))."""
-    arrays = found.assembled.arrays
-    springs = arrays.inner_law.table[0, 0], arrays.outer_law.table[0, 0]
-    stiffness = 0.5 * arrays.balls / sum(1.0 / k for k in springs)
+    stiffness = 0.5 * found.solution.bearing.balls / sum(1.0 / k for k in found.assembled.laws[:, 0])
     return AMPLITUDE / (1.0 - (2.0 * np.pi * frequency) ** 2 * mass / stiffness)
 
 
@@ -68,10 +67,10 @@ def test_one_wave_on_the_inner_ring_shows_with_the_amplitude_of_springs(order):
     """Of a 6208, to 1 %: half of the 2 % that the ball's own mass and the finite record may take."""
     state, found = run({FormBody.INNER: (Wave(order=order, amplitude=AMPLITUDE),)}, bearing())
     (line,) = expected_lines(state, found.assembled, found.model.form)
-    speeds = found.assembled.arrays.speeds / (2.0 * np.pi)
+    speeds = found.assembled.speeds / (2.0 * np.pi)
     k = round(order / 9)
     assert_allclose(line.frequency, abs(order * speeds[0] - 9 * k * speeds[2]), rtol=1e-12)
-    wanted = closed_form(found, line.frequency, found.assembled.arrays.mass[1])
+    wanted = closed_form(found, line.frequency, found.simulation.data.constants.ring_mass)
     assert_allclose(amplitudes(found, line.frequency)[1:], wanted, rtol=0.01)
     spectrum = abs(np.fft.rfft(found.motion[:, 1] - found.motion[:, 1].mean()))
     highest = np.fft.rfftfreq(len(found.motion), 0.04 / len(found.motion))[spectrum.argmax()]

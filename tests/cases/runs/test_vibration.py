@@ -90,6 +90,9 @@ def test_levels_and_lines_are_those_of_the_record(folder, document):
         assert_allclose(tree["acceleration"].std(), found["acceleration_m_s2"], rtol=1e-9)
         assert tree["inner_load"].shape == (1280, 9)
     assert document["energy_balance_error"] < 1e-3
+    assert document["friction_torque_N_mm"] is None  # the cage is prescribed
+    assert {"shaft_m_s2", "ball_spin_twice_m_s2"} <= set(found["envelope_lines"]["with_slip"])
+    assert all(peak["source"] for peak in found["envelope_peaks"] + found["peaks"])
 
 
 def test_bands_that_a_record_does_not_cover_are_null(document):
@@ -135,6 +138,28 @@ def test_what_cannot_be_computed_is_told(tmp_path, change, words):
     if words:
         assert found.exit_code == 2, found.output
         assert words in found.output
+
+
+def test_a_spall_with_friction_and_a_free_cage(tmp_path):
+    """One set of equations: the cage slips by the drag, the lines follow it, energies close, friction costs torque."""
+    start, end = CASE.index("[form]"), CASE.index("[support]")
+    defect = """[form]
+defects = [{ place = "outer ring", kind = "spall", width_mm = 0.4, depth_um = 10.0 }]
+"""
+    text = CASE[:start] + defect + CASE[end:] + "[dynamics]\nend_time_s = 0.05\nball_drag_N = 0.3\n"
+    found = run(written(tmp_path, text), "--json", "--quiet", command="dynamics")
+    assert found.exit_code == 0, found.output
+    document = json.loads(found.stdout)
+    assert document["energy_balance_error"] < 1e-3
+    assert 0.9 < document["cage_speed_ratio"] < 0.9999
+    assert document["friction_torque_N_mm"] > 1.0
+    passes = document["frequencies_Hz"]["with_slip"]
+    assert_allclose(passes["ball_pass_outer"], 9.0 * document["cage_speed_rpm"] / 60.0, rtol=1e-12)
+    first = next(line for line in document["vibration"]["lines"] if line["source"] == "defect of the outer ring")
+    assert_allclose(first["frequency_Hz"], passes["ball_pass_outer"])
+    refused = run(written(tmp_path, text + "starts = 3\n"), "--json", "--quiet", command="dynamics")
+    assert refused.exit_code == 2
+    assert "dynamics.starts" in refused.output
 
 
 def test_a_simulation_with_form_is_a_vibration(tmp_path):
