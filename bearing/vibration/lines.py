@@ -25,6 +25,8 @@ LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as on
 HARMONICS = 3  # of what repeats with each ball, smoothly
 SHARP_HARMONICS = 12  # of a defect
 SIDEBANDS = 3  # on either side of a harmonic
+SHAFT_HARMONICS = 6
+RIVAL = 2  # times the multiples of a line, up to which that of another body may be meant
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -139,16 +141,16 @@ def sums_and_harmonics(passes: Frequencies, shaft: float) -> tuple[NamedFrequenc
     by_shaft = "f_r", shaft
     by_cage = "FTF", passes.cage
     rows = (
-        ("shaft", "f_r", shaft, None),
-        ("cage", "FTF", passes.cage, None),
-        ("ball pass outer", "BPFO", passes.ball_pass_outer, by_shaft),
-        ("ball pass inner", "BPFI", passes.ball_pass_inner, by_shaft),
-        ("ball spin twice", "2BSF", 2.0 * passes.ball_spin, by_cage),
+        ("shaft", "f_r", shaft, None, SHAFT_HARMONICS),
+        ("cage", "FTF", passes.cage, None, HARMONICS),  # Z times it is that of the passing balls
+        ("ball pass outer", "BPFO", passes.ball_pass_outer, by_shaft, SHARP_HARMONICS),
+        ("ball pass inner", "BPFI", passes.ball_pass_inner, by_shaft, SHARP_HARMONICS),
+        ("ball spin twice", "2BSF", 2.0 * passes.ball_spin, by_cage, SHARP_HARMONICS),
     )
     found = []
-    for body, name, frequency, side in rows:
+    for body, name, frequency, side, harmonics in rows:
         beside, step = side or ("", 0.0)
-        for h in range(1, SHARP_HARMONICS + 1):
+        for h in range(1, harmonics + 1):
             for k in range(-SIDEBANDS, SIDEBANDS + 1) if side else (0,):
                 total = h * frequency + k * step
                 text = _multiple(h, name) + _signed(k, beside)
@@ -169,7 +171,8 @@ def _signed(count: int, name: str) -> str:
 
 
 def name_of(frequency: float, named: Sequence[NamedFrequency], width: float) -> str | None:
-    """Name of a frequency: of those within a width the one made of the fewest multiples.
+    """Name of a frequency: of those within a width the one made of the fewest multiples, and the
+    harmonics of other bodies there of up to `RIVAL` times as many: a peak is one or the other.
 
     Parameters
     ----------
@@ -188,7 +191,13 @@ def name_of(frequency: float, named: Sequence[NamedFrequency], width: float) -> 
     near = [line for line in named if abs(line.frequency - frequency) <= width]
     if not near:
         return None
-    return min(near, key=lambda line: (line.terms, abs(line.frequency - frequency))).name
+    first = min(near, key=lambda line: (line.terms, abs(line.frequency - frequency)))
+    others = [
+        line.name
+        for line in near
+        if line.body != first.body and line.sideband == 0 and line.terms <= RIVAL * first.terms
+    ]
+    return " or ".join([first.name, *others])
 
 
 def is_resolved(line: NamedFrequency, named: Sequence[NamedFrequency], width: float) -> bool:

@@ -212,12 +212,10 @@ def _diagnosis(results: VibrationResults, seen: Measured) -> dict[str, Any]:
             for line in named
             if line.terms == 1
         }
-    races = {
-        name: size
-        for name, size in lines["with_slip"].items()
-        if size is not None and name not in SLOW
-    }
-    strongest = max(races, key=lambda name: races[name], default=None)
+    races = {name: size for name, size in lines["with_slip"].items() if name not in SLOW}
+    sizes = {name: size for name, size in races.items() if size is not None}
+    told = len(sizes) == len(races)  # one that is not resolved may be the strongest
+    strongest = max(sizes, key=lambda name: sizes[name]) if told and sizes else None
     return {
         "envelope_lines": lines,
         "envelope_peaks": _envelope_peaks(run, signal, seen.rate, named),

@@ -157,6 +157,7 @@ defects = [{ place = "outer ring", kind = "spall", width_mm = 0.4, depth_um = 10
     assert_allclose(passes["ball_pass_outer"], 9.0 * document["cage_speed_rpm"] / 60.0, rtol=1e-12)
     first = next(line for line in document["vibration"]["lines"] if line["source"] == "defect of the outer ring")
     assert_allclose(first["frequency_Hz"], passes["ball_pass_outer"])
+    assert any("BPFO" in peak["source"] for peak in document["vibration"]["envelope_peaks"][:3])
     refused = run(written(tmp_path, text + "starts = 3\n"), "--json", "--quiet", command="dynamics")
     assert refused.exit_code == 2
     assert "dynamics.starts" in refused.output
