@@ -171,8 +171,8 @@ def _signed(count: int, name: str) -> str:
 
 
 def name_of(frequency: float, named: Sequence[NamedFrequency], width: float) -> str | None:
-    """Name of a frequency: of those within a width the one made of the fewest multiples, and the
-    harmonics of other bodies there of up to `RIVAL` times as many: a peak is one or the other.
+    """Name of a frequency: of those within a width the one made of the fewest multiples, and those
+    of other bodies there of up to `RIVAL` times as many: a peak is one or the other.
 
     Parameters
     ----------
@@ -192,12 +192,11 @@ def name_of(frequency: float, named: Sequence[NamedFrequency], width: float) -> 
     if not near:
         return None
     first = min(near, key=lambda line: (line.terms, abs(line.frequency - frequency)))
-    others = [
-        line.name
-        for line in near
-        if line.body != first.body and line.sideband == 0 and line.terms <= RIVAL * first.terms
-    ]
-    return " or ".join([first.name, *others])
+    rivals: dict[str, NamedFrequency] = {}
+    for line in sorted(near, key=lambda line: line.terms):
+        if line.body != first.body and line.terms <= RIVAL * first.terms:
+            rivals.setdefault(line.body, line)
+    return " or ".join([first.name, *(line.name for line in rivals.values())])
 
 
 def is_resolved(line: NamedFrequency, named: Sequence[NamedFrequency], width: float) -> bool:

@@ -33,6 +33,7 @@ from .results import (
     speed_bands,
 )
 
+PLACE = 0.5  # of the width of a line, within which its top is [-]
 WIDTH = 2.0  # of a line in Hann's window, over that of a bin [-]
 SLOW = ("shaft_m_s2", "cage_m_s2")  # lines that are no defect of a track
 UNKNOWN = "unknown"
@@ -184,7 +185,7 @@ def _peaks(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
             {
                 "frequency_Hz": frequency,
                 "velocity_um_s": from_si("x_um_s", float(size[k])),
-                "source": name or spectral.name_of(frequency, named, width) or UNKNOWN,
+                "source": name or spectral.name_of(frequency, named, PLACE * width) or UNKNOWN,
             }
         )
     return rows
@@ -230,6 +231,7 @@ def _envelope_peaks(
     if run.model.options.start_speed_ratio != 1.0:
         return []
     width = WIDTH * rate / signal.size
+    place = PLACE * width
     result = spectrum(signal, rate)
     size = np.where(result.frequency > width, result.amplitude, 0.0)
     inner = size[1:-1]
@@ -239,7 +241,7 @@ def _envelope_peaks(
         {
             "frequency_Hz": float(result.frequency[k]),
             "acceleration_m_s2": float(size[k]),
-            "source": spectral.name_of(float(result.frequency[k]), named, width) or UNKNOWN,
+            "source": spectral.name_of(float(result.frequency[k]), named, place) or UNKNOWN,
         }
         for k in largest
     ]

@@ -132,7 +132,8 @@ def test_names_of_peaks():
     assert name_of(2 * 49.7 + 9.59, named, 1.0) == "2BSF + FTF"
     assert name_of(5.0, named, 1.0) is None
     assert name_of(230.5, named, 1.0) == "3 BPFO"
-    assert name_of(2.0 * 99.4, named, 2.0) == "2 2BSF"
+    assert name_of(2.0 * 99.4, named, 0.5) == "2 2BSF or BPFI + 3 f_r"
+    assert name_of(99.0, named, 1.0) == "2BSF or BPFI - f_r"
     assert name_of(100.0, named, 1.0) == "2BSF"  # 4 f_r takes more than twice as many multiples
     assert all(line.frequency != pytest.approx(8.0 * 9.59) for line in named if line.body == "cage")
     ball = next(line for line in named if line.body == "ball spin twice" and line.terms == 1)
