@@ -195,11 +195,11 @@ def test_the_first_page_says_of_quality_what_the_readme_says():
 
 
 def test_the_result_of_the_first_page_is_that_of_the_shipped_case():
-    """Films and loads as the regression tests hold them."""
+    """Films and loads as the regression tests hold them, which keep no films between which a light ball rides."""
     text = (ROOT / "tests" / "regression" / "expected.json").read_text(encoding="utf-8")
     expected = json.loads(text)["6208_full_ceramic"]
     (block,) = re.findall(r"^```text\n(.*?)^```$", INDEX, re.DOTALL | re.MULTILINE)
-    ball, seen = "", 0
+    ball, seen, light = "", 0, 0
     for line in block.splitlines():
         number = re.match(r" +(\d)\D.* inner ", line)
         ball = number[1] if number else ball
@@ -210,11 +210,13 @@ def test_the_result_of_the_first_page_is_that_of_the_shipped_case():
         films = re.findall(r"([\d.]+) ± ([\d.]+)", line)
         printed = [race[2], race[3], *(film for film, _ in films)]
         keys = ("load_N", "hertz_pressure_GPa", "film_central_um", "film_minimum_um")
-        for number, key in zip(printed, keys, strict=True):
+        known = [expected[f"{place} {key}"] for key in keys]
+        light += known[2:] == [None, None]
+        for number, key, value in zip(printed, keys, known, strict=True):
             decimals = len(number.partition(".")[2])
-            assert f"{expected[f'{place} {key}']:.{decimals}f}" == number, (place, key)
+            assert value is None or f"{value:.{decimals}f}" == number, (place, key)
         seen += 1
-    assert seen == 5  # three kinds of balls, without the contacts that carry no load
+    assert (seen, light) == (10, 6)  # five kinds of balls, three of them between films
     assert f"cage speed         {expected['cage_speed_rpm']:.1f} r/min" in block
 
 

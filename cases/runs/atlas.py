@@ -23,7 +23,7 @@ from ..format.contact import FilmModel
 from ..format.rules import CaseError
 from ..version import version
 from .equilibrium import without_traction_equilibrium
-from .films import wanted_contacts
+from .films import oil_at_inlets, wanted_contacts
 
 HALF_AND_HALF = (
     "loads of half and half in place of traction equilibrium, which takes its friction from films"
@@ -98,7 +98,7 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
     contacts = contact_conditions(state, case.lubricant)
     if case.file.ehl.finite_bodies and state.converged:
         contacts = with_finite_bodies(contacts, finite_bodies(case.bearing, contacts))
-    contacts = contacts_between_films(state, contacts, case.lubricant)
+    contacts = contacts_between_films(state, contacts, case.lubricant, oil_at_inlets(case))
     wanted, messages = wanted_contacts(case, state, contacts)
     if model is not case.model:
         messages += (HALF_AND_HALF,)

@@ -61,6 +61,7 @@ from .films import (
     contact_tensions,
     film_plan,
     film_solver,
+    oil_at_inlets,
     solve_contacts,
     wanted_contacts,
 )
@@ -131,7 +132,7 @@ def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilib
     if not solution.converged:
         messages.append(f"equilibrium not converged: {solution.message}")
     contacts = contact_conditions(solution, case.lubricant)
-    contacts = contacts_between_films(solution, contacts, case.lubricant, _oil_at_inlets(case))
+    contacts = contacts_between_films(solution, contacts, case.lubricant, oil_at_inlets(case))
     torque, model = _load_case_torque(case, solution, contacts)
     assert case.rating is not None  # of every bearing case
     pressures = [contact.hertz.pressure for contact in contacts if contact.hertz is not None]
@@ -421,7 +422,7 @@ def _run(
         contacts=contacts,
         solutions=films.solutions,
         formula_films=films.formulas,
-        supply=_oil_at_inlets(case),
+        supply=oil_at_inlets(case),
         frequencies=bearing_frequencies(state),
         messages=(*case.warnings, *case.films.messages, *traction, *films.messages),
         timing=timing,
@@ -432,13 +433,6 @@ def _run(
     if on_films_solved is not None and not films.interrupted:
         on_films_solved(results)
     return _with_friction(case, results, films, notify)
-
-
-def _oil_at_inlets(case: Case) -> OilAtInlets | None:
-    """Oil that the contacts of a case get; None: ample."""
-    scarce = None if case.friction is None else case.friction.scarce
-    oil = case.inlet.oil if scarce is None else scarce
-    return None if oil is None else OilAtInlets(oil=oil, balls=case.bearing.balls)
 
 
 def _with_friction(
@@ -531,7 +525,7 @@ def _contacts(
         bodies = finite_bodies(case.bearing, contacts)
         contacts = with_finite_bodies(contacts, bodies)
     oil = case.lubricant
-    return contacts_between_films(state, contacts, oil, _oil_at_inlets(case)), bodies
+    return contacts_between_films(state, contacts, oil, oil_at_inlets(case)), bodies
 
 
 def _friction(

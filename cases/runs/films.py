@@ -10,6 +10,7 @@ from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.motion import ContactTraction
 from oilfilm.bearing.contacts.stress import SurfaceTension, surface_tensions
 from oilfilm.bearing.films.film import ContactFilm
+from oilfilm.bearing.films.operating_film import OilAtInlets
 from oilfilm.bearing.films.unsolved_films import (
     CELLS_BY_POINTS,
     CELLS_BY_TOLERANCE,
@@ -207,6 +208,24 @@ def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
         for c in contacts
         if any(ball_at(at, (degrees(c.azimuth),)) is not None for at in wanted)
     }
+
+
+def oil_at_inlets(case: Case) -> OilAtInlets | None:
+    """Oil that the contacts of a case get.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    OilAtInlets | None
+        The oil; None: ample.
+    """
+    scarce = None if case.friction is None else case.friction.scarce
+    oil = case.inlet.oil if scarce is None else scarce
+    return None if oil is None else OilAtInlets(oil=oil, balls=case.bearing.balls)
 
 
 def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
