@@ -210,7 +210,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     if results.interrupted:
         return
     if not results.tractions or any(traction is None for traction in results.tractions):
-        yield "contacts.traction_coefficient: null where there is no film"
+        yield "contacts.traction_coefficient: null where no film was solved"
     if torque is None:
         yield "torque_N_mm: null, there is no equilibrium"
         return

@@ -24,6 +24,8 @@ radial_load_N = 2000.0
 [ehl]
 points = 65
 """
+# every ball is loaded at both races, so that all films are solved and none is between two films
+AXIAL = TEXT.replace("radial_load_N = 2000.0", "axial_load_N = 1500.0")
 CONTACT = """
 schema_version = 1
 [contact]
@@ -49,7 +51,7 @@ def contact_of(text):
 
 
 def test_bearing_states_its_layer_and_the_torque_takes_it():
-    document = document_of(TEXT)
+    document = document_of(AXIAL)
     torque, contacts = document["torque_N_mm"], document["contacts"]
     extent = torque["rolling_extent"]
     assert document["case"]["lubricant"]["flooded_layer_um"] == 100.0 == pytest.approx(extent["layer_um"])
@@ -61,23 +63,35 @@ def test_bearing_states_its_layer_and_the_torque_takes_it():
     assert heavy["flooded_layer_um"] == pytest.approx(100.0)
     # sqrt(2 R_x 0.1 mm), a little more with the film and less with the circles
     assert heavy["rolling_extent_mm"] == pytest.approx((2.0 * 4.8 * 0.1) ** 0.5, rel=0.06)
-    assert all(c["rolling_moment_N_mm"] is None for c in contacts if not c["loaded"])
+    assert not any(m.startswith("contacts.rolling_moment_N_mm: null") for m in document["messages"])
+
+
+def test_films_between_two_races_have_no_extent():
+    """Of light balls, by the film atlas: no moment of theirs is solved, and no extent of all is stated."""
+    document = document_of(TEXT)
+    contacts = document["contacts"]
+    solved = [c["film_origin"] == "solved" for c in contacts]
+    assert 0 < sum(solved) < len(solved)
+    assert [c["rolling_moment_N_mm"] is not None for c in contacts] == solved
     assert any(m.startswith("contacts.rolling_moment_N_mm: null") for m in document["messages"])
+    assert set(document["torque_N_mm"]["rolling_extent"].values()) == {None}
+    assert any(m.startswith("torque_N_mm.rolling_extent: null") for m in document["messages"])
 
 
 def test_a_layer_that_decides_is_told():
     """Where twice of it adds more than 5 % of the torque."""
-    document = document_of(TEXT.replace("density", "flooded_layer_um = 30\ndensity"))
+    document = document_of(AXIAL.replace("density", "flooded_layer_um = 30\ndensity"))
     extent = document["torque_N_mm"]["rolling_extent"]
     assert extent["doubling"] > 0.05 * document["torque_N_mm"]["total"]
     told = [m for m in document["messages"] if "lubricant.flooded_layer_um" in m]
     assert len(told) == 1
-    assert f"{extent['within_extent']:.4g} N mm" in told[0] and "a layer of 30 um" in told[0]
+    assert f"{extent['within_extent']:.4g} ± {extent['uncertainty']:.4g} N mm" in told[0]
+    assert f"{extent['doubling']:.4g} more with twice" in told[0] and "a layer of 30 um" in told[0]
 
 
 def test_a_thicker_layer_has_more_rolling_moment_in_the_torque():
     some, more = (
-        document_of(TEXT.replace("density", f"flooded_layer_um = {layer}\ndensity"))["torque_N_mm"]
+        document_of(AXIAL.replace("density", f"flooded_layer_um = {layer}\ndensity"))["torque_N_mm"]
         for layer in (50, 100)
     )
     added = more["rolling_extent"]["within_extent"] - some["rolling_extent"]["within_extent"]
