@@ -76,7 +76,7 @@ KINDS = (  # what one colour stands for, and the components of the models that a
     ("curvature slip: ball rotation", ROTATION, ("rotation",)),
     ("curvature slip: orbit", ORBIT, ("orbit",)),
     ("asperities", ASPERITY, ("asperity",)),
-    ("hysteresis", REFERENCE, ("ME",)),
+    ("hysteresis", REFERENCE, ("hysteresis", "ME")),
     ("load term", LOAD, ("load",)),
     ("cage", CAGE_COLOUR, ("cage", "MC")),
     ("churning", DRAG, ("drag",)),
