@@ -89,8 +89,10 @@ def test_oil_that_is_not_back_in_time_has_a_layer():
     assert all(0.99 < contact["starved_film_share"] < 1.0 for contact in loaded)
 
 
-def test_a_thin_inlet_film_starves_films_and_torque(flooded):
-    document = found(with_film(0.2) + BATH)
+def test_a_thin_inlet_film_starves_films_and_torque():
+    """All balls carry load at both races, flooded and starved the same."""
+    text = TEXT.replace("radial_load_N", "axial_load_N")
+    flooded, document = found(text + BATH), found(with_film(0.2, text) + BATH)
     torque, supply = document["torque_N_mm"], document["supply"]
     assert torque["model"] == "integrated"
     assert torque["replenishment_factor"] == 1.0  # the layer is stated
@@ -98,31 +100,65 @@ def test_a_thin_inlet_film_starves_films_and_torque(flooded):
     assert torque["parts"]["asperity"] > flooded["torque_N_mm"]["parts"]["asperity"]
     assert torque["flooded_isothermal"] == pytest.approx(flooded["torque_N_mm"]["flooded_isothermal"], rel=1e-6)
     assert torque["total"] == supply["torque_N_mm"] < supply["flooded_torque_N_mm"]
+    assert supply["flooded_torque_N_mm"] == pytest.approx(flooded["torque_N_mm"]["total"], rel=1e-6)
     assert supply["kind"] == "inlet film"
     assert document["case"]["lubricant"]["supply"] == "starved"
     assert 0.0 < supply["film_share_least"] < supply["film_share"] < 0.6
-    lubricated = [contact for contact in document["contacts"] if contact["starved_film_share"] is not None]
-    assert len(lubricated) == sum(contact["load_N"] > 0.0 for contact in document["contacts"])
-    known = {(c["ball"], c["race"]): c for c in flooded["contacts"] if c["film_origin"] == "atlas"}
-    assert len(known) == 12  # all that carry load
-    for contact in lubricated:
-        share = contact["starved_film_share"]
-        assert contact["film_minimum_um"] <= contact["film_central_um"] < contact["isothermal_film_central_um"]
-        isothermal = share * contact["flooded_film_central_um"]
-        assert contact["isothermal_film_central_um"] == pytest.approx(isothermal)
-        if whole := known.get((contact["ball"], contact["race"])):
-            cold = share * whole["isothermal_film_central_um"]  # a starved inlet has less heat
-            assert whole["inlet_heat_share"] * cold < contact["film_central_um"] < cold
-            left = contact["film_minimum_um"] / whole["film_minimum_um"]
-            assert 0.9 * share < left < 1.7 * share
-            assert contact["lambda_ratio"] == pytest.approx(left * whole["lambda_ratio"])
-    assert supply["lambda_least"] == pytest.approx(min(c["lambda_ratio"] for c in lubricated if c["ball"] == 1))
+    known = films_of(flooded)
+    assert len(known) == len(films_of(document)) == 18  # all that carry load
+    for place, contact in films_of(document).items():
+        starved_of(contact, known[place])
+    assert supply["lambda_least"] == pytest.approx(min(c["lambda_ratio"] for c in films_of(document).values()))
     for name, model in torque["models"].items():  # all others are the flooded ones
         if name not in ("starved", "integrated"):
             assert model == flooded["torque_N_mm"]["models"][name]
     (told,) = (message for message in document["messages"] if message.startswith("supply: inlet film"))
     assert "films, lambda_ratio, maps, the total" in told
     assert "the other torque models are flooded" in told
+
+
+def films_of(document):
+    return {(c["ball"], c["race"]): c for c in document["contacts"] if c["film_origin"] == "atlas"}
+
+
+def starved_of(contact, whole):
+    """Films of a starved contact beside those of the flooded one at the same load."""
+    share = contact["starved_film_share"]
+    assert contact["load_N"] == pytest.approx(whole["load_N"])
+    assert contact["film_minimum_um"] <= contact["film_central_um"] < contact["isothermal_film_central_um"]
+    assert contact["flooded_film_central_um"] == pytest.approx(whole["flooded_film_central_um"])
+    cold = share * contact["flooded_film_central_um"]
+    assert contact["isothermal_film_central_um"] == pytest.approx(cold)
+    assert whole["inlet_heat_share"] * cold < contact["film_central_um"] < cold  # a starved inlet has less heat
+    left = contact["film_minimum_um"] / whole["film_minimum_um"]
+    assert 0.9 * share < left < 1.7 * share
+    assert contact["lambda_ratio"] == pytest.approx(left * whole["lambda_ratio"])
+
+
+def test_a_thin_inlet_film_leaves_no_second_film_to_light_balls(flooded):
+    """Flooded, the oil fills the gap of balls out of load and presses them to both races; a thin layer does not."""
+    document = found(with_film(0.2) + BATH)
+    light = {3, 4, 5, 6, 7, 8}
+    whole, left = films_of(flooded), films_of(document)
+    assert len(whole) == 18
+    assert {place for place in whole if place not in left} == {(ball, "inner") for ball in light}
+    for (ball, race), contact in left.items():
+        known = whole[ball, race]
+        if ball not in light:
+            starved_of(contact, known)
+            continue
+        assert contact["load_N"] < known["load_N"]  # that of the ball's own speed is left
+        assert contact["load_N"] == pytest.approx(known["load_N"] - whole[ball, "inner"]["load_N"])
+        cold = contact["starved_film_share"] * contact["flooded_film_central_um"]
+        assert contact["isothermal_film_central_um"] == pytest.approx(cold)
+        assert contact["film_central_um"] < 0.2 < known["film_central_um"]
+        assert contact["lambda_ratio"] < known["lambda_ratio"]
+    told = "inner race, balls 3–8: film null, the oil does not fill the gap between ball and race"
+    assert told in document["messages"]
+    torque, bound = document["torque_N_mm"], flooded["torque_N_mm"]
+    assert torque["parts"]["rolling"] < 0.2 * bound["parts"]["rolling"]
+    assert torque["flooded_isothermal"] < bound["flooded_isothermal"]  # without the balls between two films
+    assert document["supply"]["lambda_least"] == pytest.approx(min(c["lambda_ratio"] for c in left.values()))
 
 
 def test_ample_oil_is_the_flooded_limit():

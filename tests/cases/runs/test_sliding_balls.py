@@ -29,10 +29,10 @@ def sliding(tmp_path, monkeypatch):
 
 
 def test_the_lag_of_sliding_balls_is_said(sliding):
-    """3.2 %; with 0.03 of the cavity 7.6 %, with 0.05 12.9 %."""
-    code, messages = sliding(0.01)
+    """7.4 %; without oil in the cavity 1.2 %, with 0.01 of it 3.0 %, from which on it is said, with 0.05 12.6 %."""
+    code, messages = sliding(0.03)
     assert code == 0
-    assert "their orbits are 3.2% slower than by 'half and half'" in messages
+    assert "their orbits are 7.4% slower than by 'half and half'" in messages
     assert "orbits are" not in sliding(0.0)[1]
 
 
