@@ -281,8 +281,10 @@ def _films_text(results: BearingResults, shear: SolvedShear) -> str:
     """Name the races where films of formulas stand in for solved ones."""
     if not shear.by_formula:
         return ""
-    maps = results.case.get("ehl", {}).get("film_maps")
-    hint = "" if maps == "all" else '; [ehl] film_maps = "all" solves them'
+    ehl = results.case.get("ehl", {})
+    maps = "" if ehl.get("film_maps") == "all" else ' with film_maps = "all"'
+    solved = ehl.get("films") == "solved" and not maps
+    hint = "" if solved else f'; [ehl] films = "solved"{maps} solves them'
     parts = []
     if shear.by_atlas:
         parts.append(f"of the film atlas at {shear.by_atlas}")

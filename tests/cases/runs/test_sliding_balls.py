@@ -17,6 +17,8 @@ def sliding(tmp_path, monkeypatch):
     CliRunner().invoke(app, "init own --bearing HC7010C --speed 20000 --radial 0 --axial 200".split())
     text = (tmp_path / "own.toml").read_text(encoding="utf-8")
     text = text.replace('temperature = "self-heated"\n', "").replace('"all"', '"none"').replace("70.0", "80.5")
+    heat = "heat_transfer_W_K", "ambient_C"  # without its balance, which has an end of its own
+    text = "\n".join(line for line in text.splitlines() if not any(key in line for key in heat))
 
     def run(oil_fraction):
         filled = text.replace('"oil air"', f'"oil jet"\noil_fraction = {oil_fraction}')

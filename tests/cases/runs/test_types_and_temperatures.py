@@ -182,7 +182,14 @@ def test_a_set_of_two_warms_itself_by_the_loads_of_both_rows():
 
 
 def test_the_total_says_what_would_solve_its_films():
-    assert any('film_maps = "all" solves them' in message for message in found(CASE)["messages"])
+    """Where nothing has maps, and where all have them."""
+    keys = {
+        'film_maps = "none"': 'contacts; [ehl] films = "solved" with film_maps = "all" solves them',
+        'film_maps = "all"\nfilms = "atlas"': 'contacts; [ehl] films = "solved" solves them',
+    }
+    for key, expected in keys.items():
+        messages = found(CASE.replace('film_maps = "none"', key))["messages"]
+        assert any(m.startswith("torque_N_mm.total: the integrated") and expected in m for m in messages)
 
 
 def test_the_torque_of_seals_is_in_the_total_and_told():
