@@ -339,8 +339,11 @@ def _operating(
         heat = heat.at(inlet)
         central = _heated(central, heat.central)
         if minimum is not None:
+            least = minimum.value
             minimum = _heated(minimum, heat.minimum)
-            minimum = minimum._replace(value=min(minimum.value, central.value))
+            if minimum.value > central.value:
+                minimum = minimum._replace(value=central.value)
+                heat = heat._replace(minimum=heat.minimum._replace(value=central.value / least))
     # 3. asperities
     load = flooded_load = boundary = roughness = 0.0
     if asperities is not None:
@@ -394,12 +397,10 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
     minimum = None
     if film.minimum is not None:
         minimum = _scaled(film.minimum, min(fractions[1] * film.minimum.value, central.value))
-    isothermal = [
-        value and fraction * value
-        for fraction, value in zip(
-            fractions, (film.isothermal_central, film.isothermal_minimum), strict=True
-        )
-    ]
+    isothermal = film.isothermal_central and fractions[0] * film.isothermal_central
+    smallest = film.isothermal_minimum and fractions[1] * film.isothermal_minimum
+    if isothermal and smallest:
+        smallest = min(smallest, isothermal)
     if isinstance(supply.oil, ReplenishedInlet):
         most = most_replenished(contact, film.flooded_central, supply.oil)
         central = _to_most(central, most.central.value / left.central)
@@ -408,8 +409,8 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
         film,
         central=central,
         minimum=minimum,
-        isothermal_central=isothermal[0],
-        isothermal_minimum=isothermal[1],
+        isothermal_central=isothermal,
+        isothermal_minimum=smallest,
         supply=left,
         rolling_fraction=left.rolling_moment / before.rolling_moment * film.rolling_fraction,
     )

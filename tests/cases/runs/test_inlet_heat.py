@@ -49,10 +49,12 @@ def test_every_film_is_printed_with_heat_and_the_isothermal_one_beside(name):
         for film in ("central", "minimum"):
             hot = contact[f"film_{film}_um"]
             assert hot == pytest.approx(shares[film] * contact[f"isothermal_film_{film}_um"])
-            parts = [contact[f"film_{film}_{part}_uncertainty_um"] for part in ("mesh", "heat", "oil")]
+            parts = [contact[f"film_{film}_{part}_uncertainty_um"] for part in ("mesh", "heat", "oil", "supply")]
             assert min(parts) > 0.0
             assert contact[f"film_{film}_uncertainty_um"] == pytest.approx(sum(part**2 for part in parts) ** 0.5)
             assert parts[1] < (0.07 if name != "7014C" else 0.1) * hot  # its L_T is 7
+        for kind in ("film", "isothermal_film"):
+            assert contact[f"{kind}_minimum_um"] <= contact[f"{kind}_central_um"]
         together = (0.3**2 + 0.03**2) ** 0.5
         assert contact["lambda_ratio"] == pytest.approx(contact["film_minimum_um"] / together)
     heaviest = max(films, key=lambda contact: contact["load_N"])
@@ -67,7 +69,9 @@ def test_friction_takes_the_film_with_heat():
     assert len(running) == len(films)
     for film, contact in zip(running, films, strict=True):
         assert 1e6 * film.central.value == pytest.approx(contact["film_central_um"])
-        assert 1e6 * film.flooded_central == pytest.approx(contact["isothermal_film_central_um"])
+        assert 1e6 * film.isothermal_central == pytest.approx(contact["isothermal_film_central_um"])
+        assert 1e6 * film.flooded_central == pytest.approx(contact["flooded_film_central_um"])
+        assert film.isothermal_central < film.flooded_central  # by the supply alone
         assert film.asperity_load > film.flooded_asperity_load
 
 
