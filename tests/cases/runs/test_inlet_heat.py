@@ -102,6 +102,10 @@ temperature_C = 60.0
 @pytest.mark.slow
 def test_fast_films_with_heat_need_no_fallback():
     """Oil that recirculates ahead of them takes heat upstream; without that they fell back on continuation."""
-    films = run_case(case_from_text(FAST, "case.toml")).solutions
-    assert [film.record.fallbacks for film in films if film is not None] == [(), (), ()]
-    assert all(film.converged for film in films if film is not None)
+    results = run_case(case_from_text(FAST, "case.toml"))
+    solved = [n for n, film in enumerate(results.solutions) if film is not None]
+    films = [results.solutions[n] for n in solved]
+    # the ball that the elastic contacts leave free rides between two films, which are solved, too
+    assert [results.contacts[n].gap is not None for n in solved] == [False, False, True, True]
+    assert [film.record.fallbacks for film in films] == [(), (), (), ()]
+    assert all(film.converged and film.state.temperature is not None for film in films)
