@@ -275,8 +275,8 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
-        scarce = self.friction.scarce
-        supply = None if scarce is None else OilAtInlets(oil=scarce, balls=solution.bearing.balls)
+        back = inlet.oil if self.friction.scarce is None else self.friction.scarce
+        supply = None if back is None else OilAtInlets(oil=back, balls=solution.bearing.balls)
         contacts = contacts_between_films(solution, contacts, oil, supply)
         operating, balance = computed.films, computed.balance
         if operating is None:
