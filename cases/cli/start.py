@@ -61,7 +61,10 @@ def hidden_library() -> str:
     str
         One line; empty where there is none.
     """
+    installed = [os.path.realpath(folder) for folder in sys.path if folder.endswith("-packages")]
     for folder in filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep)):
+        if os.path.realpath(folder) in installed:  # where the libraries themselves are
+            continue
         try:
             names = set(os.listdir(folder))
         except OSError:
