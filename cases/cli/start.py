@@ -2,6 +2,7 @@
 
 import os
 import signal
+import site
 import sys
 from types import FrameType
 
@@ -61,7 +62,7 @@ def hidden_library() -> str:
     str
         One line; empty where there is none.
     """
-    installed = [os.path.realpath(folder) for folder in sys.path if folder.endswith("-packages")]
+    installed = [os.path.realpath(folder) for folder in site.getsitepackages()]
     for folder in filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep)):
         if os.path.realpath(folder) in installed:  # where the libraries themselves are
             continue
