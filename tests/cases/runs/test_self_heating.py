@@ -205,7 +205,7 @@ FALLING_AND_RISING = {  # friction over the temperature on the way to the balanc
 NAMES = ("oil", "speed", "axial", "radial", "start", "conductance", "ambient")
 
 
-@pytest.mark.parametrize("which", FALLING_AND_RISING)
+@pytest.mark.parametrize("which", [pytest.param("6208", marks=pytest.mark.slow), "6208 thicker"])
 def test_a_bearing_in_the_cold_finds_its_balance(which):
     """From a hot start and, to the same temperature, from near the balance."""
     given = dict(zip(NAMES, FALLING_AND_RISING[which], strict=True)) | {"name": which.split()[0]}
