@@ -50,7 +50,6 @@ FILM_LAYER = "bearing"
 # modules below `SMALL` code lines that are neither an `__init__`, nor a `__main__`, nor types alone, by their reason
 SMALL_MODULES: dict[str, tuple[str, ...]] = {
     "loaded before anything that takes time": (
-        "cases/cli/start.py",
         "cases/cli/main.py",
         "cases/version.py",
         "ehl/kernel_sources.py",
