@@ -184,6 +184,38 @@ def _growth(support: Support) -> Array:
     return np.array([support.growth, 0.0, 0.0, 0.0, 0.0])
 
 
+def floats(state: QuasistaticSolution) -> bool:
+    """Tell whether the outer ring has found the place where no axial force is left.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Bearing of a shaft's equilibrium.
+
+    Returns
+    -------
+    bool
+        True where its housing does not hold it along the shaft.
+    """
+    return state.operation.force[0] is not None
+
+
+def ring_tangent(state: QuasistaticSolution) -> Array:
+    """Stiffness of a bearing as the shaft meets it, without the axial one where its ring floats.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Bearing of a shaft's equilibrium.
+
+    Returns
+    -------
+    Array
+        In the order x, y, z, tilt y, tilt z (5, 5) [N/m], [N], [N m].
+    """
+    return _without_axial(state.stiffness) if floats(state) else state.stiffness
+
+
 def _held(state: QuasistaticSolution) -> Array:
     """Load that holds the inner ring [N], [N m]."""
     return np.concatenate([state.ring_force, state.ring_moment])
@@ -214,14 +246,10 @@ def _bearing_at(
         push = state.ring_force[0]
         sides = (AxialLocation.BOTH, AxialLocation.RIGHT if push >= 0.0 else AxialLocation.LEFT)
         if location in sides:
-            return state, state.stiffness
+            return state, ring_tangent(state)
     # the outer ring finds the place in its housing where no axial force is left
     state = _solved(problem, support, (0.0, None, None, None, None), at, guess)
-    tangent = state.stiffness.copy()
-    if tangent[0, 0] > 0.0:
-        tangent = tangent - np.outer(tangent[:, 0], tangent[0]) / tangent[0, 0]
-    tangent[0] = tangent[:, 0] = 0.0
-    return state, tangent
+    return state, ring_tangent(state)
 
 
 def _solved(

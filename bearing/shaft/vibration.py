@@ -7,7 +7,7 @@ bearings is left out unless it is given.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, pi, sin
+from math import cos, sin
 
 import numpy as np
 import scipy
@@ -15,8 +15,7 @@ import scipy
 from oilfilm.ehl.arrays import Array
 
 from .beam import FREEDOMS, RING, Beam
-from .equilibrium import ShaftSolution
-from .system import AxialLocation
+from .equilibrium import ShaftSolution, ring_tangent
 
 ELEMENTS = (
     40  # at least along the shaft: its mass, and with it the frequencies, converge with them
@@ -63,9 +62,7 @@ def vibration(
     stiffness = beam.stiffness.copy()
     resisting = np.zeros_like(stiffness)
     for k, (support, state) in enumerate(zip(system.supports, solution.bearings, strict=True)):
-        tangent = state.stiffness
-        if support.location is AxialLocation.NONE and tangent[0, 0] > 0.0:
-            tangent = tangent - np.outer(tangent[:, 0], tangent[0]) / tangent[0, 0]
+        tangent = ring_tangent(state)
         if support.seat_stiffness is not None:
             # both in series: K_b (K_b + K_seat)^-1 K_seat
             seat = support.seat_stiffness
@@ -212,19 +209,3 @@ def unbalance_response(matrices: Vibration, solution: ShaftSolution, speed: floa
     keep = matrices.free
     found[keep] = np.linalg.solve(dynamic[np.ix_(keep, keep)], force[keep])
     return found.reshape(-1, FREEDOMS)
-
-
-def revolutions_per_minute(speeds: Array) -> Array:
-    """Speeds in revolutions per minute.
-
-    Parameters
-    ----------
-    speeds : Array
-        [rad/s].
-
-    Returns
-    -------
-    Array
-        [r/min].
-    """
-    return np.asarray(speeds) * 30.0 / pi

@@ -7,8 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from oilfilm.bearing.shaft.equilibrium import ShaftSolution, solve_shaft
-from oilfilm.bearing.shaft.system import AxialLocation
+from oilfilm.bearing.shaft.equilibrium import ShaftSolution, floats, solve_shaft
 from oilfilm.bearing.shaft.vibration import (
     Vibration,
     critical_speeds,
@@ -90,10 +89,8 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
 def _bearing(document: dict[str, Any], solution: ShaftSolution, index: int) -> BearingResults:
     """Results of one bearing, its ring held where the shaft has it."""
     state = solution.bearings[index]
-    support = solution.system.supports[index]
     places: list[Any] = [float(from_si("displacement_um", x)) for x in state.displacement]
-    floats = support.location is AxialLocation.NONE or state.operation.force[0] is not None
-    if floats:
+    if floats(state):
         places[0] = "free"
     operation = {
         **document["operation"],

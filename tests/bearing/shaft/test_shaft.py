@@ -210,3 +210,14 @@ def test_critical_speeds_are_where_whirl_meets_the_speed():
         abs(unbalance_response(matrices, solution, factor * critical[0])[:, 1:3]).max() for factor in (0.999, 0.5)
     )
     assert near > 20.0 * far
+
+
+def test_a_bearing_off_its_shoulder_adds_no_axial_stiffness_to_the_vibration():
+    supports = (replace(SUPPORTS[0], location=AxialLocation.RIGHT), replace(SUPPORTS[1], location=AxialLocation.LEFT))
+    loads = (PointLoad(position=0.1, force=(300.0, 2000.0, 0.0)),)
+    one_sided = solve_shaft(replace(on_two(loads), supports=supports))
+    floating = solve_shaft(on_two(loads))
+    found, expected = (vibration(solution).stiffness for solution in (one_sided, floating))
+    assert_allclose(found, expected, rtol=1e-6, atol=1e-6 * abs(expected).max())
+    tangent = one_sided.bearings[1].stiffness
+    assert tangent[0, 0] > 1e6  # of the bearing itself
