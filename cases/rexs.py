@@ -7,7 +7,7 @@ the operating pitch circle, no losses in the mesh.
 """
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from math import cos, pi, radians, tan
 from pathlib import Path
@@ -25,6 +25,7 @@ from oilfilm.ehl.foreign_files import (
     parse_json,
     read_file,
 )
+from oilfilm.ehl.units import from_si
 
 from .format.document import ShaftFile, validate_text
 from .format.rules import CaseError
@@ -139,6 +140,11 @@ class Model:
     version: str
     components: dict[str, Component]
     relations: tuple[tuple[str, dict[str, str]], ...]  # type, and number by role
+
+    @property
+    def shafts(self) -> list[Component]:
+        """Shafts, in the order of the file; the number of one counts from 1."""
+        return [c for c in self.components.values() if c.type == "shaft"]
 
     def of_type(self, *types: str) -> list[Component]:
         """Components of types, in the order of the file.
@@ -355,7 +361,7 @@ def drive(model: Model) -> Drive:
     CaseError
         If no speed or no torque follows.
     """
-    shafts = {shaft.id: shaft for shaft in model.of_type("shaft") if shaft.type == "shaft"}
+    shafts = {shaft.id: shaft for shaft in model.shafts}
     warnings: list[str] = []
     stages = list(_stages(model, shafts, warnings))
     return Drive(
@@ -499,27 +505,50 @@ def shaft_text(found: Drive, number: int) -> str:
         If there is no such shaft, or it has a bearing that is no ball bearing.
     """
     model = found.model
-    shafts = [shaft for shaft in model.of_type("shaft") if shaft.type == "shaft"]
+    shafts = model.shafts
     if not 1 <= number <= len(shafts):
         raise CaseError(f"no shaft {number}; allowed: 1 to {len(shafts)}")
     shaft = shafts[number - 1]
+    tables = [
+        *_section_lines(model, shaft),
+        *_support_lines(model, shaft),
+        *_load_lines(found, shaft),
+    ]
+    return _case_text(
+        found,
+        shaft,
+        title=shaft.name or f"shaft {number}",
+        part=f"shaft {shaft.id}",
+        assumed="support.bearing",
+        tables=[*(f"# {warning}" for warning in found.warnings), "", *tables],
+    )
+
+
+def _case_text(
+    found: Drive,
+    shaft: Component,
+    *,
+    title: str,
+    part: str,
+    assumed: str,
+    tables: Iterable[str],
+    operation: Iterable[str] = (),
+) -> str:
+    """Case file of a part of a drive: oil and temperature assumed, the speed that of its shaft."""
     lines = [
         "schema_version = 1",
-        f"title = {_quoted(shaft.name or f'shaft {number}')}",
-        f"source = {_quoted(f'REXS {model.version} model, shaft {shaft.id}')}",
-        'assumed = ["lubricant.name", "operation.temperature_C", "support.bearing"]',
-        *(f"# {warning}" for warning in found.warnings),
-        "",
+        f"title = {_quoted(title)}",
+        f"source = {_quoted(f'REXS {found.model.version} model, {part}')}",
+        f'assumed = ["lubricant.name", "operation.temperature_C", "{assumed}"]',
+        *tables,
         "[lubricant]",
         'name = "iso vg 100"  # assumed',
         "",
         "[operation]",
         f"inner_speed_rpm = {found.speeds.get(shaft.id, 0.0):.8g}",
+        *operation,
         "temperature_C = 60.0  # assumed",
         "",
-        *_section_lines(model, shaft),
-        *_support_lines(model, shaft),
-        *_load_lines(found, shaft),
         '[friction]\nlubrication = "oil bath"',
     ]
     return "\n".join(lines) + "\n"
@@ -610,7 +639,7 @@ def listing_of(model: Model) -> Iterator[str]:
         A line each.
     """
     yield f"REXS {model.version}, {len(model.components)} components"
-    shafts = [shaft for shaft in model.of_type("shaft") if shaft.type == "shaft"]
+    shafts = model.shafts
     for number, shaft in enumerate(shafts, 1):
         yield f"shaft {number:3}  {shaft.name or shaft.id}"
     for number, (bearing, on) in enumerate(bearings(model), 1):
@@ -647,8 +676,7 @@ def bearing_text(found: Drive, number: int) -> str:
     bearing, shaft = listed[number - 1]
     if shaft is None:
         raise CaseError(f"bearing {number} sits on no shaft of the model")
-    shafts = [one for one in found.model.of_type("shaft") if one.type == "shaft"]
-    text = shaft_text(found, shafts.index(shaft) + 1)
+    text = shaft_text(found, found.model.shafts.index(shaft) + 1)
     file = validate_text(text, f"shaft {shaft.id}")
     assert isinstance(file, ShaftFile)
     case = shaft_case(file, f"shaft {shaft.id}", text)
@@ -657,26 +685,13 @@ def bearing_text(found: Drive, number: int) -> str:
         raise CaseError(f"shaft {shaft.id}: {solution.message}")
     place = [b.id for b, on in listed if on is not None and on.id == shaft.id].index(bearing.id)
     state = solution.bearings[place]
-    force = [float(f) for f in state.ring_force]
-    tilt = [1e3 * float(angle) for angle in state.tilt]
-    lines = [
-        "schema_version = 1",
-        f"title = {_quoted(bearing.name or f'bearing {number}')}",
-        f"source = {_quoted(f'REXS {found.model.version} model, bearing {bearing.id}')}",
-        'assumed = ["lubricant.name", "operation.temperature_C", "bearing.name"]',
-        "",
-        "[bearing]",
-        f"name = {_quoted(case.names[place])}",
-        "",
-        "[lubricant]",
-        'name = "iso vg 100"  # assumed',
-        "",
-        "[operation]",
-        f"inner_speed_rpm = {found.speeds.get(shaft.id, 0.0):.8g}",
-        f"force_N = [{_entries(force)}]",
-        f"tilt_mrad = [{_entries(tilt)}]",
-        "temperature_C = 60.0  # assumed",
-        "",
-        '[friction]\nlubrication = "oil bath"',
-    ]
-    return "\n".join(lines) + "\n"
+    tilt = from_si("tilt_mrad", state.tilt)
+    return _case_text(
+        found,
+        shaft,
+        title=bearing.name or f"bearing {number}",
+        part=f"bearing {bearing.id}",
+        assumed="bearing.name",
+        tables=["", "[bearing]", f"name = {_quoted(case.names[place])}", ""],
+        operation=[f"force_N = [{_entries(state.ring_force)}]", f"tilt_mrad = [{_entries(tilt)}]"],
+    )

@@ -28,7 +28,6 @@ SYSTEM = quantities(
     ("basic_reference_rating_h", "basic rating life of the system", "basic_life"),
     ("modified_reference_rating_h", "modified rating life of the system", "modified_life"),
 )
-REACTIONS = ("force_N", "moment_N_mm")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
