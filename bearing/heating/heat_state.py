@@ -275,7 +275,7 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
-        back = inlet.oil if self.friction.scarce is None else self.friction.scarce
+        back = self.friction.inlet_oil(inlet)
         supply = None if back is None else OilAtInlets(oil=back, balls=solution.bearing.balls)
         contacts = contacts_between_films(solution, contacts, oil, supply)
         operating, balance = computed.films, computed.balance

@@ -233,6 +233,21 @@ class FrictionInput:
         """The supply that the torque is wanted at [m^3/s], [m]; None where it is flooded."""
         return None if self.flooded else self.supply
 
+    def inlet_oil(self, inlet: skf.InletFactors) -> InletOil | None:
+        """Oil at the inlets: of the stated supply, else that comes back between two balls.
+
+        Parameters
+        ----------
+        inlet : InletFactors
+            Has the oil without a stated supply.
+
+        Returns
+        -------
+        InletOil or None
+            The oil [m^3/s], [m], [-]; None where it is ample.
+        """
+        return inlet.oil if self.scarce is None else self.scarce
+
 
 def _assumption(text: str, value: float, ends: tuple[float, float]) -> Assumption:
     low, high = ends

@@ -378,7 +378,7 @@ def bearing_films(
         None where a contact carries no load or entrains no oil.
     """
     supply = None
-    oil = inlet.oil if friction.scarce is None else friction.scarce
+    oil = friction.inlet_oil(inlet)
     if oil is not None:
         supply = OilAtInlets(
             oil=oil,

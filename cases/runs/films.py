@@ -223,8 +223,7 @@ def oil_at_inlets(case: Case) -> OilAtInlets | None:
     OilAtInlets | None
         The oil; None: ample.
     """
-    scarce = None if case.friction is None else case.friction.scarce
-    oil = case.inlet.oil if scarce is None else scarce
+    oil = case.inlet.oil if case.friction is None else case.friction.inlet_oil(case.inlet)
     return None if oil is None else OilAtInlets(oil=oil, balls=case.bearing.balls)
 
 
