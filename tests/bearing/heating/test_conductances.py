@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import log, pi
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -27,6 +28,8 @@ from oilfilm.bearing.heating.network import (
     radiation_coefficient,
     ring_halves_conductance,
 )
+from oilfilm.bearing.heating.paths import oil_path
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution, _balance
 from oilfilm.bearing.rating.load_rating import reference_speed
 
 STEEL = load_material("bearing steel")
@@ -122,3 +125,26 @@ def test_reference_speed_balances_its_friction(bearings):
     assert reference_speed(bearing, 30000.0, "62") < reference_speed(bearing, 19000.0, "62")
     assert reference_speed(bearing, 19000.0, None) is None
     assert reference_speed(replace(bearing, width=None), 19000.0, "62") is None
+
+
+def test_oil_takes_heat_along_by_its_mean_temperature_above_that_of_its_supply():
+    """2 rho c V (T - T_in), the low end rho c V; not above the temperature around."""
+    path = oil_path(3.0)
+    assert (path.first, path.second) == ("oil", "oil_supply")
+    assert path.conductance == Conductance(6.0, 3.0, 6.0)
+    temperatures = np.full(len(NODES), 350.0)
+    found = SelfHeatingSolution(
+        model="integrated",
+        around=SimpleNamespace(oil_flow=3.0, oil_supply=330.0, ambient=290.0),
+        balance=None,
+        state=SimpleNamespace(temperatures=temperatures),
+    )
+    assert found.oil_heat == pytest.approx(6.0 * 20.0)
+
+
+def test_friction_that_oil_takes_too_little_of_is_left_over_its_power():
+    friction = SimpleNamespace(power=10.0, torque=0.1)
+    network = SimpleNamespace(removed=lambda temperatures: 8.0)
+    state = SimpleNamespace(friction=friction, network=network, temperatures=None, film_temperature=350.0)
+    found = _balance(state, SimpleNamespace(count=3), converged=True)
+    assert found.residual == pytest.approx(0.2)
