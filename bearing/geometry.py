@@ -13,10 +13,11 @@ preloaded beyond it; a positive offset loads it as a push of the inner ring to +
 back, left row +, right row -; face to face the other way round; tandem, both alike.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from math import acos, asin, cos, isfinite, pi, radians, sqrt
+from typing import Any
 
 import numpy as np
 
@@ -520,7 +521,22 @@ def load_bearing(name: str) -> Bearing:
     >>> bearing.balls, f"{1e3 * bearing.ball_diameter:.4g} mm"
     (9, '12 mm')
     """
-    entry = load_catalogue_entry(name)
+    return bearing_of_entry(load_catalogue_entry(name))
+
+
+def bearing_of_entry(entry: Mapping[str, Any]) -> Bearing:
+    """Bearing of the keys of a catalogue entry.
+
+    Parameters
+    ----------
+    entry : Mapping[str, Any]
+        values by key, as `load_catalogue_entry` and `estimate_bearing` return them
+
+    Returns
+    -------
+    Bearing
+        geometry and materials, SI
+    """
     lengths = {key.removesuffix("_mm"): to_si(key, entry.get(key)) for key in LENGTHS}
     clearance = to_si("diametral_clearance_um", entry.get("diametral_clearance_um"))
     if clearance is None:
@@ -532,7 +548,7 @@ def load_bearing(name: str) -> Bearing:
         )
     ring = load_material(entry["ring_material"])
     return Bearing(
-        name=entry["name"],
+        name=entry.get("name", "bearing"),
         balls=entry["balls"],
         diametral_clearance=clearance,
         ball_material=load_material(entry["ball_material"]),

@@ -12,7 +12,8 @@
 | batch | batch |
 | optimise | optimise |
 | documents | report, compare, cut, interferogram, diagram, export, view |
-| files | list, validate, init, schema |
+| quick | hertz, frequencies |
+| files | list, validate, import, init, schema |
 | new_case | text of new case files |
 | verify | verify |
 
@@ -26,6 +27,7 @@ new_case  - A new case file for a bearing by its designation or its boundary dim
 optimise  - commands that search
 output    - common steps of the commands that compute
 over_time - commands that compute over time
+quick     - Commands that answer at once: hertz, frequencies
 start     - entry point of `oilfilm`: what to do on a signal before anything that takes time to
             load
 terminal  - the application `oilfilm` and its terminal

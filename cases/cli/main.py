@@ -6,6 +6,7 @@ from . import over_time  # noqa: F401  # isort: skip
 from . import batch  # noqa: F401  # isort: skip
 from . import optimise  # noqa: F401  # isort: skip
 from . import documents  # noqa: F401  # isort: skip
+from . import quick  # noqa: F401  # isort: skip
 from . import files  # noqa: F401  # isort: skip
 from . import verify  # noqa: F401  # isort: skip
 
