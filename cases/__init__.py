@@ -6,7 +6,6 @@
 | runs | one case run: bearing, contact, slip, stiffness, shaft, tables, dynamics |
 | batch | many points of one case |
 | optimise | optimisation of a case by its keys, with error bars of films as noise |
-| quick | answers without an oil: dry contacts, frequencies |
 | rexs | drives in the exchange format REXS: shafts, bearings, gears |
 | cli | the command line |
 | library | shipped cases, sweeps and printed reference values (TOML, CSV) |
@@ -16,7 +15,6 @@ batch    - many points of one case
 cli      - the command `oilfilm`
 format   - the format of case files
 optimise - optimisation of a case by its keys, with error bars of films as noise
-quick    - Answers without an oil: dry contacts, and the frequencies of a bearing's parts
 rexs     - drives in the exchange format REXS
 runs     - one case run
 version  - the version, written down in pyproject.toml only

@@ -1,14 +1,13 @@
 """Quasi-static equilibrium of rings and balls.
 
 _kernels   - equilibrium of balls at a position of the inner ring, compiled
-at_rest    - loads of the balls of a bearing at rest, one row between rigid rings without tilt
 balls      - balls between the races: forces and equilibrium at a position of the ring
 kinematics - rolling of a ball, body forces of its motion, stiffness of its contacts
 ring       - balance of the inner ring on its balls: Newton's method
 solution   - result of the equilibrium, and its characteristic frequencies
 solver     - quasi-static equilibrium of a ball bearing in five degrees of freedom
 symmetric  - the same by the balls that differ under the loads
-thrust     - balls under a thrust
+thrust     - balls without centrifugal force: under a thrust, and of one row at rest
 """
 
 import lazy_loader

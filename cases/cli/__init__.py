@@ -13,11 +13,13 @@
 | optimise | optimise |
 | documents | report, compare, cut, interferogram, diagram, export, view |
 | quick | hertz, frequencies |
+| answers | dry contacts after Hertz, frequencies of a bearing's parts |
 | files | list, validate, import, init, schema |
 | new_case | text of new case files |
 | verify | verify |
 
 __main__  - `python -m oilfilm.cases.cli` is the command `oilfilm`
+answers   - Answers without an oil: dry contacts, and the frequencies of a bearing's parts
 batch     - commands on many points
 compute   - commands that compute a case
 documents - commands on results

@@ -66,7 +66,7 @@ def hertz(
         ]
         if more:
             raise CaseError(f"oilfilm hertz: {', '.join(more)} beside a bearing; allowed: without")
-        from ..quick import hertz_answer
+        from .answers import hertz_answer
 
         try:
             answer = hertz_answer(bearing, load, radial, axial, angle)
@@ -103,8 +103,8 @@ def _contact_by_numbers(
     from oilfilm.ehl.closed_form.hertz import hertz_contact
     from oilfilm.ehl.units import to_si
 
-    from ..quick import contact_answer
     from ..version import version
+    from .answers import contact_answer
 
     try:
         bodies = [load_material(name) for name in names]
@@ -134,7 +134,7 @@ def frequencies(
 ) -> None:
     """Frequencies of cage, ball passage and ball spin, with the interval of an estimate."""
     _check_finite({"speed": speed, "outer-speed": outer_speed, "angle": angle})
-    from ..quick import frequencies_answer
+    from .answers import frequencies_answer
 
     answer = frequencies_answer(bearing, speed, outer_speed, angle)
     if as_json:

@@ -137,7 +137,8 @@ def complete_integrals(k: float) -> tuple[float, float]:
     r_d
         R_D(0, k^2, 1) [-]
     """
-    a, b = 1.0, k
+    a = 1.0
+    b = k
     term = 0.25 * (1.0 - k) / (1.0 + k)
     total = 0.5 + term
     c = 0.5 * (a - b)

@@ -60,7 +60,6 @@ SMALL_MODULES: dict[str, tuple[str, ...]] = {
         "bearing/contacts/shape.py",
         "bearing/films/heavy_moment.py",
         "bearing/films/moment.py",
-        "bearing/quasistatic/thrust.py",
         "bearing/studies/stiffness.py",
         "bearing/supply/oil_balance.py",
         "bearing/vibration/transmission.py",

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
 from oilfilm.bearing import Operation, load_bearing, solve_quasistatic
-from oilfilm.bearing.quasistatic.at_rest import loads_at_rest
+from oilfilm.bearing.quasistatic.thrust import loads_at_rest
 from oilfilm.cases.cli.main import app
 from oilfilm.ehl import hertz_contact
 
@@ -26,7 +26,7 @@ def answer(*words):
 def test_a_designation_is_answered_without_the_solvers():
     code = (
         "import sys\n"
-        "from oilfilm.cases.quick import frequencies_answer, hertz_answer\n"
+        "from oilfilm.cases.cli.answers import frequencies_answer, hertz_answer\n"
         "frequencies_answer('6306-2Z/C3', 3000.0, None, None)\n"
         "hertz_answer('7014C', None, 500.0, 1000.0, None)\n"
         "print([m for m in sys.argv[1:] if m in sys.modules])"

@@ -11,19 +11,15 @@ from math import cos, degrees, pi, radians
 from pathlib import Path
 from typing import Any
 
-from oilfilm.bearing.geometry import (
-    Bearing,
-    Race,
-    bearing_of_entry,
-    contact_modulus,
-    reduced_radii,
-)
+from oilfilm.bearing import geometry
 from oilfilm.bearing.library.bearings import catalogue_name, estimated_fields, load_catalogue_entry
+from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
+from oilfilm.bearing.quasistatic.thrust import loads_at_rest
 from oilfilm.ehl.closed_form.hertz import HertzContact, hertz_contact
 from oilfilm.ehl.units import RPM, from_si
 
-from .format.rules import CaseError
-from .version import version
+from ..format.rules import CaseError
+from ..version import version
 
 FREQUENCIES = ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin", "twice_ball_spin")
 ESTIMATES = ("balls", "ball_diameter_mm", "pitch_diameter_mm", "free_contact_angle_deg")
@@ -33,7 +29,7 @@ ESTIMATES = ("balls", "ball_diameter_mm", "pitch_diameter_mm", "free_contact_ang
 class KnownBearing:
     """A bearing by a designation or a case, and what else of it is known."""
 
-    bearing: Bearing
+    bearing: geometry.Bearing
     nominal_angle: float  # [rad]
     ranges: Mapping[str, tuple[float, float]]  # of estimated keys, in their units
     speeds: tuple[float, float] | None  # of inner and outer ring, of a case [rad/s]
@@ -58,7 +54,7 @@ def known_bearing(name: str) -> KnownBearing:
     CaseError
         If there is none of this name, or the case is no bearing.
     """
-    from .format.shipped import shipped_cases
+    from ..format.shipped import shipped_cases
 
     is_file = Path(name).is_file() or Path(f"{name}.toml").is_file()
     is_case = is_file or name.removesuffix(".toml") in shipped_cases()
@@ -69,7 +65,7 @@ def known_bearing(name: str) -> KnownBearing:
     except ValueError as error:
         raise CaseError(f"{error}; or a case file or the name of a shipped case") from None
     return KnownBearing(
-        bearing=bearing_of_entry(entry),
+        bearing=geometry.bearing_of_entry(entry),
         nominal_angle=radians(entry.get("free_contact_angle_deg") or 0.0),
         ranges={key: entry["range"][key] for key in ESTIMATES if key in entry.get("range", {})},
         speeds=None,
@@ -78,8 +74,8 @@ def known_bearing(name: str) -> KnownBearing:
 
 
 def _of_case(name: str) -> KnownBearing:
-    from .format.bearing import nominal_contact_angle
-    from .format.case import Case, load_case
+    from ..format.bearing import nominal_contact_angle
+    from ..format.case import Case, load_case
 
     case = load_case(name)
     if not isinstance(case, Case):
@@ -174,22 +170,16 @@ def hertz_answer(
         radial, axial = radial or 0.0, axial or 0.0
         if min(radial, axial) < 0.0 or max(radial, axial) <= 0.0:
             raise CaseError("oilfilm hertz: --radial, --axial: allowed: from 0, one above 0")
-        from oilfilm.bearing.quasistatic.at_rest import loads_at_rest
-
         loads, angles = loads_at_rest(bearing, radial, axial)
         heaviest = int(loads.argmax())
         load, contact_angle = float(loads[heaviest]), float(angles[heaviest])
         given = {"radial_load_N": radial, "axial_load_N": axial}
-    contacts = [
-        contact_answer(
-            hertz_contact(
-                load, *reduced_radii(bearing, race, contact_angle), contact_modulus(bearing, race)
-            ),
-            race=race.value,
-            contact_angle_deg=degrees(contact_angle),
-        )
-        for race in Race
-    ]
+    contacts = []
+    for race in geometry.Race:
+        radii = geometry.reduced_radii(bearing, race, contact_angle)
+        contact = hertz_contact(load, *radii, geometry.contact_modulus(bearing, race))
+        angle_deg = degrees(contact_angle)
+        contacts.append(contact_answer(contact, race=race.value, contact_angle_deg=angle_deg))
     total = sum(contact["approach_um"] for contact in contacts)
     return {
         "oilfilm": version(),
@@ -263,11 +253,6 @@ def _frequencies(
     balls: float, ratio: float, angle: float, inner: float, outer: float
 ) -> dict[str, float]:
     """Frequencies [Hz] of `balls` balls, D/d_m [-], at a contact angle [rad], speeds [rad/s]."""
-    from oilfilm.bearing.quasistatic.solution import (
-        ball_spin_without_slip,
-        cage_speed_without_slip,
-    )
-
     turn = 2.0 * pi
     gamma = ratio * cos(angle)
     cage = cage_speed_without_slip(gamma, inner, outer)
