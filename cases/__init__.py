@@ -7,17 +7,19 @@
 | batch | many points of one case |
 | optimise | optimisation of a case by its keys, with error bars of films as noise |
 | rexs | drives in the exchange format REXS: shafts, bearings, gears |
+| rexs_results | results written into such a drive |
 | cli | the command line |
 | library | shipped cases, sweeps and printed reference values (TOML, CSV) |
 | version | version of the program, written down in pyproject.toml only |
 
-batch    - many points of one case
-cli      - the command `oilfilm`
-format   - the format of case files
-optimise - optimisation of a case by its keys, with error bars of films as noise
-rexs     - drives in the exchange format REXS
-runs     - one case run
-version  - the version, written down in pyproject.toml only
+batch        - many points of one case
+cli          - the command `oilfilm`
+format       - the format of case files
+optimise     - optimisation of a case by its keys, with error bars of films as noise
+rexs         - drives in the exchange format REXS
+rexs_results - results written into such a drive
+runs         - one case run
+version      - the version, written down in pyproject.toml only
 """
 
 import lazy_loader

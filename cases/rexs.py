@@ -7,6 +7,7 @@ the operating pitch circle, no losses in the mesh.
 """
 
 import json
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from math import cos, pi, radians, tan
@@ -56,6 +57,8 @@ HELD = {  # axial_force_absorption: shoulders of a support
     "positive": "right",
     "negative": "left",
 }
+# source of a case: the model, its version, the part of it
+SOURCE = re.compile(r"(?P<file>.+): REXS (?P<version>[\d.]*), (?P<part>shaft|bearing) (?P<id>.+)")
 PRESSURE_ANGLE = 20.0  # normal, where the model has none [deg]
 
 
@@ -137,6 +140,7 @@ class Component:
 class Model:
     """A drive: its components by number, and their relations."""
 
+    file: str
     version: str
     components: dict[str, Component]
     relations: tuple[tuple[str, dict[str, str]], ...]  # type, and number by role
@@ -263,7 +267,12 @@ def _of_xml(data: bytes, path: Path) -> Model:
         (r.get("type", ""), {x.get("role", ""): x.get("id", "") for x in r.iter("ref")})
         for r in root.iter("relation")
     )
-    return Model(version=root.get("version", ""), components=components, relations=relations)
+    return Model(
+        file=path.as_posix(),
+        version=root.get("version", ""),
+        components=components,
+        relations=relations,
+    )
 
 
 def _xml_value(node: ElementTree.Element) -> Any:
@@ -293,7 +302,12 @@ def _of_json(data: bytes, path: Path) -> Model:
         raise CaseError(str(error)) from None
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
         raise CaseError(f"{path}: not a REXS model in JSON: {type(error).__name__}") from None
-    return Model(version=str(root.get("version", "")), components=components, relations=relations)
+    return Model(
+        file=path.as_posix(),
+        version=str(root.get("version", "")),
+        components=components,
+        relations=relations,
+    )
 
 
 def _component(node: Any, attributes: dict[str, tuple[Any, str]]) -> Component:
@@ -325,6 +339,22 @@ def bearings(model: Model) -> list[tuple[Component, Component | None]]:
         shaft = model.components.get(inner or "")
         found.append((bearing, shaft if shaft and shaft.type == "shaft" else None))
     return found
+
+
+def designation(bearing: Component) -> str:
+    """The designation of a bearing: `name` in version 1.0, `catalogue_designation` since 1.1.
+
+    Parameters
+    ----------
+    bearing : Component
+        The bearing.
+
+    Returns
+    -------
+    str
+        The designation; the name of the component where it has none.
+    """
+    return bearing.word("catalogue_designation") or bearing.word("name") or bearing.name
 
 
 def is_ball_bearing(bearing: Component) -> bool:
@@ -538,7 +568,7 @@ def _case_text(
     lines = [
         "schema_version = 1",
         f"title = {_quoted(title)}",
-        f"source = {_quoted(f'REXS {found.model.version} model, {part}')}",
+        f"source = {_quoted(f'{found.model.file}: REXS {found.model.version}, {part}')}",
         f'assumed = ["lubricant.name", "operation.temperature_C", "{assumed}"]',
         *tables,
         "[lubricant]",
@@ -586,7 +616,7 @@ def _support_lines(model: Model, shaft: Component) -> Iterator[str]:
         place = bearing.number("u_coordinate_on_shaft_inner_side")
         place = bearing.number("u_coordinate_on_shaft", 0.0) if place is None else place
         yield "[[support]]"
-        yield f"bearing = {_quoted(bearing.word('name') or bearing.name)}"
+        yield f"bearing = {_quoted(designation(bearing))}"
         yield f"at_mm = {place:.8g}"
         yield f'fixed = "{HELD.get(bearing.word("axial_force_absorption"), "both")}"'
         yield ""
@@ -646,8 +676,7 @@ def listing_of(model: Model) -> Iterator[str]:
         kind = bearing.word("bearing_type").replace("_", " ") or bearing.type
         place = "" if on is None else f", on shaft {shafts.index(on) + 1}"
         left_out = "" if is_ball_bearing(bearing) else "; no ball bearing, not computed"
-        name = bearing.word("name") or bearing.name
-        yield f"bearing {number:3}  {name}: {kind}{place}{left_out}"
+        yield f"bearing {number:3}  {designation(bearing)}: {kind}{place}{left_out}"
 
 
 def bearing_text(found: Drive, number: int) -> str:

@@ -25,6 +25,7 @@ LARGEST_TEXT = 2**28  # of JSON, whose objects take some twenty times its size [
 # 3, and of LZMA in them and of summaries, where tables of traction have 30
 DEFLATED = 4
 PACKED = 200
+DEFLATE = zipfile.ZIP_DEFLATED
 # a terminal acts upon these, or they turn the direction of writing; tabs and line ends are text
 CONTROL = "\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069"
 CONTROLS = re.compile(f"[{CONTROL}]")
@@ -219,13 +220,17 @@ def entries_of(
         raise DamagedFileError(f"{name}: {fault} ({type(problem).__name__})") from problem
 
 
-def entries_as_bytes(entries: Mapping[str, bytes | str]) -> bytes:
-    """Files as the content of a zip archive, as they are.
+def entries_as_bytes(
+    entries: Mapping[str, bytes | str], packing: int = zipfile.ZIP_STORED
+) -> bytes:
+    """Files as the content of a zip archive; equal files give equal archives.
 
     Parameters
     ----------
     entries : Mapping[str, bytes | str]
         contents by their names
+    packing : int, default zipfile.ZIP_STORED
+        compression of `zipfile`
 
     Returns
     -------
@@ -235,7 +240,7 @@ def entries_as_bytes(entries: Mapping[str, bytes | str]) -> bytes:
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w") as archive:
         for name, content in entries.items():
-            archive.writestr(name, content)
+            archive.writestr(zipfile.ZipInfo(name), content, packing)
     return stream.getvalue()
 
 

@@ -28,7 +28,8 @@ Contact = Annotated[
     typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film."),
 ]
 
-DOCUMENTS = {"xlsx": "workbook", "pdf": "pages"}  # formats of `export` that are no meshes
+# formats of `export` that are no meshes
+DOCUMENTS = {"xlsx": "workbook", "pdf": "pages", "fmu": "unit", "rexs": "model"}
 
 
 class Axis(StrEnum):
@@ -183,42 +184,69 @@ def export(
     file_format: Annotated[
         str,
         typer.Option(
-            "--format", metavar="[xdmf|inp|msh|vtu|xlsx|pdf]", help="Meshes; workbook; pages."
+            "--format",
+            metavar="[xdmf|inp|msh|vtu|xlsx|pdf|fmu|rexs]",
+            help="Meshes; workbook; pages; table of a batch for co-simulation; drive.",
         ),
     ],
     output: Annotated[
         Path | None,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="Default: films.FORMAT, or DIR.xlsx, DIR.pdf."
+            "--output", "-o", metavar="FILE", help="Default: films.FORMAT; DIR.FORMAT for others."
         ),
     ] = None,
+    model: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="The drive in REXS; default: that of the case."),
+    ] = None,
+    fmi: Annotated[int, typer.Option(min=2, max=3, help="Version of FMI, for fmu.")] = 2,
     quiet: Errors = False,
 ) -> None:
-    """Write films as meshes for other programs, or all numbers as a workbook or a PDF."""
+    """Write films as meshes, numbers as a workbook or a PDF, a batch as an FMU, or results into
+    the drive in REXS that the case came from.
+    """
     stem = f"{directory.resolve().name}" if file_format in DOCUMENTS else "films"
     file = output or Path(f"{stem}.{file_format}")
     if file.suffix.lower() != f".{file_format}":
         raise CaseError(f"--output {file}: allowed: a .{file_format} file, as --format says")
     with reading(directory):
         lock_output_file(file)
-        files = _write_document(directory, file, file_format) or _write_meshes(directory, file)
+        files = _write_document(
+            directory, file, file_format, model=model, fmi=fmi, quiet=quiet
+        ) or _write_meshes(directory, file)
     if not quiet:
         for path in files:
             kind = DOCUMENTS.get(file_format, "mesh" if path.suffix == file.suffix else "values")
             print_message(f"{kind} in {path}")
 
 
-def _write_document(directory: Path, file: Path, kind: str) -> tuple[Path, ...]:
-    """Write a workbook or a PDF; nothing for another kind."""
-    if kind not in DOCUMENTS:
-        return ()
+def _write_document(
+    directory: Path, file: Path, kind: str, *, model: Path | None, fmi: int, quiet: bool
+) -> tuple[Path, ...]:
+    """Write a workbook, a PDF, an FMU or a drive; nothing for another kind."""
+    lines: tuple[str, ...] = ()
     if kind == "xlsx":
         from oilfilm.postprocess.report.pdf_and_workbook import write_workbook
 
         return (write_workbook(directory, file),)
-    from oilfilm.postprocess.report.pdf_and_workbook import write_pdf
+    if kind == "pdf":
+        from oilfilm.postprocess.report.pdf_and_workbook import write_pdf
 
-    return (write_pdf(directory, file),)
+        return (write_pdf(directory, file),)
+    if kind == "fmu":
+        from oilfilm.postprocess.batch.store import read_batch
+        from oilfilm.postprocess.fmu.export import write_fmu
+
+        lines = write_fmu(read_batch(directory), file, fmi)
+    elif kind == "rexs":
+        from ..rexs_results import write_results
+
+        count = write_results(directory, file, model)
+        lines = (f"results of {count} bearing{'s' if count > 1 else ''} written",)
+    if not quiet:
+        for line in lines:
+            print_message(line)
+    return (file,) if lines else ()
 
 
 def _write_meshes(directory: Path, file: Path) -> tuple[Path, ...]:

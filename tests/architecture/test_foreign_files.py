@@ -26,7 +26,12 @@ JSON = (
     "bearing/dynamics/simulation.py",
     "postprocess/scene/render_process.py",  # words of the parent process
 )
-STARTERS = ("cases/runs/kernel_cache.py", "cases/runs/processes.py", "postprocess/scene/render_process.py")
+STARTERS = (
+    "cases/runs/kernel_cache.py",
+    "cases/runs/processes.py",
+    "postprocess/scene/render_process.py",
+    "postprocess/fmu/export.py",  # a compiler of C, in a folder of its own
+)
 RUN = {"eval", "exec", "compile", "__import__"}
 
 
