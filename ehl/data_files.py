@@ -70,6 +70,32 @@ def arrays_of(stream: IO[bytes], name: str) -> dict[str, Any]:
         raise DamagedFileError(f"{name}: damaged ({type(problem).__name__})") from problem
 
 
+def array_of(content: bytes, name: str) -> Any:
+    """The array of an npy file.
+
+    Parameters
+    ----------
+    content : bytes
+        content of the file
+    name : str
+        name of the file in messages
+
+    Returns
+    -------
+    Any
+        array of numbers or text
+
+    Raises
+    ------
+    DamagedFileError
+        if it is no such file
+    """
+    try:
+        return _array(content)
+    except DAMAGE as problem:
+        raise DamagedFileError(f"{name}: damaged ({type(problem).__name__})") from problem
+
+
 def _array(content: bytes) -> Any:
     """An array in NumPy's own format, as long as its header says."""
     stream = io.BytesIO(content)

@@ -8,13 +8,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
-from math import exp, log, log10
+from math import exp, log
 from typing import Any
 
 import numpy as np
 
 from oilfilm.ehl.messages import Caution
-from oilfilm.ehl.oil.assumed_heat import BaseOil, heat_of
+from oilfilm.ehl.oil.assumed_heat import BaseOil, heat_of, line_through
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     TaitVolume,
@@ -57,7 +57,6 @@ STEP = 0.5  # of the differences that give the temperature coefficients [K]
 MM2_S = UNITS["mm2_s"].si  # [m^2/s]
 MPA_S = UNITS["mPa_s"].si  # [Pa s]
 SCALED_VOLUME = "scaled volume"  # law of the viscosity that takes the volume of Tait's
-CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 
 GREASE_DATA = "greases.toml"
 FACTOR = "film factor"  # table of the data file that is no grease
@@ -551,10 +550,9 @@ def viscosity_dynamic_d341(entry: dict[str, Any], temperature: float, _density: 
 
 
 def _d341(temperatures: list[float], values: list[float], temperature: float) -> float:
-    x0, x1 = (log10(t) for t in temperatures)
-    y0, y1 = (log10(log10(v + CUTOFF)) for v in values)
-    y = y0 + (y1 - y0) * (log10(temperature) - x0) / (x1 - x0)
-    return float(10.0 ** (10.0**y) - CUTOFF)
+    """Value of ASTM D341's line through two, as if in mm^2/s."""
+    line = line_through(temperatures, [MM2_S * value for value in values])
+    return line.at(temperature) / MM2_S
 
 
 LAWS = {

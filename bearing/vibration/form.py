@@ -13,6 +13,8 @@ import scipy
 
 from oilfilm.ehl.arrays import Array
 
+MOST_ORDERS = 24  # of a profile that lines are looked for of
+LEAST_ORDER = 0.05  # of its strongest one, below which an order is none of these [-]
 POINTS = 65536  # of a height over a turn: linear between, order 500 to 3e-4
 
 
@@ -108,6 +110,35 @@ class SurfaceForm:
         """
         uneven = self.waves.get(place) or place in self.profiles or self.defects_of(place)
         return not uneven
+
+
+def waves_of(form: SurfaceForm, place: FormBody) -> tuple[Wave, ...]:
+    """Waves of a body: those given, and the strongest Fourier orders of its profile.
+
+    Parameters
+    ----------
+    form : SurfaceForm
+        form of all surfaces
+    place : FormBody
+        body
+
+    Returns
+    -------
+    tuple[Wave, ...]
+        waves by their order
+    """
+    profile = form.profiles.get(place)
+    if profile is None:
+        return form.waves.get(place, ())
+    orders = np.fft.rfft(profile)[1 : profile.size // 2]
+    amplitude = 2.0 * abs(orders) / profile.size
+    strongest = np.argsort(amplitude)[::-1][:MOST_ORDERS]
+    shown = sorted(k for k in strongest if amplitude[k] > LEAST_ORDER * amplitude.max())
+    own = (
+        Wave(order=int(k) + 1, amplitude=float(amplitude[k]), phase=float(np.angle(orders[k])))
+        for k in shown
+    )
+    return (*form.waves.get(place, ()), *own)
 
 
 def heights(form: SurfaceForm, place: FormBody, ball: int = 0) -> Array:

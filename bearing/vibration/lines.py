@@ -19,7 +19,7 @@ import numpy as np
 
 from ..quasistatic.solution import Frequencies, QuasistaticSolution
 from .assembly import Assembled
-from .form import FormBody, SurfaceForm
+from .form import FormBody, SurfaceForm, waves_of
 
 LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as one [-]
 HARMONICS = 3  # of what repeats with each ball, smoothly
@@ -62,9 +62,9 @@ def expected_lines(
     balls = solution.bearing.balls
     lines = []
     for place, ring in ((FormBody.INNER, speeds[0]), (FormBody.OUTER, speeds[1])):
-        for wave in form.waves.get(place, ()):
+        for wave in waves_of(form, place):
             lines += _ring_lines(place, wave.order, balls, (float(ring), float(speeds[2])))
-    for wave in form.waves.get(FormBody.BALL, ()):
+    for wave in waves_of(form, FormBody.BALL):
         lines += _ball_lines(wave.order, abs(float(speeds[3])), abs(float(speeds[2])))
     if any(form.ball_diameters):
         lines.append(

@@ -170,6 +170,15 @@ def init(
     speed: Annotated[float | None, typer.Option(help="Speed [r/min].")] = None,
     radial: Annotated[float | None, typer.Option(help="Radial load [N].")] = None,
     axial: Annotated[float | None, typer.Option(help="Axial load [N].")] = None,
+    viscosity_40: Annotated[
+        float | None, typer.Option(help="Of the oil's data sheet, at 40 C [mm2/s].")
+    ] = None,
+    viscosity_100: Annotated[float | None, typer.Option(help="At 100 C [mm2/s].")] = None,
+    viscosity_index: Annotated[
+        float | None, typer.Option(help="In place of one of the two [-].")
+    ] = None,
+    density_15: Annotated[float | None, typer.Option(help="At 15 C [kg/m3].")] = None,
+    base_oil: Annotated[str | None, typer.Option(help="mineral, PAO, ester, PAG or PFPE.")] = None,
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
     from .new_case import (
@@ -185,12 +194,24 @@ def init(
     more = [key for key, value in (("--C", dynamic), ("--C0", static)) if value is not None]
     more += ["--angle"] * (angle != 0.0)
     asked = {"speed": speed, "radial": radial, "axial": axial}
+    sheet = {
+        "kinematic_viscosity_40C_mm2_s": viscosity_40,
+        "kinematic_viscosity_100C_mm2_s": viscosity_100,
+        "viscosity_index": viscosity_index,
+        "density_15C_kg_m3": density_15,
+        "base_oil": base_oil,
+    }
+    oil = {key: value for key, value in sheet.items() if value is not None}
+    if oil and not (bearing or given):
+        raise CaseError("oilfilm init: an oil's data sheet without --bearing or --bore")
+    if oil and viscosity_40 is viscosity_100 is None:
+        raise CaseError("oilfilm init: an oil's data sheet without --viscosity-40, -100")
     _check_options(template, bearing, given, more, asked)
     if suffixes and bearing is None:
         raise CaseError(f"oilfilm init: {' '.join(suffixes)} after NAME without --bearing")
     if bearing is not None:
         name, bearing = _name_and_designation(bearing, [name, *(suffixes or ())])
-    operation = FirstOperation(speed=speed, radial_load=radial, axial_load=axial)
+    operation = FirstOperation(speed=speed, radial_load=radial, axial_load=axial, oil=oil)
     try:
         if bearing is not None:
             text = checked(case_of_designation(bearing, operation))

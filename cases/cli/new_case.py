@@ -7,9 +7,10 @@ oil that circulates through a jet and takes the heat along. The oil is the grade
 70 C comes nearest to kappa = 2 of ISO 281.
 """
 
+import json
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import floor, isfinite, log, log10, pi, radians
 from typing import Any
 
@@ -94,6 +95,7 @@ class FirstOperation:
     speed: float | None = None  # of the inner ring [r/min]
     radial_load: float | None = None  # [N]
     axial_load: float | None = None  # [N]
+    oil: Mapping[str, str | float] = field(default_factory=dict)  # keys of its data sheet
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -132,14 +134,19 @@ def first_tables(
         speed = two_digits(factor / entry["pitch_diameter_mm"])
     grade = _grade(speed, entry["pitch_diameter_mm"])
     return {
-        "lubricant": _lubricant(grade, greased=kind.greased),
+        "lubricant": _lubricant(grade, given.oil, greased=kind.greased),
         "operation": _operation(entry, kind, given, speed),
         "friction": {**_lubrication(entry, kind, speed, grade), **_surroundings(entry, kind)},
     }
 
 
-def _lubricant(grade: str, *, greased: bool) -> dict[str, str]:
-    kind = {"grease": '"lithium mineral 100"'} if greased else {"name": f'"{grade}"'}
+def _lubricant(grade: str, sheet: Mapping[str, str | float], *, greased: bool) -> dict[str, str]:
+    """The oil of a data sheet, that of a grease, or one of the library."""
+    kind = {"grease": '"lithium mineral 100"'} if greased else {}
+    if sheet:
+        kind |= {key: json.dumps(value) for key, value in sheet.items()}
+    elif not greased:
+        kind = {"name": f'"{grade}"'}
     return {**kind, "contamination_factor": typical("contamination_factor")}
 
 
@@ -439,12 +446,13 @@ def _text(
     estimated = entry["estimated"] if designation is None else ()
     assumed = [f"bearing.{key}" for key in estimated]
     keys = [*assumed, *(f"{table}.{key}" for table, rows in tables.items() for key in rows)]
+    known = (*KNOWN_CHOICES, *(f"lubricant.{key}" for key in given.oil))
     lines = [
         "schema_version = 1",
         f'title = "{name}"',
         f'source = "bearing: {_escaped(entry["source"])}"',
         "assumed = [",
-        *(f'    "{key}",' for key in keys if key not in KNOWN_CHOICES),
+        *(f'    "{key}",' for key in keys if key not in known),
         "]",
         "",
         "[bearing]",

@@ -10,7 +10,7 @@ from typing import Any
 from oilfilm.bearing.fits.clearance import ClearanceBudget
 from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.geometry import Bearing, Row
-from oilfilm.bearing.library.bearings import warn_of_estimates
+from oilfilm.bearing.library.bearings import warn_of_estimates as warn_of_dimensions
 from oilfilm.bearing.library.lubricants import load_grease
 from oilfilm.bearing.material import Material
 from oilfilm.bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
@@ -33,13 +33,23 @@ from .fits import HeatingInput
 from .friction import SHEAR_ASSUMED, friction, rheology
 from .library import material_table, materials
 from .load_cases import load_case_files
-from .lubricant import Oil, lubricant, lubricant_keys, oil_of
+from .lubricant import (
+    SHEET,
+    VISCOSITIES,
+    VISCOSITY_AT,
+    Oil,
+    lubricant,
+    lubricant_keys,
+    oil_of,
+    warn_of_estimates,
+)
 from .operation import model, operation
 from .rows import rows
 from .rules import CaseError, InvalidKeyError, key_lines
 from .shipped import find_case
 from .traction import ball_traction
 from .transient import transient, transient_options
+from .vibration import frequency_response, surface_form
 
 # layer at the inlets in an oil bath, which reaches from ball to ball; 1 to 3 mm, an estimate [um]
 BATH_LAYER_UM = 1000.0
@@ -224,6 +234,7 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
     CaseError
         If a value turns out wrong on conversion.
     """
+    file = _with_reference(file)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -242,6 +253,20 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
     if isinstance(file, BearingFile) and isinstance(case, Case) and file.load_cases:
         return replace(case, load_cases=tuple(_load_cases(file, name, text, notes)))
     return case
+
+
+def _with_reference(file: BearingFile | ContactFile) -> BearingFile | ContactFile:
+    """The file with the temperature of a viscosity that is given for one, where the oil takes
+    others as well.
+    """
+    if isinstance(file, ContactFile):
+        return file
+    keys = oil_of_file(file).keys
+    at_one = any(key in keys for key in VISCOSITIES) and VISCOSITY_AT not in keys
+    if not at_one or (file.friction.heat_transfer_W_K is None and not file.load_cases):
+        return file
+    given = {VISCOSITY_AT: file.operation.temperature_C}
+    return file.model_copy(update={"lubricant": file.lubricant.model_copy(update=given)})
 
 
 def _load_cases(
@@ -302,10 +327,14 @@ def oil_of_file(file: BearingFile | ContactFile) -> Oil:
 
 def _bearing_case(file: BearingFile) -> Case:
     _warn(file)
+    if file.form is not None:  # its files are judged before a run
+        surface_form(file.form)
+    frequency_response(file.support)
     # 1. the oil and the operation
     oil = oil_of_file(file)
     at = operation(file.operation)
     fluid = lubricant(oil, at.temperature)
+    warn_of_estimates(oil, fluid)
     # 2. the bearing, as delivered and in operation
     library = _materials(file)
     cage = (library.get(file.bearing.cage_material or ""), guiding_land(file.cage))
@@ -407,7 +436,7 @@ def _warn(file: BearingFile) -> None:
         warnings.warn(_grease_text(file.lubricant.grease), stacklevel=2)
     prefix = "bearing."
     assumed = {name.removeprefix(prefix) for name in file.assumed if name.startswith(prefix)}
-    warn_of_estimates(file.bearing.name or "", file.bearing.model_dump(), assumed)
+    warn_of_dimensions(file.bearing.name or "", file.bearing.model_dump(), assumed)
 
 
 def _grease_text(name: str) -> str:
@@ -442,6 +471,8 @@ def _contact_case(file: ContactFile) -> ContactCase:
     temperature = table.si()["temperature"]
     fluid = lubricant(oil, temperature)
     moes = table.moes_M is not None
+    if not moes:
+        warn_of_estimates(oil, fluid)
     shear = None if moes else rheology(oil, fluid)
     names = (table.material_1, table.material_2, table.substrate_material)
     library = materials(file.materials, [name for name in names if name is not None])
@@ -499,8 +530,11 @@ def _document(file: BearingFile | ContactFile) -> dict[str, Any]:
 def _lubricant_document(document: dict[str, Any], computed: dict[str, Any]) -> dict[str, Any]:
     """The lubricant's keys as given, those of the oil named and the defaults filled in."""
     given = oil_of(document["lubricant"], document.get("lubricants")).keys
-    if "kinematic_viscosity_mm2_s" in given:
+    if any(key in given for key in ("kinematic_viscosity_mm2_s", *SHEET)):
         computed.pop("viscosity_mPa_s", None)
+    if "base_oil" in given or any(key in given for key in SHEET):
+        for key in ("pressure_viscosity_1_GPa", "density_kg_m3"):  # estimates of a temperature
+            computed.pop(key)
     layers = {"inlet_film_um", "inlet_film_dimensionless"} & set(given)
     starved = layers or "supply_mL_min" in document.get("friction", ())
     return {**computed, "supply": "starved" if starved else "flooded", **given}

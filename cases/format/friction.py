@@ -17,6 +17,7 @@ from oilfilm.bearing.supply.supply import CAPTURED, PrescribedInlet, Supply
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import Lubrication, series_of
 from oilfilm.ehl import Lubricant
+from oilfilm.ehl.oil.assumed_heat import BaseOil
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS, Constant
 from oilfilm.ehl.units import to_si
@@ -24,17 +25,7 @@ from oilfilm.ehl.units import to_si
 from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum
 from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
-from .rules import (
-    Below,
-    CaseProblem,
-    CaseValues,
-    Excludes,
-    Needs,
-    OnlyWith,
-    Relation,
-    Where,
-    shown,
-)
+from .rules import Below, CaseProblem, CaseValues, Needs, OnlyWith, Relation, Where, shown
 from .shipped import table_path
 
 # constants of the coefficients over the ellipse, with the law of each, and their keys
@@ -44,6 +35,7 @@ LAWS = ("films", "table", *COEFFICIENTS, "coulomb")
 
 # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
 LIMITING_COEFFICIENT = 0.047
+LIMITING_BY_BASE = {BaseOil.POLYALPHAOLEFIN: 0.035, BaseOil.POLYGLYCOL: 0.044}  # the same
 SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
 # ways of lubrication whose oil balls have to push aside
 WITH_LEVEL = (Lubrication.OIL_BATH.value, Lubrication.OIL_JET.value)
@@ -210,15 +202,6 @@ RELATIONS: tuple[Relation, ...] = (
     ),
     Needs("surface", STARVED, f"needed {WITH_STARVED}"),
     Needs("bearing.width_mm", replace(SUPPLIED, also=(STARVED,)), f"needed {WITH_STARVED}"),
-    Needs(
-        "lubricant.name",
-        HEATED,
-        f"needed with {HEATED.key}: an oil with its viscosity over temperature",
-    ),
-    *(
-        Excludes(f"lubricant.{name}", HEATED.key, "left out, the oil's own over temperature")
-        for name in ("viscosity_mPa_s", "kinematic_viscosity_mm2_s")
-    ),
 )
 
 
@@ -391,8 +374,11 @@ def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | Prescri
 
 
 def _limiting_coefficient(oil: Oil, lubricant: Lubricant) -> tuple[float, str]:
-    """Lambda of the library's oil, or that of a paraffinic mineral oil [-]; and its source."""
+    """Lambda of the library's oil, or that of the base oil [-]; and its source."""
     data = limiting_coefficient(lubricant_data(lubricant.name)) if oil.of_library else None
+    base = BaseOil(oil.keys.get("base_oil", BaseOil.MINERAL))
+    if base in LIMITING_BY_BASE:
+        return LIMITING_BY_BASE[base], f"{base.value}, Arana et al., 2019"
     if data is None:
         return LIMITING_COEFFICIENT, "paraffinic mineral oil, Arana et al., 2019"
     return float(data["value"]), str(data["source"])

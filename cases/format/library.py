@@ -13,10 +13,12 @@ from oilfilm.bearing.material import (
     list_materials,
     load_material,
 )
+from oilfilm.ehl.oil.assumed_heat import BaseOil
 from oilfilm.ehl.units import from_si
 
 from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
 from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded
+from .lubricant import SHEET, VISCOSITIES, named_by_sheet
 from .rules import CaseProblem, CaseValues, nearest_name, shown
 
 # keys of a material that its table in the case may leave to the library's
@@ -34,6 +36,12 @@ GEOMETRY_DEPENDENT = (  # hold for the catalogue's internal geometry only
     "inner_shoulder_diameter_mm",
     "outer_shoulder_diameter_mm",
 )
+BASE_OIL_NAMES = {  # other names of classes of base oils
+    "polyalphaolefin": BaseOil.POLYALPHAOLEFIN.value,
+    "polyglycol": BaseOil.POLYGLYCOL.value,
+    "polyalkylene glycol": BaseOil.POLYGLYCOL.value,
+    "perfluoropolyether": BaseOil.PERFLUOROPOLYETHER.value,
+}
 
 
 class MaterialTable(Table):
@@ -121,7 +129,8 @@ def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]
     materials = (*own("materials"), *list_materials())
     for table in MATERIAL_TABLES:
         yield from ((table, key, materials) for key in own(table) if "material" in key)
-    if "name" in own("lubricant"):  # the library of oils needs NumPy, most cases do not
+    # a data sheet has a name of its own; the library of oils needs NumPy, most cases do not
+    if "name" in own("lubricant") and not named_by_sheet(own("lubricant")):
         given = own("lubricant")["name"]
         library = list_lubricants(given if isinstance(given, str) else None)
         yield "lubricant", "name", (*own("lubricants"), *library)
@@ -147,7 +156,21 @@ def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
         given = document[table][key]
         if isinstance(given, str):
             spelled[table] = {**spelled[table], key: matching_name(given, names) or given}
+    oils = spelled.get("lubricants")
+    if isinstance(oils, dict):
+        spelled["lubricants"] = {name: _with_class(oil) for name, oil in oils.items()}
+    if "lubricant" in spelled:
+        spelled["lubricant"] = _with_class(spelled["lubricant"])
     return _with_base_oil(spelled)
+
+
+def _with_class(oil: Any) -> Any:
+    """Keys of an oil with the class of its base oil as the program spells it."""
+    given = oil.get("base_oil") if isinstance(oil, dict) else None
+    if not isinstance(given, str):
+        return oil
+    name = matching_name(given, (*BASE_OIL_NAMES, *(base.value for base in BaseOil)))
+    return {**oil, "base_oil": BASE_OIL_NAMES.get(name or given, name or given)}
 
 
 def _with_base_oil(document: dict[str, Any]) -> dict[str, Any]:
@@ -161,7 +184,7 @@ def _with_base_oil(document: dict[str, Any]) -> dict[str, Any]:
     grease = oil.get("grease")
     if grease not in list_greases():
         return document
-    own = {"name", "viscosity_mPa_s", "kinematic_viscosity_mm2_s"} & oil.keys()
+    own = {"name", *VISCOSITIES, *SHEET} & oil.keys()
     base = {} if own else {"name": load_grease(grease).oil}
     document = {**document, "lubricant": {**base, **oil}}
     if "bearing" in document:

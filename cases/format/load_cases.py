@@ -8,10 +8,9 @@ from pydantic import create_model
 from pydantic.fields import FieldInfo
 
 from .fields import Table, above, is_number
-from .lubricant import VISCOSITIES, oil_of
 from .operation import RELATIONS as OF_OPERATION
 from .operation import OperationTable
-from .rules import CaseProblem, CaseValues, Excludes, KeyPath, dotted, shown
+from .rules import CaseProblem, CaseValues, Excludes, KeyPath, dotted
 
 NAME = "load_cases"
 LEAST_SUM = 0.99  # of the shares [-]; they are then scaled to a sum of 1
@@ -70,8 +69,7 @@ def merged(operation: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """Conflicts of load cases: shares that do not sum to 1, a temperature without an oil that
-    follows it.
+    """Conflicts of load cases: shares that do not sum to 1.
 
     Parameters
     ----------
@@ -91,15 +89,6 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
         if not LEAST_SUM <= total <= LARGEST_SUM:
             finding = f"found shares that sum to {total:.6g}"
             yield CaseProblem((NAME,), finding, "allowed: a sum of 1")
-    if not isinstance(values.get("lubricant"), dict):
-        return
-    oil = oil_of(values.document["lubricant"], values.document.get("lubricants"))
-    fixed = next((key for key in VISCOSITIES if key in oil.keys), None)
-    for index, table in tables.items():
-        if fixed and table.get("temperature_C") is not None:
-            finding = f"found {shown(table['temperature_C'])} together with lubricant.{fixed}"
-            allowed = "allowed: with an oil of the library, whose viscosity follows it"
-            yield CaseProblem((NAME, index, "temperature_C"), finding, allowed)
 
 
 def load_case_tables(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:

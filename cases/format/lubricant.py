@@ -10,9 +10,22 @@ from math import log
 from typing import Annotated, Any, Literal
 
 from oilfilm.bearing.library.lubricants import list_lubricants, load_lubricant, lubricant_data
+from oilfilm.bearing.library.plugins import matching_name
 from oilfilm.ehl import DensityLaw, Lubricant, ViscosityLaw
 from oilfilm.ehl.messages import Caution
-from oilfilm.ehl.oil.assumed_heat import BaseOil, heat_of
+from oilfilm.ehl.oil.assumed_heat import (
+    CLASSES,
+    COLD,
+    HOT,
+    MM2_S,
+    BaseOil,
+    WaltherLine,
+    assumed_density,
+    assumed_pressure_viscosity,
+    heat_of,
+    line_of_index,
+    line_through,
+)
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     ExpansivityForm,
@@ -32,7 +45,19 @@ from oilfilm.ehl.oil.lubricant import (
 from oilfilm.ehl.oil.rheology import ShearLaw
 from oilfilm.ehl.units import GIGAPASCAL, ZERO_CELSIUS, from_si, to_si
 
-from .fields import Name, OneOf, Table, above, between, described, name_in_si, rounded, within
+from .fields import (
+    Name,
+    OneOf,
+    Table,
+    above,
+    between,
+    checked,
+    described,
+    name_in_si,
+    numbers,
+    rounded,
+    within,
+)
 from .rules import (
     MISSING,
     CaseProblem,
@@ -319,13 +344,44 @@ def warn_of_temperature(oil: Lubricant, measured_at: float | None) -> None:
         warnings.warn(Caution(text), stacklevel=2)
 
 
+def _viscosity_pair(value: object) -> tuple[tuple[float, ...], ...] | None:
+    rows = list(value) if isinstance(value, list | tuple) else []
+    pair = [numbers(row, 2, 1e6) for row in rows]
+    if len(pair) != 2 or None in pair:
+        return None
+    (cold, thick), (hot, thin) = sorted(row for row in pair if row is not None)
+    valid = -200.0 < cold < hot < 500.0 and thick > thin > 0.31
+    return ((cold, thick), (hot, thin)) if valid else None
+
+
+ViscosityPair = Annotated[
+    tuple[tuple[float, ...], ...],
+    checked(
+        _viscosity_pair, "two rows [temperature in C, viscosity above 0.31], falling with heat"
+    ),
+]
+
+
 class OilTable(Table):
     """An oil of the case: properties at ambient pressure and the temperature of operation."""
 
     viscosity_mPa_s: float | None = above(0, 1e6, "dynamic; or kinematic_viscosity_mm2_s")
     kinematic_viscosity_mm2_s: float | None = above(0, 1e6, "kinematic; or viscosity_mPa_s")
-    pressure_viscosity_1_GPa: float | None = between(0, 100, "d(ln eta)/dp at ambient pressure")
+    viscosity_at_C: float | None = between(
+        -100, 500, "temperature of either; left out, operation.temperature_C"
+    )
+    kinematic_viscosity_40C_mm2_s: float | None = above(
+        0.31, 1e6, "of a data sheet; with that at 100 C, or viscosity_index, over temperature"
+    )
+    kinematic_viscosity_100C_mm2_s: float | None = above(0.31, 1e5, "likewise")
+    kinematic_viscosity_table_mm2_s: ViscosityPair | None = described(
+        "[[temperature in C, viscosity], ...], two rows, instead of those at 40 and 100 C"
+    )
+    pressure_viscosity_1_GPa: float | None = between(
+        0, 100, "d(ln eta)/dp at ambient pressure; by base_oil where a data sheet lacks it"
+    )
     density_kg_m3: float | None = above(0, 2e4, "density at ambient pressure")
+    density_15C_kg_m3: float | None = above(0, 2e4, "of a data sheet, at 15 C, instead")
     viscosity_law: Annotated[str, OneOf(ViscosityLaw)] | None = described(
         "pressure dependence of the viscosity; the last two for oils with their constants"
     )
@@ -370,10 +426,10 @@ class OilTable(Table):
         -100, 100, "below which the oil does not flow; left out, an estimate of mineral oils"
     )
     base_oil: Annotated[str, OneOf(BaseOil)] | None = described(
-        "gives the heat properties that are left out; mineral if left out"
+        "gives the properties that are left out; mineral if left out"
     )
     viscosity_index: float | None = within(
-        400, "after ASTM D2270, gives viscosity_temperature_1_K; left out, that of the base oil"
+        400, "after ASTM D2270, with one viscosity; left out, that of the base oil"
     )
     thermal_conductivity_W_m_K: float | None = above(0, 10, "left out, that of the base oil")
     specific_heat_J_kg_K: float | None = above(0, 1e4, "left out, that of the base oil")
@@ -423,6 +479,15 @@ class LubricantTable(OilTable):
 
 
 VISCOSITIES = ("viscosity_mPa_s", "kinematic_viscosity_mm2_s")
+VISCOSITY_AT = "viscosity_at_C"
+INDEX = "viscosity_index"
+POINTS = {  # key of a viscosity of a data sheet: its temperature [K]
+    "kinematic_viscosity_40C_mm2_s": COLD,
+    "kinematic_viscosity_100C_mm2_s": HOT,
+}
+PAIR = "kinematic_viscosity_table_mm2_s"
+SHEET = (*POINTS, PAIR)  # viscosities of a data sheet
+DENSITY_AT_15 = "density_15C_kg_m3"
 # 700 K, below which oilfilm.bearing.library.lubricants has its laws; the tables keep the lower end
 LIBRARY_TEMPERATURE_C = 426.85
 PRESSURE_VISCOSITY = "pressure_viscosity_1_GPa"
@@ -435,8 +500,10 @@ NUMBERS = {  # field of `Lubricant`: its key
     "flooded_layer": "flooded_layer_um",
 }
 LAWS = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
-# density of an oil without one [kg/m^3]: the library's mineral oils have 854 to 874 at 40 C
-DENSITY = 870.0
+# beyond the temperatures of a data sheet by more than this, ASTM D341 counts as extrapolated [K]
+BEYOND_SHEET = 20.0
+D341_LEAST = 2e-6  # below which the constant 0.7 of ASTM D341 needs its further terms [m^2/s]
+INDEX_TOLERANCE = 5.0  # of a given index beside that of two viscosities [-]
 # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
 VISCOSITY_UNUSED = 1.0
 SHEAR_KEYS = {  # constants of a shear law
@@ -452,10 +519,13 @@ HEAT_KEYS = {  # field of `ThermalProperties`: its key
     "viscosity_temperature": "viscosity_temperature_1_K",
     "expansion": "thermal_expansion_1_K",
 }
-CLASS_KEYS = ("base_oil", "viscosity_index")  # of heat properties that are assumed
+CLASS_KEYS = ("base_oil", INDEX, *SHEET, DENSITY_AT_15)  # not of an oil of the library
 SUPPLIED = (Where("lubricant.inlet_film_um"), Where("friction.supply_mL_min"))
 RELATIONS: tuple[Relation, ...] = (
     Excludes("lubricant.kinematic_viscosity_mm2_s", "lubricant.viscosity_mPa_s"),
+    Excludes("lubricant.density_15C_kg_m3", "lubricant.density_kg_m3"),
+    *(Excludes(f"lubricant.{PAIR}", f"lubricant.{point}") for point in POINTS),
+    *(Excludes(f"lubricant.{key}", f"lubricant.{own}") for key in SHEET for own in VISCOSITIES),
     Excludes("lubricant.inlet_film_um", "friction.supply_mL_min"),
     Excludes("lubricant.inlet_film_um", "contact.moes_M", "with dimensions"),
     OnlyWith("lubricant.inlet_film_dimensionless", (Where("contact.moes_M"),)),
@@ -490,10 +560,30 @@ def oil_of(lubricant: dict[str, Any], lubricants: object) -> Oil:
     """
     own = lubricants.get(str(lubricant.get("name"))) if isinstance(lubricants, dict) else None
     if not isinstance(own, dict):
-        return Oil(dict(lubricant), "name" in lubricant)
-    if any(key in lubricant for key in VISCOSITIES):
-        own = {key: value for key, value in own.items() if key not in VISCOSITIES}
+        return Oil(dict(lubricant), "name" in lubricant and not named_by_sheet(lubricant))
+    anew = (*VISCOSITIES, *SHEET)
+    if any(key in lubricant for key in anew):
+        own = {key: value for key, value in own.items() if key not in (*anew, VISCOSITY_AT)}
     return Oil({**own, **lubricant}, of_library=False)
+
+
+def named_by_sheet(lubricant: dict[str, Any]) -> bool:
+    """Tell whether the name of an oil is that of its data sheet, not one of the library.
+
+    Parameters
+    ----------
+    lubricant : dict[str, Any]
+        Keys of [lubricant].
+
+    Returns
+    -------
+    bool
+        True where the viscosities of a data sheet stand with a name that no library has.
+    """
+    name = lubricant.get("name")
+    if not isinstance(name, str) or not any(key in lubricant for key in SHEET):
+        return False
+    return matching_name(name, list_lubricants(name)) is None
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
@@ -511,10 +601,10 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """
     yield from _layer_faults(values)
     for name in values.get("lubricants") or ():
-        first, second = (("lubricants", name, key) for key in VISCOSITIES)
-        if values.given(*first) and values.given(*second):
-            finding = f"found together with {VISCOSITIES[0]}"
-            yield CaseProblem(second, finding, "allowed: one of them")
+        given = [key for key in (*VISCOSITIES, *SHEET) if values.given("lubricants", name, key)]
+        if len(given) > 1 and not set(given) <= set(POINTS):
+            finding = f"found together with {given[0]}"
+            yield CaseProblem(("lubricants", name, given[-1]), finding, "allowed: one of them")
     without_oils = values.given("lubricants") and not values.get("lubricants")
     if values.get("lubricant") is None or without_oils:
         return
@@ -573,14 +663,25 @@ def _kept_flooded(values: CaseValues) -> bool:
 def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseProblem]:
     """Viscosity and pressure-viscosity coefficient that the oil's law needs."""
     law = oil.get("viscosity_law", "roelands")
-    viscosity = any(key in oil for key in VISCOSITIES)
+    viscosity = any(key in oil for key in (*VISCOSITIES, *SHEET))
     if not viscosity and not (moes and (law != "roelands" or "roelands_z" in oil)):
-        allowed = f"needed: {', '.join(VISCOSITIES)}, or the name of a lubricant"
+        ways = f"{', '.join(VISCOSITIES)}, those of a data sheet ({', '.join(POINTS)})"
+        allowed = f"needed: {ways}, or the name of a lubricant"
         allowed = "needed: roelands_z, or a viscosity that gives it" if moes else allowed
         yield CaseProblem(("lubricant", "viscosity_mPa_s"), MISSING, allowed)
-    if law not in ("isoviscous", *LAWS_WITH_CONSTANTS) and PRESSURE_VISCOSITY not in oil:
-        allowed = 'needed, unless viscosity_law = "isoviscous"'
+    with_own = law in ("isoviscous", *LAWS_WITH_CONSTANTS)
+    if not (with_own or PRESSURE_VISCOSITY in oil or _by_class(oil)):
+        allowed = 'needed, or base_oil, which estimates it, unless viscosity_law = "isoviscous"'
         yield CaseProblem(("lubricant", PRESSURE_VISCOSITY), MISSING, allowed)
+    cold, hot = (oil.get(key) for key in POINTS)
+    if cold is not None and hot is not None and not cold > hot:
+        found = f"found {shown(hot)}, and {shown(cold)} at 40 C"
+        yield CaseProblem(("lubricant", list(POINTS)[1]), found, "allowed: less than at 40 C")
+
+
+def _by_class(oil: dict[str, Any]) -> bool:
+    """Tell whether the base oil stands for what is left out."""
+    return "base_oil" in oil or any(key in oil for key in SHEET)
 
 
 def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseProblem]:
@@ -647,11 +748,15 @@ def _heat_faults(oil: Oil) -> Iterator[CaseProblem]:
     """A class of oils stands for heat properties that are not known."""
     for key in CLASS_KEYS:
         if key in oil.keys and oil.of_library:
-            found = f"found with the oil {shown(oil.keys['name'])}, which has heat properties"
-            yield CaseProblem(("lubricant", key), found, "allowed with an oil of the case")
-    index, fall = CLASS_KEYS[1], HEAT_KEYS["viscosity_temperature"]
-    if index in oil.keys and fall in oil.keys:
-        yield CaseProblem(("lubricant", index), f"found together with {fall}", "allowed: one")
+            found = f"found with the oil {shown(oil.keys['name'])}, which has its own data"
+            allowed = "allowed with an oil of the case: without name, or with [lubricants.NAME]"
+            yield CaseProblem(("lubricant", key), found, allowed)
+    fall = HEAT_KEYS["viscosity_temperature"]
+    if VISCOSITY_AT in oil.keys and not any(key in oil.keys for key in VISCOSITIES):
+        allowed = f"allowed with {' or '.join(VISCOSITIES)}"
+        yield CaseProblem(("lubricant", VISCOSITY_AT), "found without its viscosity", allowed)
+    if INDEX in oil.keys and fall in oil.keys:
+        yield CaseProblem(("lubricant", INDEX), f"found together with {fall}", "allowed: one")
 
 
 def lubricant(oil: Oil, temperature: float) -> Lubricant:
@@ -682,11 +787,13 @@ def lubricant(oil: Oil, temperature: float) -> Lubricant:
         given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
     given.setdefault("temperature", temperature)
     given |= constants
-    _set_viscosity(given, keys)
+    line = _set_viscosity(given, oil, temperature)
     result = Lubricant(**with_coefficient(given, keys))
     warn_of_temperature(result, measured_at)
     _warn_of_pour_point(oil, result.name, temperature)
-    return replace(result, thermal=_heat(result, keys))
+    if line is not None:
+        _warn_of_range(keys, line, result)
+    return replace(result, thermal=_heat(result, keys, line))
 
 
 def _warn_of_pour_point(oil: Oil, name: str, temperature: float) -> None:
@@ -705,12 +812,166 @@ def _warn_of_pour_point(oil: Oil, name: str, temperature: float) -> None:
     warnings.warn(Caution(text), stacklevel=2)
 
 
-def _heat(oil: Lubricant, keys: dict[str, Any]) -> ThermalProperties:
+def _heat(oil: Lubricant, keys: dict[str, Any], line: WaltherLine | None) -> ThermalProperties:
     """Heat properties of the case, else of the library, else of the class of the oil."""
-    base = BaseOil(keys.get("base_oil", BaseOil.MINERAL))
-    heat = heat_of(oil, base, keys.get("viscosity_index"))
+    known = line if _has_line(keys) else None  # else one of an assumed index, with its range
+    heat = heat_of(oil, _base_oil(keys), known)
     own = {field: keys[key] for field, key in HEAT_KEYS.items() if key in keys}
     return replace(heat, **own, ranges=replace(heat.ranges, **dict.fromkeys(own, 0.0)))
+
+
+def _has_line(keys: dict[str, Any]) -> bool:
+    """Tell whether the viscosity over temperature is given, not assumed."""
+    return INDEX in keys or PAIR in keys or all(key in keys for key in POINTS)
+
+
+def _base_oil(keys: dict[str, Any]) -> BaseOil:
+    return BaseOil(keys.get("base_oil", BaseOil.MINERAL))
+
+
+def viscosity_line(keys: dict[str, Any], temperature: float) -> WaltherLine | None:
+    """Viscosity over temperature of an oil that is not of the library.
+
+    Parameters
+    ----------
+    keys : dict[str, Any]
+        Keys of the oil.
+    temperature : float
+        Temperature of operation [K].
+
+    Returns
+    -------
+    WaltherLine | None
+        Through the viscosities of its sheet, or one of them with the index given or of its base
+        oil; None of an oil without viscosity.
+    """
+    points = {at: to_si(key, keys[key]) for key, at in POINTS.items() if key in keys}
+    points |= {to_si("oil_C", at): nu * MM2_S for at, nu in keys.get(PAIR, ())}
+    if not points:
+        at = to_si(VISCOSITY_AT, keys.get(VISCOSITY_AT, from_si(VISCOSITY_AT, temperature)))
+        viscosity = _own_viscosity(keys, _density(keys, at))
+        if viscosity is None:
+            return None
+        points = {at: viscosity / _density(keys, at)}
+    if len(points) > 1:
+        return line_through(tuple(points), tuple(points.values()))
+    ((at, viscosity),) = points.items()
+    index = keys.get(INDEX, CLASSES[_base_oil(keys)].viscosity_index[0])
+    return line_of_index(viscosity, at, index)
+
+
+def sheet_viscosity(oil: Oil, temperature: float) -> float:
+    """Dynamic viscosity of an oil by its data sheet.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+    temperature : float
+        Temperature of the oil [K].
+
+    Returns
+    -------
+    float
+        Viscosity at ambient pressure [Pa s].
+    """
+    line = viscosity_line(oil.keys, temperature)
+    assert line is not None  # of a data sheet
+    return line.at(temperature) * _density(oil.keys, temperature)
+
+
+def _density(keys: dict[str, Any], temperature: float) -> float:
+    """Density at ambient pressure [kg/m^3], given or that of the base oil at a temperature [K]."""
+    if "density_kg_m3" in keys:
+        return float(keys["density_kg_m3"])
+    expansion = keys.get(HEAT_KEYS["expansion"])
+    return assumed_density(temperature, _base_oil(keys), keys.get(DENSITY_AT_15), expansion)
+
+
+def _own_viscosity(keys: dict[str, Any], density: float) -> float | None:
+    """Dynamic viscosity as given for one temperature [Pa s]."""
+    dynamic, kinematic = VISCOSITIES
+    if dynamic in keys:
+        return float(to_si(dynamic, keys[dynamic]))
+    if kinematic in keys:
+        return float(to_si(kinematic, keys[kinematic]) * density)
+    return None
+
+
+def warn_of_estimates(of_case: Oil, oil: Lubricant) -> None:
+    """Tell what is assumed of an oil by its base oil.
+
+    Parameters
+    ----------
+    of_case : Oil
+        Keys of the oil.
+    oil : Lubricant
+        The lubricant at the temperature of operation.
+    """
+    keys = of_case.keys
+    if of_case.of_library or not any(key in keys for key in (*VISCOSITIES, *SHEET)):
+        return
+    assert oil.temperature is not None
+    celsius = oil.temperature - ZERO_CELSIUS
+    base = _base_oil(keys)
+    kind = CLASSES[base]
+    assumed = []
+    nu = oil.viscosity / oil.density
+    if not _has_line(keys):
+        index, low, high = kind.viscosity_index
+        assumed.append(f"{INDEX} = {index:g} ({low:g} to {high:g})")
+    if _by_class(keys) and PRESSURE_VISCOSITY not in keys and oil.piezoviscous:
+        ends = (GIGAPASCAL * one for one in assumed_pressure_viscosity(nu, base))
+        assumed.append("{} = {:.1f} ({:.1f} to {:.1f})".format(PRESSURE_VISCOSITY, *ends))
+    if not {"density_kg_m3", DENSITY_AT_15} & keys.keys():
+        assumed.append("{} = {:g} ({:g} to {:g})".format(DENSITY_AT_15, *kind.density))
+    values = {
+        "conductivity": (kind.conductivity, kind.spread),
+        "specific_heat": (kind.heat_capacity / oil.density, kind.spread),
+    }
+    for field, (value, spread) in values.items():
+        if HEAT_KEYS[field] not in keys:
+            assumed.append(f"{HEAT_KEYS[field]} = {value:.3g} (+-{spread:.0%})")
+    if HEAT_KEYS["expansion"] not in keys:
+        assumed.append("{} = {:g} ({:g} to {:g})".format(HEAT_KEYS["expansion"], *kind.expansion))
+    unverified = "" if kind.verified else ", unverified"
+    named = "" if "base_oil" in keys else ", base_oil not given"
+    text = f"lubricant: {1e6 * nu:.4g} mm2/s at {celsius:.4g} C"
+    if assumed:
+        text += f"; estimated as {base.value} oil{named}{unverified}: {', '.join(assumed)}"
+    warnings.warn(text, stacklevel=2)
+
+
+def _warn_of_range(keys: dict[str, Any], line: WaltherLine, oil: Lubricant) -> None:
+    """Caution where ASTM D341 is extrapolated, or a given index is not that of the viscosities."""
+    assert oil.temperature is not None
+    celsius = oil.temperature - ZERO_CELSIUS
+    points = [at - ZERO_CELSIUS for key, at in POINTS.items() if key in keys]
+    points += [at for at, _ in keys.get(PAIR, ())]
+    nu = oil.viscosity / oil.density
+    if len(points) > 1:
+        low, high = min(points) - BEYOND_SHEET, max(points) + BEYOND_SHEET
+        if not low <= celsius <= high:
+            text = (
+                f"lubricant: {celsius:.4g} C lies beyond the data sheet, {min(points):g} to "
+                f"{max(points):g} C: its viscosity, {1e6 * nu:.3g} mm2/s, is extrapolated by "
+                "ASTM D341"
+            )
+            warnings.warn(Caution(text), stacklevel=2)
+        found = line.index
+        index = keys.get(INDEX, found)
+        if found is not None and abs(index - found) > INDEX_TOLERANCE:
+            text = (
+                f"lubricant.{INDEX}: {index:g} is given, {found:.0f} is that of the two "
+                "viscosities (ASTM D2270); these are taken"
+            )
+            warnings.warn(Caution(text), stacklevel=2)
+    if nu < D341_LEAST:
+        text = (
+            f"lubricant: {1e6 * nu:.2g} mm2/s at {celsius:.4g} C is below 2 mm2/s, where ASTM "
+            "D341 needs further terms"
+        )
+        warnings.warn(Caution(text), stacklevel=2)
 
 
 def _of_library(
@@ -732,16 +993,40 @@ def _warn_of_unverified(name: str, keys: dict[str, Any]) -> None:
         warnings.warn(f"lubricant {name!r}: its viscosity is unverified: {source}", stacklevel=2)
 
 
-def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:
-    """Fill in the dynamic viscosity [Pa s], if need be from the kinematic one."""
-    given.setdefault("density", DENSITY)
-    given.setdefault("pressure_viscosity", 0.0)  # checked before: the isoviscous law needs none
-    dynamic, kinematic = VISCOSITIES
-    if dynamic in keys:
-        given["viscosity"] = to_si(dynamic, keys[dynamic])
-    elif kinematic in keys:
-        given["viscosity"] = to_si(kinematic, keys[kinematic]) * given["density"]
-    given.setdefault("viscosity", VISCOSITY_UNUSED)
+def _set_viscosity(given: dict[str, Any], oil: Oil, temperature: float) -> WaltherLine | None:
+    """Fill in dynamic viscosity [Pa s], density and coefficient of pressure at a temperature [K];
+    the line of the viscosity of an oil that is not of the library.
+    """
+    keys = oil.keys
+    if oil.of_library:
+        own = _own_viscosity(keys, given["density"])
+        if own is not None:
+            given["viscosity"] = own * _of_other_temperature(given, keys, temperature)
+        return None
+    given.setdefault("density", _density(keys, temperature))
+    line = viscosity_line(keys, temperature)
+    given["viscosity"] = VISCOSITY_UNUSED
+    if line is not None:
+        given["viscosity"] = line.at(temperature) * given["density"]
+        if VISCOSITY_AT not in keys:  # of this temperature, to the last digit
+            own = _own_viscosity(keys, given["density"])
+            given["viscosity"] = given["viscosity"] if own is None else own
+    estimated = 0.0  # checked before: the isoviscous law needs none
+    if line is not None and _by_class(keys):
+        estimated = assumed_pressure_viscosity(line.at(temperature), _base_oil(keys))[0]
+    given.setdefault("pressure_viscosity", estimated)
+    return line
+
+
+def _of_other_temperature(
+    given: dict[str, Any], keys: dict[str, Any], temperature: float
+) -> float:
+    """Viscosity of an oil of the library over that at `viscosity_at_C` [-]."""
+    if VISCOSITY_AT not in keys:
+        return 1.0
+    there = load_lubricant(given["name"], to_si(VISCOSITY_AT, keys[VISCOSITY_AT]))
+    here = load_lubricant(given["name"], temperature)
+    return here.viscosity / there.viscosity
 
 
 def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:

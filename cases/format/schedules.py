@@ -1,15 +1,17 @@
 """Tables of [dynamics] over time and the rules that they follow."""
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 from oilfilm.bearing.library.lubricants import list_lubricants, lubricant_data
 from oilfilm.bearing.library.plugins import matching_name
 
 from .fields import FREE_WORD
-from .lubricant import VISCOSITIES, Oil, oil_of
+from .lubricant import SHEET, VISCOSITIES, Oil, oil_of, sheet_viscosity
 from .rules import CaseProblem, CaseValues, shown
 
+SHEET_RANGE_C = (-40.0, 200.0)  # of viscosities by ASTM D341
 TEMPERATURES = ("dynamics", "temperature_table_C")
 
 
@@ -126,9 +128,8 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseProblem]:
     if data is None:
         if not oil.of_library or any(key in oil.keys for key in VISCOSITIES):
             finding = "found with a viscosity that is given at one temperature"
-            yield CaseProblem(
-                TEMPERATURES, finding, "allowed with an oil of the library by its name"
-            )
+            allowed = "allowed with an oil of the library by its name, or by its data sheet"
+            yield CaseProblem(TEMPERATURES, finding, allowed)
         return
     low, high = data["range_C"]
     for row in values.get(*TEMPERATURES):
@@ -139,7 +140,7 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseProblem]:
 
 
 def oil_data(oil: Oil) -> dict[str, Any] | None:
-    """Data of the library for an oil that has its viscosity from there.
+    """Viscosity over temperature of an oil of the library, or by its data sheet.
 
     Parameters
     ----------
@@ -151,6 +152,8 @@ def oil_data(oil: Oil) -> dict[str, Any] | None:
     dict[str, Any] | None
         The data; None for another oil.
     """
+    if any(key in oil.keys for key in SHEET):
+        return {"viscosity": {"law": partial(sheet_viscosity, oil)}, "range_C": SHEET_RANGE_C}
     name = str(oil.keys.get("name"))
     key = matching_name(name, list_lubricants(name)) if oil.of_library else None
     if key is None or any(viscosity in oil.keys for viscosity in VISCOSITIES):

@@ -2,14 +2,13 @@
 
 from collections.abc import Iterator, Mapping
 from math import inf
-from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from oilfilm.ehl import ContactConditions, MoesConditions
 from oilfilm.ehl.arrays import Array
-from oilfilm.ehl.foreign_files import LARGEST_TEXT, read_file
+from oilfilm.ehl.table_files import Quantity
 from oilfilm.ehl.transient.inputs import (
     Course,
     Dent,
@@ -22,16 +21,15 @@ from oilfilm.ehl.transient.inputs import (
     TransientOptions,
     Waviness,
 )
-from oilfilm.ehl.units import MICROMETRE
 
 from .contact import ContactEhlTable
+from .data_tables import case_columns
 from .fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
 from .rules import (
     MISSING,
     CaseProblem,
     CaseValues,
     InvalidKeyError,
-    KeyPath,
     Needs,
     OnlyWith,
     Relation,
@@ -42,6 +40,11 @@ from .rules import (
 
 NAME = "features"
 POINTS = 257  # of the finest grid, where [ehl] gives none
+PROFILE = (  # columns of a surface
+    Quantity("x_um", ("x", "length", "distance", "position")),
+    Quantity("y_um", ("y", "across"), needed=False),
+    Quantity("height_um", ("height", "z", "profil", "höhe")),
+)
 IMPACT = ("mass_kg", "approach_speed_m_s", "gap_um")
 
 
@@ -263,49 +266,15 @@ def _profile(index: int, table: FeatureTable) -> Profile:
     key = (NAME, index, "file")
     assert table.file is not None
     allowed = "allowed: rows of x and height, or x, y and height on a grid, in um"
-    rows = read_columns(key, table.file, allowed) * MICROMETRE
+    columns = case_columns(key, table.file, PROFILE, allowed)
     try:
-        if rows.shape[1] == 2:
-            return table.build(Profile, x=rows[:, 0], heights=rows[:, 1])
-        if rows.shape[1] == 3:
-            x, y, heights = _grid(rows)
+        if len(columns) == 3:
+            x, y, heights = _grid(np.column_stack([columns[one.key] for one in PROFILE]))
             return table.build(Profile, x=x, y=y, heights=heights)
+        x, heights = columns["x_um"], columns["height_um"]
+        return table.build(Profile, x=x, heights=heights)
     except ValueError as error:
         raise InvalidKeyError(key, f"{table.file}: {error}", allowed) from None
-    raise InvalidKeyError(key, f"{table.file} has {rows.shape[1]} columns", allowed)
-
-
-def read_columns(key: KeyPath, file: str, allowed: str) -> Array:
-    """Read the columns of numbers of a text file; commas and semicolons separate like spaces.
-
-    Parameters
-    ----------
-    key : tuple of (str or int)
-        Path of the key that names the file.
-    file : str
-        The file, a path from the working directory.
-    allowed : str
-        Text for messages: the content that is allowed.
-
-    Returns
-    -------
-    ndarray, shape (n, columns)
-        The numbers, in the units of the file.
-
-    Raises
-    ------
-    InvalidKeyError
-        If the file cannot be read, or holds something else.
-    """
-    try:
-        text = read_file(Path(file), LARGEST_TEXT).decode("utf-8")
-        text = text.replace(",", " ").replace(";", " ")
-        return np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
-    except OSError as error:
-        finding = f"{file} cannot be read: {error.strerror or error}"
-        raise InvalidKeyError(key, finding, allowed) from None
-    except ValueError as error:
-        raise InvalidKeyError(key, f"{file}: {error}", allowed) from None
 
 
 def _grid(rows: Array) -> tuple[Array, Array, Array]:

@@ -1,7 +1,6 @@
 """[form], [support], [vibration]: surfaces that are not even, rings that move, what is heard."""
 
 from collections.abc import Iterator
-from math import radians
 from typing import Annotated, Literal
 
 import numpy as np
@@ -16,8 +15,10 @@ from oilfilm.bearing.vibration.inputs import (
     WaveFilter,
 )
 from oilfilm.ehl.arrays import Array
-from oilfilm.ehl.units import MICROMETRE, RPM
+from oilfilm.ehl.table_files import Quantity
+from oilfilm.ehl.units import RPM
 
+from .data_tables import case_columns, turn_profile
 from .fields import OneOf, Table, above, between, checked, described, numbers, within
 from .rules import (
     CaseProblem,
@@ -30,11 +31,15 @@ from .rules import (
     shown,
     together,
 )
-from .transient import read_columns
 
 DEFECTS_MAXIMUM = 20
 WAVES = {"strict": False, "max_length": 2000}
 BALLS_MAXIMUM = 1000
+RESPONSE = (  # columns of a frequency response
+    Quantity("frequency_Hz", ("freq", "f")),
+    Quantity("amplitude_ratio", ("ampl", "magn", "gain", "ratio", "betrag")),
+    Quantity("phase_deg", ("phas",)),
+)
 REFERENCE = 1e-6  # of levels of acceleration, ISO 1683 [m/s^2]
 END_TIME = 0.5  # [s]
 
@@ -95,11 +100,12 @@ class FormTable(Table):
         "[[form.ball_waviness]], orders of the balls", (), **WAVES
     )
     inner_profile: str | None = described(
-        "text file with columns of angle [deg] and height [um] over a turn of the inner race",
+        "file of angle [deg] and height [um], or as its header says, over a turn of the race",
         min_length=1,
     )
     outer_profile: str | None = described("likewise of the outer race", min_length=1)
     ball_profile: str | None = described("likewise of all balls", min_length=1)
+    profile_eccentricity: bool = described("order 1 of profiles is kept; else left out", False)
     ball_diameter_um: Differences | None = described("of each ball over the nominal diameter")
     defects: tuple[DefectTable, ...] = described(
         "[[form.defects]], hollows of tracks", (), strict=False, max_length=DEFECTS_MAXIMUM
@@ -127,7 +133,7 @@ class SupportTable(Table):
     sensor_frequency_Hz: float | None = above(0, 1e6, "of its resonance on a ring at rest")
     sensor_damping_ratio: float | None = above(0, 1, "of its critical damping")
     frequency_response: str | None = described(
-        "text file with columns of frequency [Hz], amplitude ratio and phase [deg], which the "
+        "file with columns of frequency [Hz], amplitude ratio and phase [deg], which the "
         "acceleration goes through",
         min_length=1,
     )
@@ -303,7 +309,12 @@ def surface_form(table: FormTable) -> SurfaceForm:
         FormBody.OUTER: ("outer_profile", table.outer_profile),
         FormBody.BALL: ("ball_profile", table.ball_profile),
     }
-    profiles = {place: _profile(*given) for place, given in files.items() if given[1]}
+    kept = table.profile_eccentricity
+    profiles = {
+        place: turn_profile(("form", key), file, eccentric=kept)
+        for place, (key, file) in files.items()
+        if file
+    }
     return SurfaceForm(
         waves=waves,
         profiles=profiles,
@@ -331,18 +342,6 @@ def _options(table: VibrationTable, speed: float, end_time: float | None) -> Vib
     )
 
 
-def _profile(key: str, file: str | None) -> Array:
-    """Heights over a turn, even, of a file [m]."""
-    allowed = "allowed: rows of a rising angle [deg] from 0 and a height [um], at least 4"
-    rows = _columns(("form", key), str(file), 2, allowed)
-    angle, height = rows.T
-    if len(rows) < 4 or angle[0] < 0.0 or angle[-1] > 360.0 or (np.diff(angle) <= 0.0).any():
-        raise InvalidKeyError(("form", key), f"{file}: angles do not rise from 0 to 360", allowed)
-    even = np.linspace(0.0, 360.0, max(4096, 4 * len(rows)), endpoint=False)
-    values = np.interp(even, angle, height, period=360.0)
-    return np.asarray((values - values.mean()) * MICROMETRE)
-
-
 def frequency_response(table: SupportTable | None) -> Array | None:
     """Frequency response that the acceleration passes through.
 
@@ -365,15 +364,8 @@ def frequency_response(table: SupportTable | None) -> Array | None:
         return None
     path = ("support", "frequency_response")
     allowed = "allowed: rows of a rising frequency [Hz], an amplitude ratio and a phase [deg]"
-    rows = _columns(path, table.frequency_response, 3, allowed)
-    if len(rows) < 2 or (np.diff(rows[:, 0]) <= 0.0).any() or (rows[:, 1] < 0.0).any():
+    columns = case_columns(path, table.frequency_response, RESPONSE, allowed)
+    frequency, ratio, phase = (columns[one.key] for one in RESPONSE)
+    if frequency.size < 2 or (np.diff(frequency) <= 0.0).any() or (ratio < 0.0).any():
         raise InvalidKeyError(path, f"{table.frequency_response}: no rising frequencies", allowed)
-    return np.column_stack([rows[:, 0], rows[:, 1], radians(1.0) * rows[:, 2]])
-
-
-def _columns(path: tuple[str | int, ...], file: str, count: int, allowed: str) -> Array:
-    """Finite numbers of a text file, shape (n, count)."""
-    rows = read_columns(path, file, allowed)
-    if rows.shape[1] != count or not np.isfinite(rows).all():
-        raise InvalidKeyError(path, f"{file} has {rows.shape[1]} columns", allowed)
-    return rows
+    return np.column_stack([frequency, ratio, phase])

@@ -1,5 +1,6 @@
 """Run the vibration of a bearing case: equilibrium, films, form, time."""
 
+import warnings
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
@@ -67,7 +68,9 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     table = file.vibration or VibrationTable()
     try:
         speed = case.operation.inner_speed
-        model = vibration(file.form, file.support, file.vibration, speed, end_time)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of the profiles, which the case has told
+            model = vibration(file.form, file.support, file.vibration, speed, end_time)
         response = frequency_response(file.support)
         notify(0, 1000, "equilibrium and films")
         state = interruptible(partial(case_equilibrium, case))

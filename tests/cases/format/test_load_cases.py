@@ -67,9 +67,6 @@ def test_each_load_case_has_its_oil_and_its_clearance():
     assert sum(state.time_share for state in found.load_cases) == pytest.approx(1.0, abs=1e-15)
 
 
-FIXED_OIL = CASE.replace('name = "iso vg 32"', "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 18.0")
-
-
 @pytest.mark.parametrize(
     ("keys", "text", "line", "expected"),
     [
@@ -77,7 +74,6 @@ FIXED_OIL = CASE.replace('name = "iso vg 32"', "viscosity_mPa_s = 20.0\npressure
         ("", CASE.replace("share = 0.75", ""), 15, "load_cases.1.share: missing; needed: a number > 0 and <= 1"),
         ("", CASE.replace("0.75", "75"), 16, "load_cases.1.share: found 75; allowed: a number > 0 and <= 1"),
         ("inner_sped_rpm = 1.0\n", CASE, 17, "unknown key; did you mean 'inner_speed_rpm'?"),
-        ("temperature_C = 80.0\n", FIXED_OIL, 18, "found 80.0 together with lubricant.viscosity_mPa_s"),
         ("temperature_C = 450.0\n", CASE, 17, "load_cases.1.temperature_C: found 450.0; allowed with an oil of"),
         ('displacement_um = [1.0, "free", "free"]\n', CASE, 17, "found a displacement along x together with a load"),
         ("force_N = [1.0, 2.0, 3.0]\nradial_load_N = 5.0\n", CASE, 18, "found together with force_N"),

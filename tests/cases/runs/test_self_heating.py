@@ -10,7 +10,6 @@ import pytest
 
 from oilfilm.cases.cli.new_case import FirstOperation, case_of_designation
 from oilfilm.cases.format.case import case_from_text
-from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.runs.bearing import run_case
 from oilfilm.cases.runs.heating import self_heated
 from oilfilm.postprocess import summary
@@ -113,11 +112,15 @@ def test_without_the_key_the_block_is_null():
     assert any(message.startswith("self_heating: null") for message in document["messages"])
 
 
-def test_an_oil_without_temperature_is_refused():
-    with pytest.raises(CaseError, match="name"):
-        found(TEXT.replace('name = "iso vg 32"', "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 18.0"))
-    with pytest.raises(CaseError, match="viscosity_mPa_s"):
-        found(TEXT.replace('name = "iso vg 32"', 'name = "iso vg 32"\nviscosity_mPa_s = 20.0'))
+def test_one_viscosity_follows_the_temperature_by_the_index_of_its_base_oil():
+    """Not further from the balance of the library's oil than its index, 79, from that assumed, 95."""
+    warm, document = found(
+        TEXT.replace('name = "iso vg 32"', "viscosity_mPa_s = 27.6\npressure_viscosity_1_GPa = 25.0")
+    )
+    own, _ = found(TEXT)
+    assert document["converged"]
+    assert warm["temperature_C"] == pytest.approx(own["temperature_C"], abs=3.0)
+    assert any("viscosity_index = 95 (30 to 130)" in message for message in document["messages"])
 
 
 @pytest.mark.parametrize(("key", "speed"), [("heat_transfer_W_K", 9000.0), ("cooling_oil_mL_min", 24000.0)])

@@ -12,7 +12,7 @@ from numpy import log
 
 from oilfilm.bearing import load_lubricant
 from oilfilm.ehl import DensityLaw, Lubricant, ViscosityLaw
-from oilfilm.ehl.oil.assumed_heat import COLD, HOT, WALTHER, BaseOil, heat_of, viscosity_fall, with_heat
+from oilfilm.ehl.oil.assumed_heat import COLD, HOT, WALTHER, BaseOil, heat_of, line_of_index, with_heat
 from oilfilm.ehl.oil.free_volume import TaitVolume
 from oilfilm.ehl.oil.lubricant import ScaledVolume, pressure_viscosity_scaled
 
@@ -25,7 +25,7 @@ def test_examples_of_the_standard(cold, hot, index):
     line = log(log(cold + WALTHER) / log(hot + WALTHER)) / log(HOT / COLD)
     for nu, temperature in ((cold, COLD), (hot, HOT)):
         slope = line * (1.0 + WALTHER / nu) * log(nu + WALTHER) / temperature
-        assert viscosity_fall(1e-6 * nu, temperature, index) == pytest.approx(slope, rel=0.006)
+        assert line_of_index(1e-6 * nu, temperature, index).fall(temperature) == pytest.approx(slope, rel=0.006)
 
 
 @pytest.mark.parametrize(
@@ -47,7 +47,9 @@ def test_oils_of_the_library_lie_in_the_ranges(name, base, index):
         for field in ("conductivity", "specific_heat", "viscosity_temperature", "expansion"):
             ratio = getattr(oil.thermal, field) / getattr(assumed, field)
             assert abs(ratio - 1.0) <= getattr(assumed.ranges, field) + 0.01, field
-        known = heat_of(replace(oil, thermal=None), base, index)
+        known = heat_of(
+            replace(oil, thermal=None), base, line_of_index(oil.viscosity / oil.density, celsius + 273.15, index)
+        )
         assert known.viscosity_temperature == pytest.approx(oil.thermal.viscosity_temperature, rel=0.04)
 
 

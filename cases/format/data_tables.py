@@ -1,0 +1,192 @@
+"""Files of measurements that a case names: profiles over a turn, courses, frequency responses.
+
+`ehl.table_files` reads them; what a quantity must be is checked here, with the key of the case.
+"""
+
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.foreign_files import DamagedFileError
+from oilfilm.ehl.table_files import Quantity, columns_of, read_table
+
+from .rules import InvalidKeyError, KeyPath
+
+ANGLE = Quantity("angle_deg", ("angle", "winkel", "azimu", "theta", "phi", "position", "deg"))
+HEIGHTS = (
+    "height",
+    "höhe",
+    "hoehe",
+    "profil",
+    "deviation",
+    "abweich",
+    "radi",
+    "amplitude",
+    "value",
+)
+HEIGHT = Quantity("height_um", HEIGHTS)
+TURN = 360.0  # [deg]
+CLOSING = 2.5  # gap between neighbours over the median one that still closes a turn [-]
+LEAST_GAP = 1.0  # gap that is always allowed [deg]
+UNEVEN = 0.02  # of the step between angles, beyond which they are uneven [-]
+LEAST_ROWS = 8  # of a profile
+EVEN = 4096  # points over a turn at least
+TOLD_SHARE = 0.02  # of the height, from which a removed order 1 is told [-]
+STEP = 0.25  # of the height where the turn closes, from which that is told [-]
+
+
+def case_columns(
+    key: KeyPath, file: str, wanted: Sequence[Quantity], allowed: str
+) -> dict[str, Array]:
+    """Columns of a file that a key of a case names, in SI.
+
+    Parameters
+    ----------
+    key : tuple of (str or int)
+        Path of the key.
+    file : str
+        The file, a path from the working directory.
+    wanted : sequence of Quantity
+        Quantities of its columns.
+    allowed : str
+        Text for messages: the content that is allowed.
+
+    Returns
+    -------
+    dict[str, Array]
+        Values in SI by the key of the quantity, all of one length.
+
+    Raises
+    ------
+    InvalidKeyError
+        If the file cannot be read, or holds something else.
+    """
+    try:
+        table = read_table(Path(file))
+        if len(table.columns) == 1 and sum(one.needed for one in wanted) > 1:
+            raise DamagedFileError(f"{file}: one column")
+        columns = columns_of(table, wanted)
+    except OSError as error:
+        finding = f"{file} cannot be read: {error.strerror or error}"
+        raise InvalidKeyError(
+            key, finding, f"{allowed}; a path from the working directory"
+        ) from None
+    except DamagedFileError as error:
+        raise InvalidKeyError(key, str(error), allowed) from None
+    for name, values in columns.items():
+        missing = np.flatnonzero(~np.isfinite(values))
+        if missing.size:
+            finding = f"{file}, {table.row(int(missing[0]))}: no {name}"
+            raise InvalidKeyError(key, finding, allowed)
+    return columns
+
+
+def turn_profile(key: KeyPath, file: str, *, eccentric: bool) -> Array:
+    """Heights over a turn of a file, at even angles.
+
+    Their mean is left out, and order 1, by which a part stands off the centre of the measuring
+    table, unless it is kept.
+
+    Parameters
+    ----------
+    key : tuple of (str or int)
+        Path of the key.
+    file : str
+        The file: angle and height, or heights at even angles of a turn.
+    eccentric : bool
+        True: order 1 is kept.
+
+    Returns
+    -------
+    Array
+        Heights, shape (n,) [m].
+
+    Raises
+    ------
+    InvalidKeyError
+        If they are no turn.
+    """
+    allowed = "allowed: angle [deg] and height [um] over one whole turn, at least 8 rows"
+    angle, height = _angles_and_heights(key, file, allowed)
+    if angle.size < LEAST_ROWS:
+        raise InvalidKeyError(key, f"{file}: {angle.size} rows", allowed)
+    angle, height = _one_turn(key, file, angle, height, allowed)
+    points = max(EVEN, 4 * angle.size)
+    orders = _orders(angle, height, points)
+    orders[0] = 0.0
+    off_centre = 2.0 * abs(orders[1]) / points
+    if not eccentric:
+        orders[1] = 0.0
+        if off_centre > TOLD_SHARE * np.ptp(height):
+            text = (
+                f"{'.'.join(map(str, key))}: order 1 of {1e6 * off_centre:.3g} um, the part off "
+                "the centre of the measuring table, is left out; form.profile_eccentricity = true "
+                "keeps it"
+            )
+            warnings.warn(text, stacklevel=2)
+    return np.asarray(np.fft.irfft(orders, points))
+
+
+def _orders(angle: Array, height: Array, points: int) -> Array:
+    """Fourier orders of heights over a turn, as of so many points; at uneven angles [deg] the
+    heights are linear between.
+    """
+    if np.ptp(np.diff(angle)) > UNEVEN * TURN / angle.size:
+        even = np.linspace(0.0, TURN, points, endpoint=False)
+        return np.asarray(np.fft.rfft(np.interp(even, angle, height, period=TURN)))
+    orders = np.zeros(points // 2 + 1, dtype=np.complex128)
+    own = np.fft.rfft(height) * (points / height.size)
+    own *= np.exp(-1j * np.arange(own.size) * np.radians(angle[0]))
+    orders[: own.size] = own
+    return orders
+
+
+def _angles_and_heights(key: KeyPath, file: str, allowed: str) -> tuple[Array, Array]:
+    """Angles [deg] and heights [m] in the order of the file."""
+    try:
+        table = read_table(Path(file))
+    except (OSError, DamagedFileError):
+        table = None  # told below
+    if table is not None and len(table.columns) == 1:
+        height = case_columns(key, file, [HEIGHT], allowed)[HEIGHT.key]
+        return np.arange(height.size) * (TURN / height.size), height
+    columns = case_columns(key, file, [ANGLE, HEIGHT], allowed)
+    return np.degrees(columns[ANGLE.key]), columns[HEIGHT.key]
+
+
+def _one_turn(
+    key: KeyPath, file: str, angle: Array, height: Array, allowed: str
+) -> tuple[Array, Array]:
+    """Rising angles from 0 [deg] and heights [m], the turn closed by them."""
+    steps = np.diff(angle)
+    if (steps < 0.0).all():
+        angle, height, steps = angle[::-1], height[::-1], -steps[::-1]
+    if (steps <= 0.0).any():
+        place = int(np.flatnonzero(steps <= 0.0)[0]) + 2
+        raise InvalidKeyError(key, f"{file}, row {place}: the angle does not rise", allowed)
+    span = float(angle[-1] - angle[0])
+    usual = float(np.median(steps))
+    largest = max(CLOSING * usual, LEAST_GAP)
+    if span > TURN + 0.5 * usual or TURN - span > largest:
+        finding = f"{file}: the angles cover {span:.4g} of 360 deg"
+        if abs(span - 2.0 * np.pi) < 0.2:
+            finding += ", or a turn in radians, which the header has to say (rad)"
+        raise InvalidKeyError(key, finding, allowed)
+    if steps.max() > largest:
+        place = int(steps.argmax())
+        finding = f"{file}: a gap from {angle[place]:.4g} to {angle[place + 1]:.4g} deg"
+        raise InvalidKeyError(key, finding, allowed)
+    if TURN - span < 0.5 * usual:  # the first angle once more
+        step = abs(float(height[-1] - height[0]))
+        if step > STEP * np.ptp(height):
+            text = (
+                f"{'.'.join(map(str, key))}: the profile does not close, by {1e6 * step:.3g} um "
+                f"at {angle[0]:.4g} deg"
+            )
+            warnings.warn(text, stacklevel=2)
+        angle, height = angle[:-1], height[:-1]
+    order = np.argsort(angle % TURN)
+    return angle[order] % TURN, height[order]

@@ -1,0 +1,494 @@
+"""Tables of others: text with any separator, decimal comma and headers with units, JSON, npy, npz.
+
+A text may begin with a byte-order mark and with lines of an instrument; the rows of numbers after
+them are the table, the lines right before are its header. What is wrong with it is a
+`DamagedFileError` with line and column.
+"""
+
+import math
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .arrays import Array
+from .data_files import array_of, read_arrays
+from .foreign_files import DamagedFileError, read_file, read_json, visible
+from .units import NO_UNIT, UNITS, Unit, without_unit
+from .units import unit as unit_of_key
+
+LARGEST_TABLE = 2**26  # of a text [bytes]
+SAMPLE = 2000  # lines that tell separator and decimal sign
+# separator, None: spaces and tabs; decimal sign; in the order of preference
+FORMATS = (
+    ("\t", "."),
+    (";", "."),
+    (",", "."),
+    (None, "."),
+    ("|", "."),
+    ("\t", ","),
+    (";", ","),
+    (None, ","),
+    ("|", ","),
+)
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+NOTHING = ("", "-", "--", "na", "n/a", "nan", "null", "none")  # entries that are left out
+CLOCK = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ])?(\d{1,2}):(\d\d):(\d\d(?:\.\d*)?)")
+TEXT_SHARE = 0.2  # of entries that are numbers, below which a column holds words [-]
+COMMENT = "#%!"
+BRACKETS = re.compile(r"^(.*?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]\s*$")
+SPACED = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?")
+METRE = "m"
+SIGNS = {"µ": "u", "μ": "u", "°": "deg", "º": "deg", "²": "2", "⁻¹": "-1"}
+FOREIGN = {  # units that no key of the program ends in
+    "m": Unit("m"),
+    "nm": Unit("nm", 1e-9, METRE),
+    "in": Unit("in", 0.0254, METRE),
+    "uin": Unit("uin", 2.54e-8, METRE),
+    "rad": Unit("rad"),
+    "rev": Unit("rev", 2.0 * math.pi, "rad"),
+    "1/s": Unit("1/s", 2.0 * math.pi, "rad/s"),
+    "Nm": Unit("N m"),
+    "mNm": Unit("mN m", 1e-3, "N m"),
+    "uNm": Unit("uN m", 1e-6, "N m"),
+    "cNm": Unit("cN m", 1e-2, "N m"),
+    "Ncm": Unit("N cm", 1e-2, "N m"),
+    "kNm": Unit("kN m", 1e3, "N m"),
+    "daN": Unit("daN", 10.0, "N"),
+    "lbf": Unit("lbf", 4.4482216152605, "N"),
+    "kgf": Unit("kgf", 9.80665, "N"),
+    "min": Unit("min", 60.0, "s"),
+    "%": Unit("%", 0.01),
+    "degF": Unit("degF", 5.0 / 9.0, "K", 459.67 * 5.0 / 9.0),
+}
+OTHER_NAMES = {  # of units, after `_plain`
+    **dict.fromkeys(("r/min", "1/min", "/min", "min-1", "min^-1", "U/min", "rev/min"), "rpm"),
+    **dict.fromkeys(("degree", "degrees", "Grad", "grd"), "deg"),
+    **dict.fromkeys(("micron", "microns", "micrometer", "micrometre"), "um"),
+    **dict.fromkeys(("inch", '"'), "in"),
+    **dict.fromkeys(("degC", "Celsius"), "C"),
+    **dict.fromkeys(("degF", "F", "Fahrenheit"), "degF"),
+    **dict.fromkeys(("sec", "seconds"), "s"),
+    **dict.fromkeys(("rps", "s-1", "rev/s"), "1/s"),
+    **dict.fromkeys(("turn", "turns"), "rev"),
+    **dict.fromkeys(("Nmm", "N_mm"), "N_mm"),
+    **dict.fromkeys(("rad/s", "rad_s"), "rad_s"),
+    **dict.fromkeys(("percent", "pct"), "%"),
+    **dict.fromkeys(("h", "hours", "hour"), "h"),
+}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Column:
+    """A column of a table, in the units of its file."""
+
+    name: str  # of the header, without the unit; empty without
+    unit: str  # as it is written; empty without
+    values: Array  # nan where an entry is left out
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DataTable:
+    """A table of a file."""
+
+    file: str
+    columns: tuple[Column, ...]
+    lines: tuple[int, ...] = ()  # of the rows of a text, from 1
+
+    @property
+    def has_header(self) -> bool:
+        """A column has a name or a unit."""
+        return any(column.name or column.unit for column in self.columns)
+
+    def row(self, number: int) -> str:
+        """Where a row stands in the file.
+
+        Parameters
+        ----------
+        number : int
+            row, from 0
+
+        Returns
+        -------
+        str
+            text for messages
+        """
+        return f"line {self.lines[number]}" if self.lines else f"row {number + 1}"
+
+
+class Quantity(NamedTuple):
+    """A quantity that is looked for among the columns of a table."""
+
+    key: str  # as one of a case file: it ends in the unit of columns without one
+    words: tuple[str, ...]  # parts of headers that name it
+    needed: bool = True
+
+
+class _Row(NamedTuple):
+    line: int  # from 1
+    fields: list[str]
+
+
+def read_table(path: Path) -> DataTable:
+    """Read a table of numbers.
+
+    Parameters
+    ----------
+    path : Path
+        text, or .json, .npy, .npz
+
+    Returns
+    -------
+    DataTable
+        its columns, in the units of the file
+
+    Raises
+    ------
+    DamagedFileError
+        with line and column, if it is none; OSError where it cannot be opened
+    """
+    kind = path.suffix.lower()
+    if kind == ".json":
+        return _of_document(read_json(path), str(path))
+    if kind == ".npz":
+        arrays = read_arrays(path)
+        return _of_mapping({name: array.ravel() for name, array in arrays.items()}, {}, str(path))
+    if kind == ".npy":
+        return _of_array(array_of(read_file(path), str(path)), str(path))
+    return table_of_text(_decoded(read_file(path, LARGEST_TABLE)), str(path))
+
+
+def _decoded(content: bytes) -> str:
+    """Text of a file: UTF-8 or 16 by its mark, else UTF-8, else that of Western Windows."""
+    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return content.decode("utf-16", errors="replace")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("cp1252", errors="replace")
+
+
+def table_of_text(text: str, name: str) -> DataTable:
+    r"""The table of numbers that a text holds.
+
+    Parameters
+    ----------
+    text : str
+        content of the file
+    name : str
+        name of the file in messages
+
+    Returns
+    -------
+    DataTable
+        its columns
+
+    Raises
+    ------
+    DamagedFileError
+        if it holds none, or an entry is no number, with line and column
+
+    Examples
+    --------
+    >>> table = table_of_text("Winkel [°];Höhe [µm]\n0;0,5\n180;-0,5\n", "a.csv")
+    >>> [(column.name, column.unit, column.values.tolist()) for column in table.columns]
+    [('Winkel', '°', [0.0, 180.0]), ('Höhe', 'µm', [0.5, -0.5])]
+    """
+    lines = text.splitlines()
+    separator, decimal = _format(lines)
+    rows = [
+        _Row(number, _fields(line, separator))
+        for number, line in enumerate(lines, 1)
+        if line.strip() and line.lstrip()[0] not in COMMENT
+    ]
+    numbers = [[_number(field, decimal) for field in row.fields] for row in rows]
+    width = _width(numbers)
+    if width == 0:
+        raise DamagedFileError(f"{name}: no rows of numbers")
+    words = _word_columns(numbers, width)
+    valid = [_is_data(row, width, words) for row in numbers]
+    first, last = valid.index(True), len(valid) - 1 - valid[::-1].index(True)
+    columns = [index for index in range(width) if index not in words]
+    header = _header(lines, rows[first].line, width, separator)
+    for row, good in zip(rows[first : last + 1], valid[first : last + 1], strict=True):
+        if not good:
+            raise DamagedFileError(f"{name}: {_fault(row, width, columns, decimal, header)}")
+    values = np.array(
+        [[row[index] for index in columns] for row in numbers[first : last + 1]], dtype=np.float64
+    )
+    kept = [k for k in range(len(columns)) if not np.isnan(values[:, k]).all()]
+    found = tuple(Column(*_name_and_unit(header[columns[k]]), values[:, k]) for k in kept)
+    return DataTable(name, found, tuple(row.line for row in rows[first : last + 1]))
+
+
+def _format(lines: Sequence[str]) -> tuple[str | None, str]:
+    """Separator and decimal sign by which most of the entries are numbers."""
+    sample = [line for line in lines if line.strip() and line.lstrip()[0] not in COMMENT]
+    sample = sample[:SAMPLE]
+
+    def score(separator: str | None, decimal: str) -> float:
+        rows = [[_number(field, decimal) for field in _fields(line, separator)] for line in sample]
+        width = _width(rows)
+        of_width = [row for row in rows if len(row) == width]
+        return sum(sum(value is not None for value in row) / width for row in of_width)
+
+    scores = {form: score(*form) for form in FORMATS}
+    return max(FORMATS, key=lambda form: scores[form])
+
+
+def _fields(line: str, separator: str | None) -> list[str]:
+    return [field.strip().strip('"').strip() for field in line.strip("\r\n").split(separator)]
+
+
+def _number(field: str, decimal: str) -> float | None:
+    """A number, seconds of a time of day or date; nan if left out, None of anything else."""
+    text = field.replace(",", ".") if decimal == "," else field
+    if NUMBER.fullmatch(text):
+        return float(text)
+    if field.lower() in NOTHING:
+        return math.nan
+    clock = CLOCK.fullmatch(text)
+    if clock is None:
+        return None
+    day = datetime.fromisoformat(clock[1]).toordinal() if clock[1] else 0
+    return 86400.0 * day + 3600.0 * int(clock[2]) + 60.0 * int(clock[3]) + float(clock[4])
+
+
+def _width(rows: Sequence[Sequence[float | None]]) -> int:
+    """Number of entries of most rows that begin or end with a number; 0 without any."""
+    widths = Counter(len(row) for row in rows if any(_known(value) for value in row))
+    return max(widths, key=lambda width: (widths[width], width), default=0)
+
+
+def _known(value: float | None) -> bool:
+    return value is not None and not math.isnan(value)
+
+
+def _word_columns(rows: Sequence[Sequence[float | None]], width: int) -> set[int]:
+    """Columns that hold words, as a remark on each row."""
+    of_width = [row for row in rows if len(row) == width]
+    shares = [
+        sum(row[index] is not None for row in of_width) / len(of_width) for index in range(width)
+    ]
+    return {index for index, share in enumerate(shares) if share < TEXT_SHARE}
+
+
+def _is_data(row: Sequence[float | None], width: int, words: set[int]) -> bool:
+    """Tell whether a row holds numbers, one of them at least, but for its words."""
+    if len(row) != width:
+        return False
+    values = [value for index, value in enumerate(row) if index not in words]
+    return None not in values and any(_known(value) for value in values)
+
+
+def _fault(
+    row: _Row, width: int, columns: Sequence[int], decimal: str, header: Sequence[str]
+) -> str:
+    """What is wrong with a row between others."""
+    if len(row.fields) != width:
+        return f"line {row.line} has {len(row.fields)} entries, the others have {width}"
+    wrong = [index for index in columns if _number(row.fields[index], decimal) is None]
+    if not wrong:
+        return f"line {row.line} has no numbers"
+    title = f" ({header[wrong[0]]})" if header[wrong[0]] else ""
+    found = visible(row.fields[wrong[0]][:40])
+    return f"line {row.line}, column {wrong[0] + 1}{title}: found {found!r}; allowed: a number"
+
+
+def _header(lines: Sequence[str], first: int, width: int, separator: str | None) -> list[str]:
+    """Header of each column: the line before the first row, or two, the second one of units."""
+    before = [line.lstrip().lstrip(COMMENT).strip() for line in lines[: first - 1]]
+    before = [line for line in before if line][-2:]
+    split = [_names(line, width, separator) for line in before]
+    if not split or split[-1] is None:
+        return [""] * width
+    last = split[-1]
+    units = all(not name or _unit(name.strip("[]()")) is not None for name in last)
+    if units and len(split) == 2 and split[0] is not None:
+        return [f"{name} [{of.strip('[]()')}]" for name, of in zip(split[0], last, strict=True)]
+    return last
+
+
+def _names(line: str, width: int, separator: str | None) -> list[str] | None:
+    """Names of columns in a line; None where it has another number of them."""
+    ways = [_fields(line, separator), SPACED.findall(line)]
+    ways += [_fields(line, other) for other in (";", "\t", ",")]
+    ways.append([part.strip() for part in re.split(r"\s{2,}|\t", line)])
+    return next(([visible(name) for name in way] for way in ways if len(way) == width), None)
+
+
+def _name_and_unit(header: str) -> tuple[str, str]:
+    """Name and unit: in brackets, after a slash or "in", or the last words as in a key."""
+    found = BRACKETS.match(header)
+    if found:
+        return found[1].strip(), found[2]
+    for sign in ("/", " in ", ","):
+        name, _, text = header.rpartition(sign)
+        if name and _unit(text) is not None:
+            return name.strip(), text.strip()
+    if unit_of_key(header) is not NO_UNIT:
+        name = without_unit(header)
+        return name, header[len(name) + 1 :]
+    return ("", header) if header and _unit(header) is not None else (header, "")
+
+
+def _plain(text: str) -> str:
+    """A unit without spaces and signs of multiplication, in letters of ASCII."""
+    for sign, letters in SIGNS.items():
+        text = text.replace(sign, letters)
+    return re.sub(r"[\s*·.]", "", text)
+
+
+def _unit(text: str) -> Unit | None:
+    """The unit that a text names; None of any other text."""
+    plain = _plain(text)
+    if plain in ("-", "1", ""):
+        return NO_UNIT
+    spelled = {name.lower(): name for name in (*OTHER_NAMES, *FOREIGN, *UNITS)}
+    for name in (plain, spelled.get(plain.lower(), "")):
+        name = OTHER_NAMES.get(name, name)
+        known = FOREIGN.get(name) or UNITS.get(name)
+        if known is not None:
+            return known
+    return None
+
+
+def _of_document(document: Any, name: str) -> DataTable:
+    """Table of a JSON document: rows, records, or columns by name."""
+    units = document.get("units", {}) if isinstance(document, dict) else {}
+    if isinstance(document, dict) and "data" in document:
+        names = document.get("columns") or document.get("header")
+        rows = document["data"]
+        if isinstance(names, list) and isinstance(rows, list):
+            rows = [dict(zip(map(str, names), row, strict=False)) for row in rows]
+        document = rows
+    elif isinstance(document, dict):
+        document = {key: value for key, value in document.items() if isinstance(value, list)}
+        return _of_mapping(document, units, name)
+    if isinstance(document, list) and document and all(isinstance(row, dict) for row in document):
+        names = list(document[0])
+        missing = next((n for n, row in enumerate(document) if list(row) != names), None)
+        if missing is not None:
+            raise DamagedFileError(f"{name}: row {missing + 1} has other names than the first")
+        return _of_mapping({key: [row[key] for row in document] for key in names}, units, name)
+    return _of_array(_numbers(document, name), name)
+
+
+def _of_mapping(columns: dict[str, Any], units: Any, name: str) -> DataTable:
+    values = {key: _numbers(entries, f"{name}: {key}") for key, entries in columns.items()}
+    if not values or len({entries.shape for entries in values.values()}) > 1:
+        raise DamagedFileError(f"{name}: no columns of one length")
+    found = []
+    for key, entries in values.items():
+        title, unit = _name_and_unit(key)
+        given = units.get(key, unit) if isinstance(units, dict) else unit
+        found.append(Column(title, str(given), entries))
+    return DataTable(name, tuple(found))
+
+
+def _numbers(entries: Any, name: str) -> Array:
+    """Numbers of a document; nan where an entry is null."""
+    try:
+        values = np.array(entries, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise DamagedFileError(
+            f"{name}: not all entries are numbers in rows of one length"
+        ) from None
+    return values
+
+
+def _of_array(values: Array, name: str) -> DataTable:
+    """Table of an array: a column, rows, or, where these are fewer, columns."""
+    if values.ndim not in (1, 2) or values.size == 0 or values.dtype.kind not in "fiub":
+        raise DamagedFileError(f"{name}: an array of the shape {values.shape} is no table")
+    rows = np.asarray(values, dtype=np.float64).reshape(values.shape[0], -1)
+    rows = rows.T if rows.shape[0] < rows.shape[1] else rows
+    return DataTable(name, tuple(Column("", "", rows[:, k]) for k in range(rows.shape[1])))
+
+
+def columns_of(table: DataTable, wanted: Sequence[Quantity]) -> dict[str, Array]:
+    """Quantities of a table in SI, by headers and units; without a header in their order.
+
+    Parameters
+    ----------
+    table : DataTable
+        the table
+    wanted : sequence of Quantity
+        quantities looked for
+
+    Returns
+    -------
+    dict[str, Array]
+        values in SI by key; a quantity that is not needed may be absent
+
+    Raises
+    ------
+    DamagedFileError
+        if one that is needed is not there, or stands in a unit that it has not
+    """
+    if not table.has_header:
+        needed = sum(one.needed for one in wanted)
+        if not needed <= len(table.columns) <= len(wanted):
+            names = ", ".join(one.key for one in wanted)
+            found = f"{len(table.columns)} columns without header"
+            raise DamagedFileError(f"{table.file}: {found}; allowed: {names}")
+        spare = [one for one in wanted if not one.needed][len(table.columns) - needed :]
+        pairs = zip((one for one in wanted if one not in spare), table.columns, strict=True)
+        return {one.key: _in_si(column, one, table.file) for one, column in pairs}
+    found: dict[str, Column] = {}
+    for choose in (_by_word, _by_unit):
+        for one in wanted:
+            free = [column for column in table.columns if column not in found.values()]
+            column = None if one.key in found else choose(one, free)
+            if column is not None:
+                found[one.key] = column
+    missing = [one.key for one in wanted if one.needed and one.key not in found]
+    if missing:
+        have = ", ".join(_title(column) for column in table.columns)
+        raise DamagedFileError(f"{table.file}: no column {missing[0]}; its columns: {have}")
+    return {one.key: _in_si(found[one.key], one, table.file) for one in wanted if one.key in found}
+
+
+def _title(column: Column) -> str:
+    return f"{column.name} [{column.unit}]" if column.unit else column.name or "(no name)"
+
+
+def _by_word(one: Quantity, columns: Sequence[Column]) -> Column | None:
+    """First column whose name is that of the key, else holds a word; its unit fits first."""
+    name = without_unit(one.key)
+    exact = [c for c in columns if c.name.lower().replace("_", " ") == name]
+    near = [c for c in columns if any(word in c.name.lower() for word in one.words)]
+    fitting = [c for c in near if c.unit and _fits(c, one)]
+    return next(iter((*exact, *fitting, *(c for c in near if not c.unit), *near)), None)
+
+
+def _by_unit(one: Quantity, columns: Sequence[Column]) -> Column | None:
+    """The only column without another name whose unit fits."""
+    fitting = [column for column in columns if column.unit and _fits(column, one)]
+    return fitting[0] if len(fitting) == 1 else None
+
+
+def _fits(column: Column, one: Quantity) -> bool:
+    unit = _unit(column.unit)
+    return unit is not None and _base(unit) == _base(unit_of_key(one.key))
+
+
+def _base(unit: Unit) -> str:
+    return unit.base or ("" if unit.text == "%" else unit.text)
+
+
+def _in_si(column: Column, one: Quantity, file: str) -> Array:
+    """Values in SI, by the unit of the header or that of the key."""
+    unit = _unit(column.unit) if column.unit else unit_of_key(one.key)
+    if unit is None or _base(unit) != _base(unit_of_key(one.key)):
+        wanted = unit_of_key(one.key).text or "no unit"
+        raise DamagedFileError(
+            f"{file}: column {_title(column)}: the unit is none of {one.key}; allowed: {wanted}, "
+            "or a multiple of it"
+        )
+    return column.values * unit.si + unit.zero

@@ -1,0 +1,103 @@
+"""Tables as instruments and people write them: separators, decimal signs, units, JSON, npy; their faults."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from oilfilm.ehl.foreign_files import DamagedFileError
+from oilfilm.ehl.table_files import Quantity, columns_of, read_table, table_of_text
+
+WANTED = (Quantity("speed_rpm", ("speed", "drehzahl", "n")), Quantity("torque_N_mm", ("torque", "moment")))
+PLAIN = np.array([[500.0, 10.5], [1000.0, 12.5], [2000.0, 15.25]])
+TEXTS = {
+    "plain": "500 10.5\n1000 12.5\n2000 15.25\n",
+    "commas": "speed [rpm],torque [N mm]\n500,10.5\n1000,12.5\n2000,15.25\n",
+    "decimal commas": "\ufeffDrehzahl [1/min];Reibmoment [Nmm]\r\n500;10,5\r\n1000;12,5\r\n2000;15,25\r\n",
+    "tabs, decimal commas": "n / (r/min)\tM / (N mm)\n500,0\t10,5\n1000,0\t12,5\n2000,0\t15,25\n",
+    "units below": "speed;torque\nrpm;N·mm\n500;10.5\n1000;12.5\n2000;15.25\n",
+    "keys": "torque_N_mm,speed_rpm\n10.5,500\n12.5,1000\n15.25,2000\n",
+    "comments": "% rig 3\n# speed_rpm torque_N_mm\n500 10.5\n# again\n1000 12.5\n2000 15.25\n",
+    "another unit": "speed (Hz),torque (mNm)\n",
+    "instrument": "Rig;3\nDate;2024-05-01\nPoints;3\n\nSpeed (rpm);Torque (N mm);Remark\n500;10.5;ok\n1000;12.5;ok\n"
+    "2000;15.25;warm\n[END]\n",
+    "quotes": '"speed [rpm]","torque [N mm]"\n"500","10.5"\n"1000","12.5"\n"2000","15.25"\n',
+}
+TEXTS["another unit"] = "speed (rps),torque (mNm)\n" + "".join(f"{n / 60.0!r},{m!r}\n" for n, m in PLAIN.tolist())
+
+
+@pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS.keys())
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "cp1252"])
+def test_texts(tmp_path, text, encoding):
+    path = tmp_path / "measured.csv"
+    if encoding == "cp1252":
+        text = text.removeprefix("\ufeff")
+    path.write_bytes(text.encode(encoding))
+    columns = columns_of(read_table(path), WANTED)
+    assert_allclose(columns["speed_rpm"] * 30.0 / np.pi, PLAIN[:, 0])
+    assert_allclose(columns["torque_N_mm"], 1e-3 * PLAIN[:, 1])
+
+
+@pytest.mark.parametrize(
+    "document",
+    [
+        PLAIN.tolist(),
+        {"speed_rpm": PLAIN[:, 0].tolist(), "torque_N_mm": PLAIN[:, 1].tolist()},
+        [{"speed [rpm]": n, "torque [N mm]": m} for n, m in PLAIN.tolist()],
+        {"columns": ["speed", "torque"], "units": {"speed": "rpm", "torque": "N mm"}, "data": PLAIN.tolist()},
+    ],
+)
+def test_json(tmp_path, document):
+    path = tmp_path / "measured.json"
+    path.write_text(json.dumps(document))
+    assert_allclose(columns_of(read_table(path), WANTED)["torque_N_mm"], 1e-3 * PLAIN[:, 1])
+
+
+def test_arrays(tmp_path):
+    np.save(tmp_path / "a.npy", PLAIN)
+    np.save(tmp_path / "b.npy", PLAIN[:2].T)
+    np.savez(tmp_path / "c.npz", speed_rpm=PLAIN[:, 0], torque_N_mm=PLAIN[:, 1])
+    for name in ("a.npy", "c.npz"):
+        assert_allclose(columns_of(read_table(tmp_path / name), WANTED)["torque_N_mm"], 1e-3 * PLAIN[:, 1])
+    np.save(tmp_path / "d.npy", np.array([{}], dtype=object), allow_pickle=True)
+    with pytest.raises(DamagedFileError):
+        read_table(tmp_path / "d.npy")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", "no rows of numbers"),
+        ("a,b\nc,d\n", "no rows of numbers"),
+        ("1 2\n3 x\n5 6\n", "line 2, column 2: found 'x'; allowed: a number"),
+        ("s;t\n1;2\n3;4;5\n6;7\n", "line 3 has 3 entries, the others have 2"),
+        ("s [rpm];t [N mm]\n1;2\n3;1.2.3\n6;7\n", "line 3, column 2 (t [N mm]): found '1.2.3'"),
+    ],
+)
+def test_faults_have_line_and_column(text, expected):
+    with pytest.raises(DamagedFileError) as caught:
+        table_of_text(text, "a.csv")
+    assert expected in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("speed [rpm],film [um]\n1,2\n3,4\n", "no column torque_N_mm; its columns: speed [rpm], film [um]"),
+        ("speed [rpm],torque [N]\n1,2\n3,4\n", "column torque [N]: the unit is none of torque_N_mm"),
+        ("1\n2\n", "1 columns without header; allowed: speed_rpm, torque_N_mm"),
+    ],
+)
+def test_columns_that_are_not_there(text, expected):
+    with pytest.raises(DamagedFileError) as caught:
+        columns_of(table_of_text(text, "a.csv"), WANTED)
+    assert expected in str(caught.value)
+
+
+def test_times_of_day_are_seconds_and_left_out_entries_nan():
+    table = table_of_text("time;load [kN]\n2024-01-01 23:59:50;1\n2024-01-02 00:00:10;\n", "a.csv")
+    assert_allclose(np.diff(table.columns[0].values), 20.0)
+    assert np.isnan(table.columns[1].values[1])
