@@ -141,8 +141,11 @@ class RatingInput:
     contamination_factor: float | None = None
     # C_0 of the catalogue [N]; None computes it from the geometry
     static_rating: float | None = None
+    reliability: float = 90.0  # of the modified life [%]
 
     def __post_init__(self) -> None:
+        if not 90.0 <= self.reliability <= 99.9:
+            raise ValueError(f"reliability must lie in [90, 99.9] %, got {self.reliability!r}")
         for field in ("dynamic_rating", "static_rating"):
             value = getattr(self, field)
             if value is not None and not value > 0.0:

@@ -20,6 +20,7 @@ scaling        - the one bridge between SI and the solver's dimensionless form
 solid          - the bodies: elastic deflection, coatings, heat conduction
 solution       - result of one contact solve
 solver         - one lubricated contact solved: box, fields, film values
+table_files    - tables of numbers in files of others: text with units, JSON, npy
 traction       - traction of a lubricated contact
 traction_table - traction tables
 transient      - one lubricated contact over time: load, speed, features of the surfaces

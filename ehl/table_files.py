@@ -106,7 +106,7 @@ class DataTable:
         return any(column.name or column.unit for column in self.columns)
 
     def row(self, number: int) -> str:
-        """Where a row stands in the file.
+        """Name the place of a row in the file.
 
         Parameters
         ----------
@@ -212,18 +212,26 @@ def table_of_text(text: str, name: str) -> DataTable:
         raise DamagedFileError(f"{name}: no rows of numbers")
     words = _word_columns(numbers, width)
     valid = [_is_data(row, width, words) for row in numbers]
-    first, last = valid.index(True), len(valid) - 1 - valid[::-1].index(True)
     columns = [index for index in range(width) if index not in words]
+    first = _end(valid, numbers)
+    last = len(rows) - _end(valid[::-1], numbers[::-1])
     header = _header(lines, rows[first].line, width, separator)
-    for row, good in zip(rows[first : last + 1], valid[first : last + 1], strict=True):
+    for row, good in zip(rows[first:last], valid[first:last], strict=True):
         if not good:
             raise DamagedFileError(f"{name}: {_fault(row, width, columns, decimal, header)}")
-    values = np.array(
-        [[row[index] for index in columns] for row in numbers[first : last + 1]], dtype=np.float64
-    )
+    entries = [[row[index] for index in columns] for row in numbers[first:last]]
+    values = np.array(entries, dtype=np.float64)
     kept = [k for k in range(len(columns)) if not np.isnan(values[:, k]).all()]
     found = tuple(Column(*_name_and_unit(header[columns[k]]), values[:, k]) for k in kept)
-    return DataTable(name, found, tuple(row.line for row in rows[first : last + 1]))
+    return DataTable(name, found, tuple(row.line for row in rows[first:last]))
+
+
+def _end(valid: Sequence[bool], numbers: Sequence[Sequence[float | None]]) -> int:
+    """First row of the table; one that begins with a number belongs to it, if only by mistake."""
+    first = valid.index(True) if True in valid else len(valid)
+    while first and numbers[first - 1] and _known(numbers[first - 1][0]):
+        first -= 1
+    return min(first, len(valid) - 1)
 
 
 def _format(lines: Sequence[str]) -> tuple[str | None, str]:
@@ -289,7 +297,7 @@ def _is_data(row: Sequence[float | None], width: int, words: set[int]) -> bool:
 def _fault(
     row: _Row, width: int, columns: Sequence[int], decimal: str, header: Sequence[str]
 ) -> str:
-    """What is wrong with a row between others."""
+    """Say what is wrong with a row between others."""
     if len(row.fields) != width:
         return f"line {row.line} has {len(row.fields)} entries, the others have {width}"
     wrong = [index for index in columns if _number(row.fields[index], decimal) is None]

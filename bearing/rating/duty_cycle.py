@@ -4,7 +4,7 @@ A load case that lasts the share q_i of the time at the speed n_i makes the shar
 u_i = q_i n_i/sum(q n) of the revolutions. Damage adds up linearly (Palmgren and Miner):
 
     1/L_10 = sum u_i/L_10,i,    P_m = (sum u_i P_i^3)^(1/3),    L_10 = (C/P_m)^3
-    1/L_10m = sum u_i/(a_ISO,i L_10,i)
+    1/L_10m = sum u_i/(a_1 a_ISO,i L_10,i)
 
 The first line is one statement in two forms. The second is not a_ISO at the equivalent load P_m:
 most of the damage is done where a_ISO is small. Both are given. ISO 281 and ISO 16281 as in
@@ -13,6 +13,7 @@ most of the damage is done where a_ISO is small. Both are given. ISO 281 and ISO
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 
 from oilfilm.ehl.units import HOUR, MILLION
 
@@ -42,6 +43,7 @@ class LoadCase:
     converged: bool  # the equilibrium of ring and balls
     torque: float | None = None  # friction torque [N m]; None where no model gives it
     torque_model: str | None = None
+    idle: bool = False  # without load: it turns, if at all, without damage
     revolution_share: float = 0.0  # u_i of the revolutions of the cycle [-]
     # fraction of the damage of the cycle, with a_ISO if that applies
     damage_share: float | None = None  # [-]
@@ -65,6 +67,7 @@ class DutyCycle:
     # a_ISO at P_m, n_m and the mean viscosity over the revolutions, and the life with it
     equivalent_life_factor: float | None = None  # [-]
     equivalent_modified_life: float | None = None  # [revolutions]
+    reliability_factor: float = 1.0  # a_1, in the modified lives [-]
     static_safety_factor: float | None = None  # the smallest S_0 of all cases [-]
     mean_torque: float | None = None  # over the revolutions: mean power over mean speed [N m]
     mean_power: float | None = None  # over the time [W]
@@ -80,7 +83,7 @@ class DutyCycle:
         """L_10mr/L_10r of the cycle, its mean a_ISO [-]."""
         if self.modified_life is None or self.basic_life is None:
             return None
-        return self.modified_life / self.basic_life
+        return self.modified_life / self.basic_life / self.reliability_factor
 
     @property
     def basic_life_time(self) -> float | None:
@@ -165,9 +168,12 @@ def duty_cycle(bearing: Bearing, cases: Sequence[LoadCase]) -> DutyCycle:
     shares = revolution_shares(cases)
     speed = sum(case.time_share * case.operation.shaft_speed for case in cases)
     # 2. lives: basic, with a_ISO of each case, and with a_ISO at the equivalent load
-    basic = miner_life(shares, [case.life.basic_life for case in cases])
-    modified = miner_life(shares, [case.life.modified_life for case in cases])
+    basic = miner_life(shares, [inf if case.idle else case.life.basic_life for case in cases])
+    modified = miner_life(
+        shares, [inf if case.idle else case.life.modified_life for case in cases]
+    )
     rated = next((case.life for case in cases if case.life.dynamic_rating is not None), None)
+    a_1 = 1.0 if rated is None else rated.reliability_factor
     load = None
     factor = None
     if basic is not None and rated is not None and rated.dynamic_rating is not None:
@@ -185,7 +191,8 @@ def duty_cycle(bearing: Bearing, cases: Sequence[LoadCase]) -> DutyCycle:
         basic_life=basic,
         modified_life=modified,
         equivalent_life_factor=factor,
-        equivalent_modified_life=basic * factor if basic and factor else None,
+        equivalent_modified_life=basic * factor * a_1 if basic and factor else None,
+        reliability_factor=a_1,
         static_safety_factor=min(safeties, default=None),
         mean_torque=power / speed if power is not None and speed else None,
         mean_power=power,
@@ -203,10 +210,12 @@ def _factor_at(load: float, kappa: float, rated: LifeRating) -> float | None:
 
 
 def _mean_power(cases: Sequence[LoadCase]) -> float | None:
-    """Friction power over the time [W]; None where a case that turns has no torque."""
+    """Friction power over the time [W], without that of idle cases; None where a case that turns
+    has no torque.
+    """
     total = 0.0
     for case in cases:
-        if not case.operation.shaft_speed:
+        if not case.operation.shaft_speed or case.idle:
             continue
         if case.power is None:
             return None
@@ -216,9 +225,9 @@ def _mean_power(cases: Sequence[LoadCase]) -> float | None:
 
 def _shared(cases: Sequence[LoadCase], shares: Sequence[float]) -> Iterator[LoadCase]:
     """The cases with their shares of revolutions and damage."""
-    lives = [case.life.modified_life for case in cases]
+    lives = [inf if case.idle else case.life.modified_life for case in cases]
     if miner_life(shares, lives) is None:
-        lives = [case.life.basic_life for case in cases]
+        lives = [inf if case.idle else case.life.basic_life for case in cases]
     total = miner_life(shares, lives)
     for case, share, life in zip(cases, shares, lives, strict=True):
         damage = None
@@ -235,7 +244,15 @@ def _messages(cases: Sequence[LoadCase]) -> Iterator[str]:
     turning = [(k, case) for k, case in enumerate(cases, 1) if case.operation.shaft_speed]
     if not turning:
         yield "duty_cycle: life and torque null, no load case turns"
+    unloaded = [str(k) for k, case in enumerate(cases, 1) if case.idle]
+    if unloaded:
+        yield (
+            f"load_cases: without load {', '.join(unloaded)}: their turns count without damage; "
+            "their friction, which has no model, is not in mean torque, power and energy"
+        )
     for number, case in turning:
+        if case.idle:
+            continue
         if case.life.basic_life is None:
             yield f"duty_cycle: life null, load case {number} has none"
         elif case.life.modified_life is None:
@@ -243,5 +260,7 @@ def _messages(cases: Sequence[LoadCase]) -> Iterator[str]:
         if case.torque is None:
             yield f"duty_cycle: torque null, no model gives that of load case {number}"
     for number, case in enumerate(cases, 1):
+        if case.idle:
+            continue
         yield from (f"load case {number}: {message}" for message in case.messages)
         yield from (f"load case {number}: {message}" for message in overload(case.life))

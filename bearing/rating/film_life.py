@@ -107,20 +107,23 @@ def film_life(
     """
     found = FilmLife(shaft_speed=rated.shaft_speed, smallest_kappa=kappa.smallest)
     basic = rated.basic_life
+    a_1 = rated.reliability_factor
     limit = stress_limit(rated)
     if basic is None or limit is None:
         return replace(found, note="there is no a_ISO")
     # 1. the smallest kappa for all contacts
     if found.smallest_kappa is not None and found.smallest_kappa >= SMALLEST_KAPPA:
         factor = life_factor(found.smallest_kappa, limit)
-        found = replace(found, smallest_life_factor=factor, smallest_life=factor * basic)
+        found = replace(found, smallest_life_factor=factor, smallest_life=factor * basic * a_1)
     # 2. each contact with its own
     if missing := missing_films(solution, kappa):
         return replace(found, note=missing)
     least, life, most = (contact_life(solution, rated, k) for k in (low, kappa, high))
     if life is None:
         return replace(found, note=f"ISO 281 has no factor below kappa {SMALLEST_KAPPA}")
-    return replace(found, life_factor=life / basic, life=life, low=least, high=most)
+    factors = (None if one is None else one * a_1 for one in (life, least, most))
+    scaled = dict(zip(("life", "low", "high"), factors, strict=True))
+    return replace(found, life_factor=life / basic, **scaled)
 
 
 def stress_limit(rated: LifeRating) -> float | None:

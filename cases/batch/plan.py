@@ -59,7 +59,14 @@ HIDING = {
     "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
 }
 FORMAT = 4  # of what a point leaves on disk
-INPUT_FILES = (("friction", "traction_table"),)  # table and key of files that a case reads
+INPUT_FILES = (  # table and key of files that a case reads
+    ("friction", "traction_table"),
+    ("form", "inner_profile"),
+    ("form", "outer_profile"),
+    ("form", "ball_profile"),
+    ("support", "frequency_response"),
+    (None, "load_spectrum"),
+)
 SIMPLE = frozenset((float, int, str))  # a truth value equals a number
 BITS = 256  # of the sum of hashes
 Document = dict[str, Any]
@@ -650,7 +657,7 @@ def input_files(document: Document) -> Iterator[str]:
         A digest for each file; its name where the file does not exist.
     """
     for table, key in INPUT_FILES:
-        given = document.get(table)
+        given = document if table is None else document.get(table)
         path = given.get(key) if isinstance(given, dict) else None
         if isinstance(path, str):
             yield _current_digest(path)

@@ -64,6 +64,9 @@ class BearingTable(Table):
     )
     basic_dynamic_rating_kN: float | None = above(0, 1e6, "catalogue C_r; else from the geometry")
     basic_static_rating_kN: float | None = above(0, 1e6, "catalogue C_0; else from the geometry")
+    reliability_percent: float = between(
+        90, 99.9, "of the modified rating life, a_1 of ISO 281", 90.0
+    )
     skf_series: Name | None = described("of SKF's friction constants; else by designation in name")
 
 
@@ -390,6 +393,7 @@ def rating(table: BearingTable, contamination_factor: float | None) -> RatingInp
     return table.build(
         RatingInput,
         "basic",
+        reliability=table.reliability_percent,
         nominal_contact_angle=angle,
         contamination_factor=contamination_factor,
     )

@@ -32,7 +32,7 @@ from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_f
 from .fits import HeatingInput
 from .friction import SHEAR_ASSUMED, friction, rheology
 from .library import material_table, materials
-from .load_cases import load_case_files
+from .load_cases import load_case_files, spectrum_tables
 from .lubricant import (
     SHEET,
     VISCOSITIES,
@@ -239,6 +239,7 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
         warnings.simplefilter("always")
         try:
             case = _bearing_case(file) if isinstance(file, BearingFile) else _contact_case(file)
+            states = _states(file)
         except InvalidKeyError as error:
             raise CaseError([error.fault.text(name, key_lines(text))], [error.fault]) from error
         except ValueError as error:  # a bound of the physics that no table knows
@@ -250,9 +251,22 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
     ]
     notes = tuple(dict.fromkeys(texts))
     case = replace(case, warnings=notes)
-    if isinstance(file, BearingFile) and isinstance(case, Case) and file.load_cases:
-        return replace(case, load_cases=tuple(_load_cases(file, name, text, notes)))
+    if isinstance(file, BearingFile) and isinstance(case, Case) and states:
+        return replace(case, load_cases=tuple(_load_cases(file, states, name, text, notes)))
     return case
+
+
+def _has_states(file: BearingFile) -> bool:
+    return bool(file.load_cases) or file.load_spectrum is not None
+
+
+def _states(file: BearingFile | ContactFile) -> tuple[Any, ...]:
+    """Tables of the states of a duty cycle, of the file itself or of its load spectrum."""
+    if isinstance(file, ContactFile):
+        return ()
+    if file.load_spectrum is not None:
+        return spectrum_tables(file.load_spectrum)
+    return file.load_cases or ()
 
 
 def _with_reference(file: BearingFile | ContactFile) -> BearingFile | ContactFile:
@@ -263,21 +277,21 @@ def _with_reference(file: BearingFile | ContactFile) -> BearingFile | ContactFil
         return file
     keys = oil_of_file(file).keys
     at_one = any(key in keys for key in VISCOSITIES) and VISCOSITY_AT not in keys
-    if not at_one or (file.friction.heat_transfer_W_K is None and not file.load_cases):
+    if not at_one or (file.friction.heat_transfer_W_K is None and not _has_states(file)):
         return file
     given = {VISCOSITY_AT: file.operation.temperature_C}
     return file.model_copy(update={"lubricant": file.lubricant.model_copy(update=given)})
 
 
 def _load_cases(
-    file: BearingFile, name: str, text: str, known: tuple[str, ...]
+    file: BearingFile, tables: tuple[Any, ...], name: str, text: str, known: tuple[str, ...]
 ) -> Iterator[LoadCaseInput]:
     """The states of the duty cycle, each a case of its own, with the warnings not `known`; films
     are not sheared there.
     """
-    states = load_case_files(file.operation, file.load_cases)
-    for share, table in states:
-        alone = file.model_copy(update={"operation": table, "load_cases": None})
+    without = {"load_cases": None, "load_spectrum": None}
+    for share, table in load_case_files(file.operation, tables):
+        alone = file.model_copy(update={"operation": table, **without})
         case = case_of_file(alone, name, text)
         assert isinstance(case, Case)  # a bearing
         own = tuple(new_notes(case.warnings, known))

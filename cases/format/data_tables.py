@@ -163,7 +163,9 @@ def _one_turn(
     """Rising angles from 0 [deg] and heights [m], the turn closed by them."""
     steps = np.diff(angle)
     if (steps < 0.0).all():
-        angle, height, steps = angle[::-1], height[::-1], -steps[::-1]
+        angle = angle[::-1]
+        height = height[::-1]
+        steps = np.diff(angle)
     if (steps <= 0.0).any():
         place = int(np.flatnonzero(steps <= 0.0)[0]) + 2
         raise InvalidKeyError(key, f"{file}, row {place}: the angle does not rise", allowed)

@@ -1,21 +1,44 @@
 """[[load_cases]]: states of a duty cycle, each like [operation] but for the keys that it gives."""
 
+import warnings
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 from pydantic import create_model
 from pydantic.fields import FieldInfo
 
-from .fields import Table, above, is_number
+from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.table_files import Quantity
+from oilfilm.ehl.units import from_si
+
+from .data_tables import case_columns
+from .fields import Table, above, is_number, rounded, validated
 from .operation import RELATIONS as OF_OPERATION
 from .operation import OperationTable
-from .rules import CaseProblem, CaseValues, Excludes, KeyPath, dotted
+from .rules import CaseProblem, CaseValues, Excludes, InvalidKeyError, KeyPath, dotted
 
 NAME = "load_cases"
 LEAST_SUM = 0.99  # of the shares [-]; they are then scaled to a sum of 1
 LARGEST_SUM = 1.01
-RELATIONS: tuple[Excludes, ...] = ()
+RELATIONS = (Excludes("load_spectrum", NAME),)
+SPECTRUM = (  # columns of a load spectrum
+    Quantity("share_share", ("share", "anteil", "fraction", "weight", "probab"), needed=False),
+    Quantity("duration_s", ("duration", "dauer", "hours"), needed=False),
+    Quantity("time_s", ("time", "zeit"), needed=False),
+    Quantity(
+        "radial_load_N", ("radial", "f_r", "fr", "load", "last", "force", "kraft"), needed=False
+    ),
+    Quantity("axial_load_N", ("axial", "f_a", "fa", "thrust"), needed=False),
+    Quantity("inner_speed_rpm", ("speed", "drehzahl", "rpm"), needed=False),
+    Quantity("temperature_C", ("temp",), needed=False),
+)
+OF_STATE = SPECTRUM[3:]
+MOST_STATES = 40  # of a spectrum, beyond which equal levels are counted together
+LEVELS = {"radial_load_N": 12, "axial_load_N": 5, "inner_speed_rpm": 5, "temperature_C": 3}
+IDLE_SHARE = 1e-3  # of the largest load, below which a state has none [-]
+LIFE_POWER = 3.0  # of the load in the damage of a ball bearing, ISO 281 [-]
 
 
 def _as_operation(table: type[Table]) -> type[Table]:
@@ -181,3 +204,111 @@ def load_case_files(
     return tuple(
         (keys["share"] / total, OperationTable.model_validate(merged(base, keys))) for keys in own
     )
+
+
+def spectrum_tables(file: str) -> tuple[Any, ...]:
+    """Load cases of a file: the states it lists, or those that are counted over time.
+
+    Each turn of a bearing is a cycle of its load, so that a course over time is counted by the
+    time at each level of load and speed, not by rainflow.
+
+    Parameters
+    ----------
+    file : str
+        The file, a path from the working directory.
+
+    Returns
+    -------
+    tuple[Any, ...]
+        Checked tables of load cases.
+
+    Raises
+    ------
+    InvalidKeyError
+        If it is no load spectrum.
+    """
+    key = ("load_spectrum",)
+    allowed = (
+        "allowed: columns of load and speed, as 'radial load [kN]' and 'speed [rpm]', with share "
+        "[%], duration [h] or time [s]"
+    )
+    columns = case_columns(key, file, SPECTRUM, allowed)
+    states = {
+        one.key: from_si(one.key, columns[one.key]) for one in OF_STATE if one.key in columns
+    }
+    if not {"radial_load_N", "axial_load_N"} & states.keys():
+        raise InvalidKeyError(key, f"{file}: no column of a load", allowed)
+    share, how = _shares(key, file, columns, allowed)
+    count = share.size
+    if count > MOST_STATES:
+        states, share = _counted(states, share)
+        how += f", counted into {share.size} levels of load and speed (each turn is a load cycle)"
+    warnings.warn(f"load_spectrum: {file}: {count} rows, {how}", stacklevel=2)
+    tables = []
+    for number, time_share in enumerate(share):
+        if time_share <= 0.0:
+            continue
+        row = {name: rounded(float(values[number])) for name, values in states.items()}
+        table, problems = validated(LoadCaseTable, {"share": float(time_share), **row})
+        if table is None:
+            raise InvalidKeyError(key, f"{file}: {problems[0].finding}", problems[0].allowed)
+        tables.append(table)
+    return tuple(tables)
+
+
+def _shares(key: KeyPath, file: str, columns: dict[str, Array], allowed: str) -> tuple[Array, str]:
+    """Share of the time of each row, and how it was found."""
+    if SPECTRUM[0].key in columns:
+        share = columns[SPECTRUM[0].key]
+        total = float(share.sum())
+        scale = 0.01 if 100.0 * LEAST_SUM <= total <= 100.0 * LARGEST_SUM else 1.0
+        if (share < 0.0).any() or not LEAST_SUM <= scale * total <= LARGEST_SUM:
+            finding = f"{file}: shares of {share.min():.4g} and more that sum to {total:.6g}"
+            raise InvalidKeyError(key, finding, "allowed: a sum of 1, or of 100 %")
+        return share / total, "by their share"
+    if "duration_s" in columns:
+        time = columns["duration_s"]
+        if (time < 0.0).any() or not time.sum() > 0.0:
+            raise InvalidKeyError(key, f"{file}: a duration below 0", allowed)
+        return time / time.sum(), "by their duration"
+    if "time_s" not in columns:
+        rows = next(iter(columns.values())).size
+        return np.full(rows, 1.0 / rows), "each of the same duration (no column of share or time)"
+    time = columns["time_s"]
+    steps = np.diff(time)
+    if time.size < 2 or (steps <= 0.0).any():
+        place = int(np.argmax(steps <= 0.0)) + 2 if time.size > 1 else 1
+        finding = f"{file}, row {place}: the time does not rise"
+        raise InvalidKeyError(key, finding, "allowed: a rising time, or a column 'duration'")
+    steps = np.append(steps, np.median(steps))  # the last row as long as most
+    return steps / steps.sum(), f"a course over {time[-1] - time[0]:.4g} s"
+
+
+def _counted(states: dict[str, Array], share: Array) -> tuple[dict[str, Array], Array]:
+    """States of equal levels together: loads by the damage of their turns, the others by time."""
+    turns = share * abs(states.get("inner_speed_rpm", np.ones(share.size)))
+    weights = np.where(turns.sum() > 0.0, turns, share)
+    levels = np.column_stack([_level(states[name], LEVELS[name]) for name in states])
+    _, of_row = np.unique(levels, axis=0, return_inverse=True)
+    of_row = of_row.ravel()
+    shares = np.bincount(of_row, share)
+    counted = {}
+    for name, values in states.items():
+        power = LIFE_POWER if name.endswith("load_N") else 1.0
+        weight = weights if name.endswith("load_N") else share
+        total = np.bincount(of_row, weight)
+        weight = np.where(total[of_row] > 0.0, weight, share)
+        mean = np.bincount(of_row, weight * abs(values) ** power) / np.bincount(of_row, weight)
+        sign = np.sign(np.bincount(of_row, weight * values))
+        counted[name] = sign * mean ** (1.0 / power)
+    return counted, shares
+
+
+def _level(values: Array, levels: int) -> Array:
+    """Number of the level of each value between the ends; 0 where it is next to nothing."""
+    largest = abs(values).max()
+    idle = abs(values) <= IDLE_SHARE * largest
+    low, high = values.min(), values.max()
+    step = (high - low) / levels or 1.0
+    number = np.minimum(np.floor((values - low) / step), levels - 1) + 1
+    return np.where(idle, 0.0, number)

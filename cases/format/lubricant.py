@@ -950,8 +950,7 @@ def _warn_of_range(keys: dict[str, Any], line: WaltherLine, oil: Lubricant) -> N
     points += [at for at, _ in keys.get(PAIR, ())]
     nu = oil.viscosity / oil.density
     if len(points) > 1:
-        low, high = min(points) - BEYOND_SHEET, max(points) + BEYOND_SHEET
-        if not low <= celsius <= high:
+        if not min(points) - BEYOND_SHEET <= celsius <= max(points) + BEYOND_SHEET:
             text = (
                 f"lubricant: {celsius:.4g} C lies beyond the data sheet, {min(points):g} to "
                 f"{max(points):g} C: its viscosity, {1e6 * nu:.3g} mm2/s, is extrapolated by "

@@ -129,6 +129,7 @@ def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilib
         case = replace(case, model=without_traction_equilibrium(case.model))
         messages.append(HALF_AND_HALF)
     solution = case_equilibrium(case, equilibria)
+    idle = _without_load(solution)
     if not solution.converged:
         messages.append(f"equilibrium not converged: {solution.message}")
     contacts = contact_conditions(solution, case.lubricant)
@@ -143,11 +144,18 @@ def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilib
         largest_load=max(contact.load for contact in contacts),
         largest_pressure=max(pressures, default=0.0),
         life=bearing_life(solution, case.lubricant, case.rating),
-        converged=solution.converged,
-        torque=torque,
+        converged=solution.converged or idle,
+        idle=idle,
+        torque=None if idle else torque,
         torque_model=model,
         messages=tuple(messages),
     )
+
+
+def _without_load(solution: QuasistaticSolution) -> bool:
+    """Tell whether nothing loads the ring, nor a ball by a preload."""
+    loads = (*solution.operation.force, *(solution.operation.moment or ()))
+    return not any(loads) and not (solution.inner_load > 0.0).any()
 
 
 def _load_case_torque(

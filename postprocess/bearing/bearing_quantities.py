@@ -67,7 +67,9 @@ LIFE_RATING = quantities(
     ("basic_reference_rating_h", "rating life", "basic_life_time", "L10h"),
     ("modified_reference_rating_h", "modified rating life", "modified_life_time", "L10mh"),
     ("a_iso", "life factor", "life_factor", "a_ISO"),
+    ("a_1", "factor of the reliability", "reliability_factor"),
     ("kappa", "viscosity ratio", "viscosity_ratio", "κ"),
+    ("kappa_skf", "viscosity ratio by SKF's diagram", "diagram_ratio"),
     null="no rating was asked for, or it does not apply",
 )
 LOAD_RATING = quantities(  # only where a rating was asked for

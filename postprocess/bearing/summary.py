@@ -796,7 +796,10 @@ def _life_text(available: dict[str, Any]) -> str:
         return text
     modified = hours(available["modified_reference_rating_h"])
     limit = ", its limit" if available["a_iso"] >= AT_ITS_LIMIT * LARGEST_A_ISO else ""
-    return f"{text}, modified L10mh {modified} (a_ISO {available['a_iso']:.3g}{limit})"
+    a_1 = available["a_1"]
+    reliable = "" if a_1 == 1.0 else f", a_1 {a_1:.3g}"
+    name = "L10mh" if a_1 == 1.0 else "Lnmh"
+    return f"{text}, modified {name} {modified} (a_ISO {available['a_iso']:.3g}{limit}{reliable})"
 
 
 def _why_none(messages: Iterable[str]) -> str:

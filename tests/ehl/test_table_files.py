@@ -101,3 +101,9 @@ def test_times_of_day_are_seconds_and_left_out_entries_nan():
     table = table_of_text("time;load [kN]\n2024-01-01 23:59:50;1\n2024-01-02 00:00:10;\n", "a.csv")
     assert_allclose(np.diff(table.columns[0].values), 20.0)
     assert np.isnan(table.columns[1].values[1])
+
+
+@pytest.mark.parametrize(("text", "line"), [("1 x\n2 3\n4 5\n6 7\n", 1), ("1 2\n2 3\n4 5\n6\n", 4)])
+def test_a_damaged_row_at_an_end_is_none_of_the_instrument(text, line):
+    with pytest.raises(DamagedFileError, match=f"line {line}"):
+        table_of_text(text, "a.csv")

@@ -50,6 +50,20 @@ def state(bearing, share, rpm, load, torque=0.1, viscosity=15e-6):
     )
 
 
+def test_turns_without_load_do_no_damage(bearings):
+    """3, 2 and 1 kN for 10, 20 and 30 %, 40 % without: P_m = (0.1 x 27 + 0.2 x 8 + 0.3)^(1/3) = 1.663 kN."""
+    shares = {3e3: 0.1, 2e3: 0.2, 1e3: 0.3}
+    loaded = [state(bearings.b6208, share, 1500.0, load) for load, share in shares.items()]
+    bare = replace(loaded[0], time_share=0.4, life=LifeRating(rating=RatingInput()), torque=None)
+    cycle = duty_cycle(bearings.b6208, [*loaded, replace(bare, idle=True)])
+    assert cycle.equivalent_load == pytest.approx(4600.0 ** (1.0 / 3.0) * 100.0, rel=1e-6)
+    assert [case.damage_share for case in cycle.cases][-1] == 0.0
+    assert sum(case.damage_share for case in cycle.cases) == pytest.approx(1.0)
+    assert cycle.mean_power == pytest.approx(0.6 * 0.1 * 1500.0 * RPM)
+    assert any("without load 4" in message for message in cycle.messages)
+    assert duty_cycle(bearings.b6208, [*loaded, bare]).equivalent_load is None
+
+
 def test_by_hand(bearings):
     """60 % of the time 1000 r/min at 4 kN, 40 % 3000 r/min at 2 kN: a third and two thirds of the revolutions.
 

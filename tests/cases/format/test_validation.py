@@ -177,7 +177,11 @@ CONTACT_ERRORS = [
         "needed: reduced_modulus_GPa, or material_1 and material_2",
     ),
     ("load_N", "moes_M = 20.0", "missing; needed: moes_M and moes_L"),
-    ("viscosity_mPa_s", "# nothing", "needed: viscosity_mPa_s, kinematic_viscosity_mm2_s, or the name of a lubricant"),
+    (
+        "viscosity_mPa_s",
+        "# nothing",
+        "needed: viscosity_mPa_s, kinematic_viscosity_mm2_s, those of a data sheet (kinematic_viscosity_40C_mm2_s,",
+    ),
     ("viscosity_mPa_s", "viscosity_mPa_s = 0.01", "found 0.01; allowed: a viscosity and coefficient with 0 < z <= 2"),
     ("pressure_viscosity_1_GPa", "pressure_viscosity_1_GPa = 99.0", "Roelands' identity gives z ="),
 ]
