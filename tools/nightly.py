@@ -64,7 +64,7 @@ def steps(seed: int, folder: Path) -> tuple[Step, ...]:
             "random contacts",
         ),
         Step("pages", (str(Path(__file__).resolve()), "--pages"), "pages whose numbers take minutes"),
-        Step("mutants", ("tools/fuzz/mutants.py",), "wrong signs, factors and terms: the tests notice"),
+        Step("mutants", ("tools/fuzz/mutants.py", "--seed", number), "wrong signs, factors, terms: tests notice"),
         Step("cases", ("tools/fuzz/case_files.py", "--seed", number), "mutated case files"),
         Step("strangers", ("tools/fuzz/strangers.py", "--seed", number), "bearings drawn at random: no law is broken"),
         Step("damaged", ("tools/fuzz/damaged.py", "--seed", number), "damaged files of results"),

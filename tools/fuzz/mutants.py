@@ -1,173 +1,276 @@
-"""Single wrong signs, factors, units and terms in formulas: do the tests notice?
+"""Single wrong signs, factors, exponents, arguments, axes, terms and codes, drawn anew: do the tests notice?
 
-    PYTHONPATH=. python tools/fuzz/mutants.py
-    PYTHONPATH=. python tools/fuzz/mutants.py --only 12 --only 13
-    python tools/fuzz/mutants.py --check    whether each old text stands once in its file, in a second
+    python tools/fuzz/mutants.py                              100 drawn by today's date
+    python tools/fuzz/mutants.py --seed 20261129 --count 300  the same again, and more of them
+    python tools/fuzz/mutants.py --only "rating/life.py"      of files whose name holds the text
+    python tools/fuzz/mutants.py --lines                      which tests execute which lines, again where tests changed
 
-`mutants.toml` holds groups of mutants: the tests to run (arguments of pytest), and file, old text and new text of each
-mutant. Each is applied alone in a temporary copy of the tree. Right is a test that fails: "killed". Wrong is
-"survived". Tests that do not end within ten times their time without a mutant, and 300 s, are "no end": counted as
-killed, and apart. A list that does not fit the tree is a fault of the list: an old text that does not stand exactly
-once, tests that fail without a mutant, a mutant that cannot be imported. Exit code 1 if there is such a fault or fewer
-than 95 % are killed.
+Each draw is a module of the product, a kind of change that it allows and a place, each with equal chance; see
+tools/mutation. It is applied alone in a temporary copy of the tree, kernels that contain it are compiled anew, and the
+quick tests that execute its line are run, the nearest and shortest first, for `--time` seconds in all. "killed": one of
+them fails, or they do not end ("no end"), and passes without the change. "survived": all pass, or no test executes it.
+The last line has the rate with its 95 % interval (Wilson). DIR (default build/mutants) gets the lines in `lines/` and a
+report by seed with the survivors. Exit code 1 if 95 % lies above the interval, or the tests fail without a change.
 """
 
 from __future__ import annotations
 
 import argparse
-import importlib
+import ast
+import json
 import multiprocessing
-import os
-import shlex
+import random
+import runpy
 import shutil
 import sys
 import tempfile
 import time
-import tomllib
-from dataclasses import dataclass
+from collections import defaultdict
+from collections.abc import Iterator
+from contextlib import contextmanager
+from datetime import date
+from functools import cache
+from math import sqrt
+from multiprocessing.connection import Connection, wait
 from pathlib import Path
+from typing import Any
 
-import pytest
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-ROOT = Path(__file__).resolve().parents[2]
-LIST = Path(__file__).with_suffix(".toml")
-COPIED = "bearing cases docs ehl oilfilm postprocess tests tools pyproject.toml README.md CONTRIBUTING.md".split()
+from mutation.choice import Choice
+from mutation.lines import files_of_tests, record
+from mutation.mutations import Mutant, mutants
+from mutation.tree import LOST, ROOT, Fork, copy_tree, load_libraries, modules
+
 LEAST_SHARE = 0.95  # killed of all
-LONGEST = 300.0  # of one run of tests, unless these take more than a tenth of it without a mutant [s]
-LONGEST_UNCHANGED = 1800.0  # of one without a mutant [s]
-SLOWER = 10.0  # longest run with a mutant over that without [-]
+QUANTILE = 1.96  # of a 95 % interval
+LONGEST = 60.0  # tests with a mutant, beside `SLOWER` times their time without [s]
+SLOWER = 8.0  # [-]
+COMPILED = 240.0  # more for kernels that are compiled anew [s]
+UNCHANGED = 900.0  # tests without a mutant [s]
 PASSED, FAILED = 0, 1  # exit codes of pytest
-BROKEN = 99  # of a run that pytest did not end itself
-LIBRARIES = (
-    "numpy scipy.optimize scipy.special scipy.sparse.linalg numba pydantic rich.table typer".split()
-)  # not plugins of pytest
 
 
-@dataclass(frozen=True)
-class Mutant:
-    """One wrong line."""
-
-    number: int
-    file: str
-    old: str
-    new: str
-    tests: str
-
-
-def read_mutants() -> list[Mutant]:
-    """All mutants, numbered from 1 as they stand in the list."""
-    groups = tomllib.loads(LIST.read_text(encoding="utf-8"))["group"]
-    rows = [(*row, group["tests"]) for group in groups for row in group["mutants"]]
-    return [Mutant(number, *row) for number, row in enumerate(rows, 1)]
+def wilson(successes: int, count: int) -> tuple[float, float]:
+    """Ends of the 95 % interval of a share, Wilson (1927)."""
+    if count == 0:
+        return 0.0, 1.0
+    z, share = QUANTILE, successes / count
+    centre = share + z * z / (2.0 * count)
+    half = z * sqrt(share * (1.0 - share) / count + z * z / (4.0 * count * count))
+    scale = 1.0 + z * z / count
+    return (centre - half) / scale, (centre + half) / scale
 
 
-def copy_tree(target: Path) -> None:
-    """The tree with its compiled kernels, whose source keeps its time."""
-    for name in COPIED:
-        source = ROOT / name
-        (shutil.copytree if source.is_dir() else shutil.copy2)(source, target / name)
+def draw(seed: int, count: int, only: str) -> list[Mutant]:
+    """Mutants of a seed; more of the same seed begin with the same."""
+    every: dict[str, dict[str, list[Mutant]]] = {}
+    for name in modules():
+        kinds = defaultdict(list)
+        for mutant in mutants(ROOT / name, name) if only in name else ():
+            kinds[mutant.kind].append(mutant)
+        if kinds:
+            every[name] = kinds
+    chance = random.Random(seed)
+    found: dict[Mutant, None] = {}
+    most = sum(len(group) for kinds in every.values() for group in kinds.values())
+    while len(found) < min(count, most):
+        kinds = every[chance.choice(sorted(every))]
+        found[chance.choice(kinds[chance.choice(sorted(kinds))])] = None
+    return list(found)
 
 
-def run_tests(tree: Path, tests: str, longest: float) -> int | None:
-    """Exit code of pytest in the copy, in a fork that has the libraries already; None after the longest time [s]."""
-    child = multiprocessing.get_context("fork").Process(target=_pytest, args=(tree, shlex.split(tests)))
-    child.start()
-    child.join(longest)
-    if child.is_alive():
-        child.kill()
-        child.join()
-        return None
-    return child.exitcode
+class Failures:
+    """A plugin of pytest that notes which test failed."""
+
+    def __init__(self) -> None:
+        self.found: list[str] = []
+
+    def pytest_runtest_logreport(self, report: Any) -> None:
+        if report.failed:
+            self.found.append(report.nodeid)
 
 
-def _pytest(tree: Path, tests: list[str]) -> None:
-    """Of the process of one run: silent, with the copy before the installed packages."""
-    os.chdir(tree)
-    os.environ["PYTHONPATH"] = str(tree)
-    sys.path.insert(0, str(tree))
-    silent = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(silent, 1)
-    os.dup2(silent, 2)
-    code = BROKEN  # also where pytest itself fails: the code of an uncaught error would be that of a failed test
-    try:
-        code = int(pytest.main(["-x", "-q", "-n", "0", "-p", "no:cacheprovider", *tests]))
-    finally:
-        os._exit(code)
+class Judge:
+    """A copy of the tree in which mutants are applied, one after the other."""
+
+    def __init__(self, folder: Path, choice: Choice, seconds: float) -> None:
+        self.tree = copy_tree(folder)
+        self.choice = choice
+        self.seconds = seconds
+        self.sound: dict[str, bool] = {}
+
+    def judge(self, mutant: Mutant) -> dict[str, Any]:
+        """What became of a mutant in one word, the test that noticed it, and the time that it took [s]."""
+        start = time.monotonic()
+        tests, expected = self.choice.tests(mutant.file, mutant.line, self.seconds)
+        word, by = self._run(mutant, tests, expected) if tests else ("survived", "no test")
+        answer = {"fate": word, "by": by, "tests": len(tests), "seconds": round(time.monotonic() - start, 1)}
+        return answer | {"mutant": str(mutant), "file": mutant.file, "line": mutant.line, "kind": mutant.kind}
+
+    def _run(self, mutant: Mutant, tests: list[str], expected: float) -> tuple[str, str]:
+        readers = kernels_that_read(mutant.file)
+        longest = LONGEST + SLOWER * expected + (COMPILED if readers else 0.0)
+        with self._applied(mutant, readers):
+            code, failed = Fork(self.tree, ["-x", *tests], Failures).result(longest)
+        if code == PASSED:
+            return "survived", ""
+        by = failed[:1] if failed else tests
+        if not self._pass(by):
+            self.sound.update(dict.fromkeys(by, False))
+            rest = [test for test in tests if self.sound.get(test, True)]
+            return self._run(mutant, rest, expected) if rest and failed else ("fault", f"fails unchanged: {by[0]}")
+        if code is None:
+            return "no end", ""
+        return "killed", by[0] if code == FAILED else f"pytest ends with {'a crash' if code == LOST else code}"
+
+    def _pass(self, tests: list[str]) -> bool:
+        """Whether tests pass without a mutant."""
+        if not all(self.sound.get(test, False) for test in tests):
+            code, _ = Fork(self.tree, ["-x", *tests], Failures).result(UNCHANGED)
+            self.sound.update(dict.fromkeys(tests, code == PASSED))
+        return all(self.sound[test] for test in tests)
+
+    @contextmanager
+    def _applied(self, mutant: Mutant, readers: tuple[str, ...]) -> Iterator[None]:
+        """The tree with the mutant, and without the compiled code of kernels that read it."""
+        original, path = ROOT / mutant.file, self.tree / mutant.file
+        with tempfile.TemporaryDirectory(prefix="kernels-") as name:
+            kept = Path(name)
+            folders = sorted({(self.tree / reader).parent / "__pycache__" for reader in readers})
+            for number, folder in enumerate(folders):
+                if folder.exists():
+                    shutil.copytree(folder, kept / str(number))
+            path.write_text(mutant.applied(original.read_text(encoding="utf-8")), encoding="utf-8")
+            if readers:
+                self._forget(readers)
+            try:
+                yield
+            finally:
+                shutil.copy2(original, path)
+                for number, folder in enumerate(folders):
+                    shutil.rmtree(folder, ignore_errors=True)
+                    if (kept / str(number)).exists():
+                        shutil.copytree(kept / str(number), folder)
+
+    def _forget(self, readers: tuple[str, ...]) -> None:
+        """Drop compiled code; that of other kernels stays, under the new digest of the sources."""
+        digest = runpy.run_path(str(self.tree / "ehl" / "kernel_sources.py"))["kernel_digest"]()
+        for reader in readers:
+            path = self.tree / reader
+            for old in (path.parent / "__pycache__").glob(f"{path.stem}.*.nbi"):
+                old.unlink()
+        for folder in {path.parent for layer in ("ehl", "bearing") for path in (self.tree / layer).rglob("*.nbi")}:
+            (folder / f".kernels-{digest}").touch()
 
 
-def judge(tree: Path, mutant: Mutant, longest: float) -> str:
-    """What became of a mutant in one word, or the fault of the list; `longest` is of its tests [s]."""
-    original, path = ROOT / mutant.file, tree / mutant.file
-    text = original.read_text(encoding="utf-8")
-    if text.count(mutant.old) != 1 or mutant.old == mutant.new:
-        return f"fault: the old text stands {text.count(mutant.old)} times, not once"
-    path.write_text(text.replace(mutant.old, mutant.new), encoding="utf-8")
-    try:
-        code = run_tests(tree, mutant.tests, longest)
-    finally:
-        shutil.copy2(original, path)
-    known = {PASSED: "survived", FAILED: "killed", None: "no end"}
-    return known.get(code, f"fault: pytest ends with {code}")
+@cache
+def kernels_that_read(file: str) -> tuple[str, ...]:
+    """Files of kernels whose compiled code contains something of a file; none if it is no source of kernels."""
+    sources = runpy.run_path(str(ROOT / "ehl" / "kernel_sources.py"))["kernel_sources"]()
+    if ROOT / file not in sources:
+        return ()
+    imports = {path: _imported(path) for path in sources}
+    found = {ROOT / file}
+    while more := {path for path, read in imports.items() if path not in found and read & found}:
+        found |= more
+    return tuple(sorted(path.relative_to(ROOT).as_posix() for path in found))
 
 
-def list_faults(mutants: list[Mutant]) -> list[str]:
-    """Mutants whose file, test or old text is not in the tree."""
-    faults = []
-    for mutant in mutants:
-        paths = [word.partition("::")[0] for word in shlex.split(mutant.tests) if word.startswith("tests/")]
-        faults += [f"{mutant.number}: no file {path}" for path in (mutant.file, *paths) if not (ROOT / path).exists()]
-        if (ROOT / mutant.file).exists():
-            count = (ROOT / mutant.file).read_text(encoding="utf-8").count(mutant.old)
-            if count != 1:
-                faults.append(f"{mutant.number}: {mutant.file} has {count} times: {mutant.old}")
-    return faults
-
-
-def judge_group(tree: Path, tests: str, mutants: list[Mutant]) -> list[str]:
-    """A word for each of the mutants of the same tests, which have to pass without any of them."""
-    start = time.monotonic()
-    if run_tests(tree, tests, LONGEST_UNCHANGED) != PASSED:
-        print(f"fault: without a mutant these tests do not pass: {tests}", flush=True)
-        return ["fault"]
-    longest = max(LONGEST, SLOWER * (time.monotonic() - start))
-    found = []
-    for mutant in mutants:
-        found.append(judge(tree, mutant, longest))
-        change = " ".join(f"{mutant.old} -> {mutant.new}".split())
-        print(f"{mutant.number:3d} {found[-1]:8s} {mutant.file}: {change}", flush=True)
+def _imported(path: Path) -> set[Path]:
+    """Files from which a file imports."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom):
+            words = (node.module or "").split(".")
+            base = path.parents[node.level - 1] if node.level else ROOT
+            words = words[1:] if not node.level and words[0] == "oilfilm" else words
+            found.add(base.joinpath(*words).with_suffix(".py"))
+            found |= {base.joinpath(*words, alias.name).with_suffix(".py") for alias in node.names}
     return found
+
+
+def judge_all(chosen: list[Mutant], choice: Choice, jobs: int, seconds: float) -> Iterator[dict[str, Any]]:
+    """Answers as they come; each job has a copy of the tree."""
+    context = multiprocessing.get_context("fork")
+    ends = []
+    for job in range(jobs):
+        ours, theirs = context.Pipe(duplex=False)
+        process = context.Process(target=_work, args=(chosen[job::jobs], choice, seconds, theirs))
+        process.start()
+        theirs.close()
+        ends.append(ours)
+    while ends:
+        for end in wait(ends):
+            assert isinstance(end, Connection)
+            try:
+                yield end.recv()
+            except EOFError:
+                ends.remove(end)
+
+
+def _work(chosen: list[Mutant], choice: Choice, seconds: float, end: Connection) -> None:
+    with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
+        load_libraries(Path(folder))
+        judge = Judge(Path(folder), choice, seconds)
+        for mutant in chosen:
+            end.send(judge.judge(mutant))
+    end.close()
+
+
+def record_lines(folder: Path) -> None:
+    """Bring the lines of all files of tests up to date, in a process of its own."""
+    with tempfile.TemporaryDirectory(prefix="lines-") as name:
+        tree = copy_tree(Path(name))
+        load_libraries(tree)
+        for line in record(tree, folder, files_of_tests(tree), UNCHANGED):
+            print(line, flush=True)
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", type=int, action="append", metavar="N", help="number of a mutant")
-    parser.add_argument("--check", action="store_true", help="only compare the list with the tree")
+    parser.add_argument("--seed", type=int, default=int(date.today().strftime("%Y%m%d")))
+    parser.add_argument("--count", type=int, default=100, metavar="N")
+    parser.add_argument("--skip", type=int, default=0, metavar="N", help="of the first that are drawn")
+    parser.add_argument("--only", default="", metavar="TEXT", help="modules whose name holds a text")
+    parser.add_argument("--time", type=float, default=40.0, metavar="S", help="of the tests of a mutant, without it")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N")
+    parser.add_argument("--lines", action="store_true", help="only find which tests execute which lines")
+    parser.add_argument("--list", action="store_true", help="only print the mutants")
+    parser.add_argument("-o", "--output", type=Path, default=ROOT / "build" / "mutants", metavar="DIR")
     arguments = parser.parse_args()
-    wanted = arguments.only
-    if arguments.check:
-        faults = list_faults(read_mutants())
-        print("\n".join([*faults, f"{len(read_mutants())} mutants, {len(faults)} faults of the list"]))
-        return 1 if faults else 0
-    groups: dict[str, list[Mutant]] = {}
-    for mutant in read_mutants():
-        if not wanted or mutant.number in wanted:
-            groups.setdefault(mutant.tests, []).append(mutant)
-    sys.dont_write_bytecode = True
-    sys.path[:] = [place for place in sys.path if Path(place).resolve() != ROOT]
-    for name in LIBRARIES:  # once for all forks; none of our own
-        importlib.import_module(name)
+    chosen = draw(arguments.seed, arguments.count, arguments.only)[arguments.skip :]
+    print(f"seed {arguments.seed}, {len(chosen)} mutants", flush=True)
+    if arguments.list:
+        print("\n".join(map(str, chosen)))
+        return 0
+    lines = arguments.output / "lines"
+    child = multiprocessing.get_context("fork").Process(target=record_lines, args=(lines,))
+    child.start()
+    child.join()
+    if arguments.lines or child.exitcode:
+        return child.exitcode or 0
     found = []
-    with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
-        copy_tree(Path(folder))
-        for tests, mutants in groups.items():
-            found += judge_group(Path(folder), tests, mutants)
-    count = sum(map(len, groups.values()))
-    hung = found.count("no end")
-    killed = found.count("killed") + hung
-    survived = found.count("survived")
-    faults = sum(word.startswith("fault") for word in found)
-    print(f"{count} mutants: {killed} killed ({hung} without an end), {survived} survived, {faults} faults of the list")
-    return 0 if killed >= LEAST_SHARE * count and not faults else 1
+    for answer in judge_all(chosen, Choice(lines), arguments.jobs, arguments.time):
+        found.append(answer)
+        print("{fate:9}{seconds:7.1f} s {mutant}  [{by}]".format(**answer), flush=True)
+    return report(found, arguments.output / f"{arguments.seed}.json")
+
+
+def report(found: list[dict[str, Any]], path: Path) -> int:
+    """Print the survivors and the rate; keep all answers in a file."""
+    path.write_text(json.dumps(found, indent=1), encoding="utf-8")
+    fates = [row["fate"] for row in found]
+    faults = fates.count("fault")
+    killed, count = fates.count("killed") + fates.count("no end"), len(found) - faults
+    low, high = wilson(killed, count)
+    print("\nsurvivors:", *(row["mutant"] for row in found if row["fate"] == "survived"), sep="\n")
+    endless, survived = fates.count("no end"), fates.count("survived")
+    print(
+        f"{count} mutants: {killed} killed ({endless} without an end), {survived} survived, "
+        f"{faults} not judged; rate {killed / max(count, 1):.1%}, 95 % interval {low:.1%} to {high:.1%}"
+    )
+    return 0 if high >= LEAST_SHARE and not faults else 1
 
 
 if __name__ == "__main__":

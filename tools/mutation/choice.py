@@ -1,0 +1,112 @@
+"""The tests that are most likely to notice a change of a line, within a time."""
+
+from __future__ import annotations
+
+import ast
+import json
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path, PurePosixPath
+
+from .lines import SET_UP, place
+from .tree import ROOT, modules
+
+START = 1.0  # of a further file of tests: its import and fixtures [s]
+FILES = 8  # of tests for one mutant, at most
+DEEP = 6  # calls between a kernel and a function that is no kernel
+
+
+class Choice:
+    """Lines, the tests that execute them, and the places that name a function or a constant."""
+
+    def __init__(self, folder: Path) -> None:
+        self.records = [json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))]
+        self.lines: dict[tuple[str, str], dict[int, list[int]]] = defaultdict(dict)
+        self.of_module: dict[str, dict[int, int]] = defaultdict(lambda: defaultdict(int))
+        for number, record in enumerate(self.records):
+            for file, lines in record["lines"].items():
+                self.of_module[file][number] += len(lines)
+                for where, tests in lines.items():
+                    self.lines[file, where][number] = tests
+        self.named: dict[str, set[tuple[str, int]]] = defaultdict(set)
+        self.names_at: dict[tuple[str, int], list[str]] = defaultdict(list)
+        for name in modules():
+            self._read(name)
+
+    def _read(self, name: str) -> None:
+        """Note where a module names what, and which names its statements outside of functions define."""
+        tree = ast.parse((ROOT / name).read_text(encoding="utf-8"))
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Load):
+                self.named[node.id if isinstance(node, ast.Name) else node.attr].add((name, node.lineno))
+        for statement in tree.body:
+            for part in [statement, *(statement.body if isinstance(statement, ast.ClassDef) else [])]:
+                for line in range(part.lineno, (part.end_lineno or part.lineno) + 1):
+                    self.names_at[name, line][:0] = _defined(part)
+
+    def covering(self, file: str, line: int, depth: int = 0) -> dict[int, list[int]]:
+        """Tests by file that execute a line, or else what is made of it."""
+        where = place(ROOT / file, line)
+        direct = self.lines.get((file, "{}+{}".format(*where)), {}) if where else {}
+        if direct or depth > DEEP or (where and not file.endswith("_kernels.py")):
+            return direct
+        found: dict[int, list[int]] = defaultdict(list)
+        for name in [where[0].rpartition(".")[2]] if where else self.names_at[file, line]:
+            for other in sorted(self.named[name] - {(file, line)}):
+                if place(ROOT / other[0], other[1]) not in (None, where) or other[0] != file:
+                    for number, tests in self.covering(*other, depth + 1).items():
+                        found[number] = list(dict.fromkeys([*found[number], *tests]))
+            if found:
+                break
+        return found
+
+    def tests(self, file: str, line: int, seconds: float) -> tuple[list[str], float]:
+        """Names of tests, those that are near the module and short first; and their time without a mutant [s]."""
+        found = self.covering(file, line) or self._nearest(file)
+        ranked = sorted((_far(self.records[number]["file"], file), self._time(number, tests), number)
+                        for number, tests in found.items())  # fmt: skip
+        near = [row for row in ranked if row[0] == 0] or ranked[:1]
+        order = [*near, *sorted((row for row in ranked if row not in near), key=lambda row: row[1])]
+        chosen: list[str] = []
+        total = 0.0
+        count = 0
+        for _, time, number in order:
+            if count and (total + time > seconds or count == FILES):
+                continue
+            chosen += self._names(number, found[number])
+            total += time
+            count += 1
+        return chosen, total
+
+    def _nearest(self, file: str) -> dict[int, list[int]]:
+        """Files of tests that execute the most of the module, whole."""
+        most = sorted(self.of_module[file].items(), key=lambda row: -row[1])[:3]
+        return {number: [SET_UP] for number, _ in most}
+
+    def _time(self, number: int, tests: list[int]) -> float:
+        record = self.records[number]
+        if SET_UP in tests:
+            return float(record["total"]) + START
+        return min(sum(record["seconds"][test] for test in tests), record["total"]) + START
+
+    def _names(self, number: int, tests: list[int]) -> list[str]:
+        record = self.records[number]
+        failed = set(record["failed"])
+        whole = range(len(record["tests"])) if SET_UP in tests else tests
+        return [record["tests"][test] for test in whole if record["tests"][test] not in failed]
+
+
+def _defined(node: ast.stmt) -> Iterator[str]:
+    match node:
+        case ast.ClassDef(name=name) | ast.AnnAssign(target=ast.Name(id=name)):
+            yield name
+        case ast.Assign(targets=targets):
+            yield from (part.id for target in targets for part in ast.walk(target) if isinstance(part, ast.Name))
+
+
+def _far(test: str, module: str) -> int:
+    """0 for tests that lie where the module lies, else 1."""
+    folder = PurePosixPath(module).parent.as_posix()
+    stem = PurePosixPath(module).stem.strip("_").removesuffix("_kernels")
+    where = test.removeprefix("tests/").removeprefix("reference/")
+    return 0 if where.startswith(folder + "/") or f"test_{stem}" in where else 1
