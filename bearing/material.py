@@ -19,12 +19,17 @@ FIELDS = {  # of Material: key of the data file
     "specific_heat": "specific_heat_J_kg_K",
     "bending_strength": "bending_strength_MPa",
     "weibull_modulus": "weibull_modulus",
+    "fracture_toughness": "fracture_toughness_MPa_sqrt_m",
 }
 # positive or None
-MAY_BE_UNKNOWN = ("thermal_conductivity", "specific_heat", "bending_strength", "weibull_modulus")
+MAY_BE_UNKNOWN = (
+    *("thermal_conductivity", "specific_heat"),
+    *("bending_strength", "weibull_modulus", "fracture_toughness"),
+)
 # sqrt(k rho c) of hardened bearing steel, k 21, rho 7850, c 460, as the library has it
 STEEL_EFFUSIVITY = 8708.0  # [W s^(1/2)/(m^2 K)]
-STRENGTH = ("bending_strength", "weibull_modulus")  # of brittle materials, with their ranges
+# fields of brittle materials, with their ranges
+STRENGTH = ("bending_strength", "weibull_modulus", "fracture_toughness")
 
 
 class MaterialKind(Enum):
@@ -68,6 +73,8 @@ class Material:
     weibull_modulus: float | None = None  # m [-]
     bending_strength_range: tuple[float, float] | None = None  # [Pa]
     weibull_modulus_range: tuple[float, float] | None = None  # [-]
+    fracture_toughness: float | None = None  # K_Ic [Pa m^(1/2)]; None if not known
+    fracture_toughness_range: tuple[float, float] | None = None  # [Pa m^(1/2)]
     unverified: tuple[str, ...] = ()  # fields whose values no source was read for
 
     def __post_init__(self) -> None:

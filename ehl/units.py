@@ -74,6 +74,7 @@ UNITS = {
     "J_kg_K": Unit("J/(kg K)"),
     "N_mm": Unit("N mm", NEWTON_MILLIMETRE, "N m"),
     "MPa": Unit("MPa", MEGAPASCAL, "Pa"),
+    "MPa_sqrt_m": Unit("MPa m^0.5", MEGAPASCAL, "Pa m^0.5"),
     "GPa": Unit("GPa", GIGAPASCAL, "Pa"),
     "GPa_m_s": Unit("GPa m/s", GIGAPASCAL, "Pa m/s"),
     "1_GPa": Unit("1/GPa", 1e-9, "1/Pa"),

@@ -1,5 +1,6 @@
 """Rating life and load ratings.
 
+ceramic           - cracks of ceramic contacts, static rating by the rule of makers
 duty_cycle        - life, torque and energy over several load cases
 film_life         - modified life with the kappa of every solved film
 geometry_estimate - internal geometry from boundary dimensions and load ratings

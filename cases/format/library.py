@@ -24,8 +24,8 @@ from .rules import CaseProblem, CaseValues, nearest_name, shown
 # keys of a material that its table in the case may leave to the library's
 LIBRARY_FIELDS = (
     *("kind", "thermal_expansion", "thermal_conductivity", "specific_heat"),
-    *("bending_strength", "weibull_modulus"),
-    *("bending_strength_range", "weibull_modulus_range"),
+    *("bending_strength", "weibull_modulus", "fracture_toughness"),
+    *("bending_strength_range", "weibull_modulus_range", "fracture_toughness_range"),
 )
 # tables whose keys with the word "material" name one
 MATERIAL_TABLES = ("bearing", "fit", "contact")
@@ -59,6 +59,7 @@ class MaterialTable(Table):
         0, 1e5, "of a brittle material, mean of bars in four-point bending"
     )
     weibull_modulus: float | None = above(1, 1e3, "of this strength")
+    fracture_toughness_MPa_sqrt_m: float | None = above(0, 1e3, "of a brittle material, K_Ic")
     kind: Annotated[str, OneOf(MaterialKind)] | None = described(
         'for the rating life; else "other"'
     )

@@ -60,6 +60,15 @@ RING_STRENGTH = quantities(  # hoop stress, tension positive, of the cylinder fr
     ("failure_probability_high", "its upper end", "failure_high"),
     null="its seat has no diameter, or the material no strength",
 )
+CONTACT_STRENGTH = quantities(  # of ceramic rings; no standard rates them
+    ("edge_tension_maximum_GPa", "largest tension at the rim of a contact", "edge_tension"),
+    ("critical_flaw_um", "depth of a surface crack that it would open"),
+    ("static_rating_makers_low_kN", "static rating by the rule of makers, low", "low_rating"),
+    ("static_rating_makers_high_kN", "the same, high", "high_rating"),
+    ("static_safety_makers_low", "static safety by it, low", "low_safety"),
+    ("static_safety_makers_high", "the same, high", "high_safety"),
+    null="the rings have no fracture toughness, or no contact is loaded",
+)
 ROW = quantities("axial_position_mm", "offset_um")
 LIFE_RATING = quantities(
     ("basic_reference_rating_Mrev", "rating life", "basic_life", "L10"),

@@ -24,6 +24,7 @@ from oilfilm.bearing.films.film import (
 from oilfilm.bearing.films.unsolved_films import too_thick
 from oilfilm.bearing.geometry import ESTIMATED_HEIGHT, Race, shoulder_diameter
 from oilfilm.bearing.heating.network import Conductance
+from oilfilm.bearing.rating.ceramic import critical_flaw
 from oilfilm.bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT, SIMULATED_SLIP
 from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.oil.assumed_heat import heat_of
@@ -106,6 +107,7 @@ LAMBDA_FORMULA = "hamrock_dowson_minimum"
 NO_LOAD = "it carries no load"
 NO_OIL = f"{NO_LOAD}, or no oil is entrained"
 NOT_STARVED = "the supply is flooded, or no flooded film is known"
+NOT_TOUGH = f"{NO_LOAD}, or neither ring nor ball has a fracture toughness"
 NOT_BRITTLE = f"{NO_FILM}, or neither ring nor ball has a bending strength"
 NO_SHOULDER = f"{NO_LOAD}, or no shoulder diameter is given"
 BEYOND_EDGE = f"{NO_SHOULDER}, or the middle of the ellipse lies beyond the edge"
@@ -162,6 +164,9 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
         null=NO_LOAD,
     ),
     *quantities(("edge_tension_GPa", "tension at the rim, dry, frictionless"), null=NO_LOAD),
+    *quantities(
+        ("critical_flaw_um", "depth of a surface crack that it would open"), null=NOT_TOUGH
+    ),
     *quantities(
         ("surface_tension_ring_GPa", "largest tension in the ring's surface", "ring"),
         ("surface_tension_ball_GPa", "largest tension in the ball's surface", "ball"),
@@ -239,6 +244,7 @@ class ContactRecord(FilmRecord):
     starved: SupplyFractions | None  # of the flooded film that a scarce supply leaves
     surface: dict[str, float] | None
     edge_tension: float | None  # of the dry contact without friction [Pa]
+    critical_flaw: float | None  # depth of a surface crack that it would open [m]
     tension: SurfaceTension | None  # under the film's pressure and shear
     conductance: Conductance | None = None  # of heat, through the film
     operating: ContactFilm | None = None
@@ -315,6 +321,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             starved=None if film is None or not scarce else film.supply,
             surface=results.case.get("surface"),
             edge_tension=edge_tension(results.quasistatic.bearing, contact),
+            critical_flaw=critical_flaw(results.quasistatic.bearing, contact),
             tension=tensions[i],
             conductance=results.conductance(i),
             operating=film,

@@ -25,6 +25,7 @@ from oilfilm.bearing.quasistatic.solution import (
     bearing_frequencies,
     kinematic_frequencies,
 )
+from oilfilm.bearing.rating.ceramic import ContactStrength, contact_strength
 from oilfilm.bearing.rating.duty_cycle import LoadCase
 from oilfilm.bearing.rating.film_life import ContactKappa, FilmLife, film_life
 from oilfilm.bearing.rating.life import (
@@ -56,6 +57,7 @@ from ..quantities import (
 from .bearing_quantities import (
     BALL_QUANTITIES,
     CLEARANCE,
+    CONTACT_STRENGTH,
     DUTY_CYCLE,
     ELECTRICAL,
     FILM_LIFE,
@@ -112,6 +114,11 @@ NO_STANDARD = (
 NOT_BRITTLE = (
     "strength: failure probabilities null, the rings have no bending_strength_MPa and "
     "weibull_modulus, or no width_mm"
+)
+MAKERS_RULE = (
+    "strength: static rating of ceramic rings by the rule of makers, 65 to 75 % of that of steel; "
+    "critical_flaw_um is the depth of a surface crack that the tension at the rim opens, without "
+    "friction (docs/theory/ceramic_strength.md)"
 )
 LOOSE = (
     "strength: the case gives no [fit], rings of ceramic are taken as loose on shaft and in "
@@ -1138,7 +1145,17 @@ def strength_block(results: BearingResults) -> dict[str, Any]:
         f"{race.value}_ring": _ring_strength(results, race, rings.get(race)) for race in Race
     }
     inner_map = None if strength is None else strength.inner_map
-    return blocks | {"inner_ring_map": None if inner_map is None else _map(inner_map)}
+    contacts = values_of(_contact_strength(results), CONTACT_STRENGTH)
+    maps = {"inner_ring_map": None if inner_map is None else _map(inner_map)}
+    return blocks | {"contacts": contacts} | maps
+
+
+def _contact_strength(results: BearingResults) -> ContactStrength | None:
+    """Strength of the contacts of ceramic rings; None for others."""
+    if results.life is None:
+        return None
+    angle = results.life.rating.nominal_contact_angle
+    return contact_strength(results.quasistatic, results.contacts, angle)
 
 
 def _ring_strength(
@@ -1204,6 +1221,14 @@ def strength_messages(results: BearingResults) -> Iterator[str]:
             )
     for name in dict.fromkeys(ring.material.name for ring in brittle if _assumed(ring)):
         yield f"strength: the Weibull modulus of {name} is assumed, its range read in sources"
+    contacts = _contact_strength(results)
+    if contacts is not None:
+        yield MAKERS_RULE
+        if contacts.high_safety is not None and contacts.high_safety < 1.0:
+            yield Caution(
+                f"strength: the load is {1.0 / contacts.high_safety:.3g} times the static rating "
+                "that makers give to ceramic bearings"
+            )
     if not any(tension is not None for tension in results.tensions):
         yield (
             "contacts: surface_tension_ring_GPa and what belongs to it null, they need a film and "
@@ -1241,6 +1266,16 @@ def strength_rows(results: BearingResults) -> dict[str, str]:
             f"hoop {tension:.3g} MPa (fit {fit:.3g}, rotation {rotation:.3g}), probability of "
             f"failure {value} ({low} to {high})"
         )
+    contacts = _contact_strength(results)
+    if contacts is not None:
+        tension = from_si("tension_GPa", contacts.edge_tension)
+        flaw = from_si("flaw_um", contacts.critical_flaw)
+        rows["contacts"] = f"tension {tension:.3g} GPa at the rim, opens cracks of {flaw:.3g} um"
+        if contacts.low_safety is not None:
+            rows["contacts"] += (
+                f"; static safety {contacts.low_safety:.3g} to {contacts.high_safety:.3g} "
+                "(rule of makers)"
+            )
     return rows
 
 

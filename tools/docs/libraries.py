@@ -208,7 +208,7 @@ HEADS = {
     "bearings": "name|d × D × B, mm|C / C_0, kN|balls × D on d_m, mm|angle or clearance|geometry",
     "clearances": "bore, mm|C2|CN|CM|C3|C4|C5",
     "materials": "name|kind|E, GPa|ν|ρ, kg/m³|expansion, µm/(m K)|conductivity, W/(m K)|specific heat, J/(kg K)"
-    "|bending strength, MPa|Weibull modulus",
+    "|bending strength, MPa|Weibull modulus|fracture toughness, MPa √m",
     "oils": "name|range, °C|ν at 40 / 100 °C, mm²/s|−∂ln η/∂T, 10⁻³/K|α, 1/GPa|ρ, kg/m³"
     "|expansion, 10⁻⁴/K|conductivity, W/(m K)|specific heat, J/(kg K)",
     "sources of the oils": "oil|property|law|source",
