@@ -1,5 +1,4 @@
 """Tables of batches as functional mock-up units.
 
-table  - grid of a batch, splines through it, their error
-export - the unit: description, sources in C, binary
+export - grid of a batch, splines through it, the unit: description, sources in C, binary
 """

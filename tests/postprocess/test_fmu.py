@@ -11,7 +11,7 @@ import pytest
 
 from oilfilm.postprocess.batch.results import BatchPoint, BatchResults
 from oilfilm.postprocess.fmu import export
-from oilfilm.postprocess.fmu.table import table_of
+from oilfilm.postprocess.fmu.export import table_of
 
 SPEEDS = (500.0, 1000.0, 2000.0, 4000.0, 8000.0)
 LOADS = (100.0, 300.0, 900.0, 2700.0)
