@@ -156,6 +156,11 @@ class ContactFilm:
         return self.rolling_fraction * self.flooded_moment
 
     @property
+    def heated_moment(self) -> float:
+        """Fraction that heat of the inlet leaves of the moment, 1 where it is solved [-]."""
+        return 1.0 if self.solved_with_heat else self.heat.moment.value
+
+    @property
     def lambda_ratio(self) -> float:
         """Minimum film over the roughness [-]; infinite without one of them."""
         if self.minimum is None or self.roughness <= 0.0:

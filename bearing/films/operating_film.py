@@ -1,8 +1,8 @@
 """Films as the bearing runs: what oil supply, heat of the inlet and asperities leave of them.
 
 A film is computed flooded or behind a layer, isothermal or with heat. What is not in it comes as a
-fraction of its part of the friction: inlet shear heating on the gap that shears, SKF's factors of
-it on the rolling moment, starvation on both, asperities on the load that the oil carries.
+fraction of its part of the friction: inlet shear heating and starvation on the gap that shears and
+on the rolling moment, asperities on the load that the oil carries.
 """
 
 from collections.abc import Sequence
@@ -229,8 +229,6 @@ def operating_films(
     *,
     supply: OilAtInlets | None = None,
     asperities: Asperities | None = None,
-    rolling_factor: float = 1.0,
-    unheated_factor: float = 1.0,
     hysteresis: float = 0.0,
 ) -> tuple[ContactFilm | None, ...]:
     """Films of contacts as the bearing runs.
@@ -246,10 +244,6 @@ def operating_films(
         law of starvation; None: films as they are.
     asperities : Asperities, optional
         Which carry part of the load where the films are thin; None: full films.
-    rolling_factor : float
-        That inlet heating leaves of the rolling moment [-].
-    unheated_factor : float
-        The same, more, of films that are not solved with heat [-].
     hysteresis : float
         Share of the elastic energy that the contacts lose in rolling, beta_a [-].
 
@@ -258,9 +252,8 @@ def operating_films(
     tuple of ContactFilm or None
         None where there is no film.
     """
-    left = (rolling_factor, rolling_factor * unheated_factor)
     running = (
-        None if film is None else _operating(film, contact, heat, supply, asperities, left)
+        None if film is None else _operating(film, contact, heat, supply, asperities)
         for contact, film, heat in zip(contacts, films, film_heats(contacts, films), strict=True)
     )
     return tuple(
@@ -319,24 +312,22 @@ def _operating(
     heat: InletHeat,
     supply: OilAtInlets | None,
     asperities: Asperities | None,
-    factors: tuple[float, float],
 ) -> ContactFilm:
-    """One of `operating_films`; factors of the rolling moment of films solved with heat, and of
-    others [-].
-    """
+    """One of `operating_films`."""
     # 1. oil at the inlet
     if supply is not None:
         film = _at_supply(film, contact, supply)
     # 2. heat of the inlet
-    with_heat = film.solved_with_heat
     central = film.central
     minimum = film.minimum
-    if not with_heat:
+    rolling = film.rolling_fraction
+    if not film.solved_with_heat:
         inlet = film.rolling_fraction
         if supply is not None and isinstance(supply.oil, ReplenishedInlet):
             # the moment that is missing is that far ahead of where the film is heated
             inlet = film.supply.central
         heat = heat.at(inlet)
+        rolling *= heat.moment.value
         central = _heated(central, heat.central)
         if minimum is not None:
             least = minimum.value
@@ -344,23 +335,36 @@ def _operating(
             if minimum.value > central.value:
                 minimum = minimum._replace(value=central.value)
                 heat = heat._replace(minimum=heat.minimum._replace(value=central.value / least))
+    film = replace(film, central=central, minimum=minimum, heat=heat, rolling_fraction=rolling)
     # 3. asperities
-    load = flooded_load = boundary = roughness = 0.0
-    if asperities is not None:
-        load = asperities.load_fraction(contact, central.value)
-        flooded_load = asperities.load_fraction(contact, film.flooded_central)
-        boundary = asperities.boundary
-        roughness = asperities.roughness(contact.race)
+    return film if asperities is None else with_asperities(film, contact, asperities)
+
+
+def with_asperities(
+    film: ContactFilm, contact: BearingContact, asperities: Asperities
+) -> ContactFilm:
+    """A film whose load asperities carry part of.
+
+    Parameters
+    ----------
+    film : ContactFilm
+        With supply and heat.
+    contact : BearingContact
+        Its contact.
+    asperities : Asperities
+        Roughness, and the law by which asperities carry load.
+
+    Returns
+    -------
+    ContactFilm
+        The film with the shares of the load [-].
+    """
     return replace(
         film,
-        central=central,
-        minimum=minimum,
-        heat=heat,
-        rolling_fraction=factors[0 if with_heat else 1] * film.rolling_fraction,
-        asperity_load=load,
-        flooded_asperity_load=flooded_load,
-        boundary_friction=boundary,
-        roughness=roughness,
+        asperity_load=asperities.load_fraction(contact, film.central.value),
+        flooded_asperity_load=asperities.load_fraction(contact, film.flooded_central),
+        boundary_friction=asperities.boundary,
+        roughness=asperities.roughness(contact.race),
     )
 
 

@@ -211,8 +211,6 @@ class FilmTraction(FrictionSource):
     rheology: Rheology
     # asperities that carry part of the loads [N] where the films are thin; None: full films
     asperities: Asperities | None = None
-    # fraction of the rolling moment of isothermal films that inlet heating leaves [-]
-    rolling_factor: float = 1.0
     hysteresis: float = 0.0  # share of the elastic energy lost in rolling, beta_a [-]
     supply: OilAtInlets | None = None  # oil that the films get; None: as much as they have
     # empty before `refresh`
@@ -278,7 +276,6 @@ class FilmTraction(FrictionSource):
             with_formulas(contacts, self.films),
             supply=self.supply,
             asperities=self.asperities,
-            rolling_factor=self.rolling_factor,
             hysteresis=self.hysteresis,
         )
         return film_law(solution, contacts, running, self.rheology, scale=scale)

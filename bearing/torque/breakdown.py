@@ -13,7 +13,7 @@ from ..films.operating_film import OilAtInlets, supplied_films
 from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import ReplenishedInlet, Supply
-from .inputs import Assumption, FrictionInput
+from .inputs import Assumption, FrictionInput, TorqueRange
 from .integrated import SolvedShear
 from .models import (
     ROUND_OFF,
@@ -102,19 +102,41 @@ class TorqueBreakdown:
         return flooded.total + seal
 
     @property
+    def inlet_heating(self) -> float | None:
+        """Fraction of the flooded, isothermal rolling moments that the heat of the inlets leaves,
+        1 of films that are solved with heat; SKF's of a friction law [-].
+        """
+        if self.inlet is None or self.shear is None:
+            return None
+        films = [film for film in self.shear.films if film is not None]
+        flooded = sum(film.flooded_moment for film in films)
+        if not flooded > 0.0:
+            return self.inlet.shear_heating
+        return sum(film.heated_moment * film.flooded_moment for film in films) / flooded
+
+    @property
     def total(self) -> float | None:
         """Torque of the chosen model [N m]."""
         return None if self.chosen is None else self.models[self.chosen].total
 
     @property
-    def assumed(self) -> dict[str, tuple[float, float]]:
-        """Ends of the range of each part of the total that is assumed [N m]."""
-        parts = {} if self.chosen != INTEGRATED else self.models[INTEGRATED].components
-        return {
-            name: (assumption.low * parts[name], assumption.high * parts[name])
-            for name, assumption in self.assumptions.items()
-            if parts.get(name)
+    def ranges(self) -> dict[str, TorqueRange]:
+        """Changes of the total by what is assumed, and by the heat of the inlets [N m]."""
+        if self.chosen != INTEGRATED or self.shear is None:
+            return {}
+        parts = self.models[INTEGRATED].components
+        found = {
+            name: TorqueRange(own.text, (own.low - 1.0) * part, (own.high - 1.0) * part)
+            for name, own in self.assumptions.items()
+            if (part := parts.get(name, 0.0)) > 0.0
         }
+        films = [film for film in self.shear.films if film and not film.solved_with_heat]
+        moments = sum(film.rolling_moment for film in films)
+        if moments > 0.0:
+            unknown = sum(film.rolling_moment * film.heat.moment.relative_error for film in films)
+            heat = unknown / moments * parts.get("rolling", 0.0)
+            found["inlet heat"] = TorqueRange("heat of the inlets", -heat, heat)
+        return found | self.shear.ranges
 
     def _repr_html_(self) -> str:
         """All models side by side, for a notebook."""
@@ -166,7 +188,7 @@ def friction_torque(
     films : sequence of ContactFilm or None, optional
         Films as computed, of which a supply leaves a fraction; formulas where one is missing.
     inlet : InletFactors, optional
-        What the inlets leave of the rolling part of the shear [-].
+        Oil at the inlets without a stated supply, and the heat of inlets without films [-].
 
     Returns
     -------

@@ -32,6 +32,14 @@ class Assumption(NamedTuple):
     high: float  # [-]
 
 
+class TorqueRange(NamedTuple):
+    """Change of a torque by something that is not known."""
+
+    text: str
+    low: float  # at its low end, not above zero [N m]
+    high: float  # at its high end, not below zero [N m]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FrictionInput:
     """Input of the friction models beyond the loads, SI; None leaves out what needs it, or is
@@ -61,6 +69,8 @@ class FrictionInput:
     oil_fraction: float | None = None  # share of the cavity filled with oil [-]
     # rms of inner race and balls, outer race and balls [m]
     roughness: tuple[float, float] | None = None
+    # the same at both ends of its range, where it is assumed [m]; None: it is measured
+    roughness_ends: tuple[tuple[float, float], ...] = ()
     sharing: LoadSharing = LoadSharing.ZHOU_HOEPRICH  # of asperities and film
     spectrum: Spectrum | None = None  # of the roughness [m]; None: no wave is flattened
     # flow of oil and what is assumed of it, or the layer at the inlets
@@ -124,6 +134,25 @@ class FrictionInput:
             sharing=self.sharing,
             spectrum=self.spectrum,
         )
+
+    def other_asperities(self) -> dict[str, tuple[Asperities, ...]]:
+        """Asperities by what else they may be: other laws of sharing, and both ends of an assumed
+        roughness.
+
+        Returns
+        -------
+        dict[str, tuple[Asperities, ...]]
+            by the name of what is not known; empty without a roughness
+        """
+        own = self.asperities
+        if own is None:
+            return {}
+        laws = tuple(replace(own, sharing=law) for law in LoadSharing if law is not self.sharing)
+        ends = tuple(
+            replace(own, inner_roughness=inner, outer_roughness=outer)
+            for inner, outer in self.roughness_ends
+        )
+        return {"load sharing": laws, "roughness": ends}
 
     def oil_share(self, bearing: Bearing) -> float | None:
         """Fraction of the cavity of a bearing that oil fills: by the flow, else as given.

@@ -28,7 +28,7 @@ from oilfilm.ehl.traction.rolling_moment import RollingMoment, rolling_moment
 from ..contacts.contact import BearingContact
 from ..contacts.motion import ContactTraction, MotionMap, ball_speeds, contact_traction, motion_map
 from ..films.film import ContactFilm, FilmOrigin, Films, first_same
-from ..films.operating_film import OilAtInlets, operating_films, with_formulas
+from ..films.operating_film import OilAtInlets, operating_films, with_asperities, with_formulas
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
 from ..friction.contact_friction import ContactFriction
@@ -37,11 +37,16 @@ from ..friction.film_nodes import film_nodes
 from ..friction.resistance import NO_RESISTANCE, NOTHING_RESISTED, Resistance, ResistedPower
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
-from .inputs import FrictionInput
+from .inputs import FrictionInput, TorqueRange
 from .skf import InletFactors
 
 # rings' power less heat and drag over the heat up to which balls count as balanced [-]
 POWER_TOLERANCE = 1.0e-6
+SMOOTH = 1.0e-4  # change of the load on asperities up to which none counts [-]
+ROUGH = {
+    "load sharing": "another law of sharing the load between film and asperities",
+    "roughness": "the range of the typical roughness of races and balls",
+}
 
 # reasons why a law of friction lacks parts of the torque
 ONE_MOMENT = (
@@ -160,6 +165,8 @@ class SolvedShear:
     orbit_lag: float | None = None
     balance: BalancedFriction | None = None  # of `balanced`, where films shear
     note: str = ""  # why there is no balanced one, or why it does not count as one
+    # changes by other asperities, by what is not known of them
+    ranges: dict[str, TorqueRange] = field(default_factory=dict)
     # reasons why parts of the torque are None, by name
     missing_components: dict[str, str] = field(default_factory=dict)
 
@@ -370,7 +377,7 @@ def bearing_films(
     friction : FrictionInput
         Supply and asperities.
     inlet : InletFactors
-        Heat of the inlets, and oil there without a stated supply [-].
+        Oil at the inlets without a stated supply [-].
 
     Returns
     -------
@@ -390,8 +397,6 @@ def bearing_films(
         with_formulas(contacts, films),
         supply=supply,
         asperities=friction.asperities,
-        rolling_factor=inlet.shear_heating,
-        unheated_factor=inlet.unheated,
         hysteresis=friction.hysteresis_loss,
     )
 
@@ -418,7 +423,7 @@ def films_torque(
     friction : FrictionInput
         Supply, asperities, cage and oil in the cavity.
     inlet : InletFactors
-        What the inlets leave of the rolling moments [-].
+        Oil at the inlets without a stated supply [-].
     rheology : Rheology
         Of the oil.
     lubricant : Lubricant
@@ -433,13 +438,42 @@ def films_torque(
     resistance = friction.resistance(solution.bearing, lubricant, solution.operation.shaft_speed)
     shear = solved_shear(solution, contacts, operating, rheology, resistance)
     existing = [film for film in operating if film is not None]
+    state = partial(solved_shear, solution, contacts, rheology=rheology, resistance=resistance)
     return replace(
         shear,
         films=operating,
+        ranges=_rough_ranges(state, contacts, operating, friction, shear.torque.total),
         by_formula=sum(film.origin is not FilmOrigin.SOLVED for film in existing),
         by_atlas=sum(film.origin is FilmOrigin.ATLAS for film in existing),
         lubricated=len(existing),
     )
+
+
+def _rough_ranges(
+    shear: Callable[..., SolvedShear],
+    contacts: Sequence[BearingContact],
+    films: Films,
+    friction: FrictionInput,
+    total: float,
+) -> dict[str, TorqueRange]:
+    """Changes of a total [N m] by other asperities, by their names; those that the films keep
+    apart in any case are left out.
+    """
+    found = {}
+    for name, others in friction.other_asperities().items():
+        changes = [0.0]
+        for other in others:
+            changed = [
+                film and with_asperities(film, contact, other)
+                for contact, film in zip(contacts, films, strict=True)
+            ]
+            pairs = zip(films, changed, strict=True)
+            steps = [abs(a.asperity_load - b.asperity_load) for a, b in pairs if a and b]
+            if max(steps, default=0.0) > SMOOTH:
+                changes.append(shear(films=changed, bound=False).torque.total - total)
+        if len(changes) > 1:
+            found[name] = TorqueRange(ROUGH[name], min(changes), max(changes))
+    return found
 
 
 def _asperity_share(contacts: Sequence[BearingContact], films: Films) -> float:

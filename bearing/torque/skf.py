@@ -5,9 +5,9 @@ chapter 10).
 The published constants take loads in N, lengths in mm, speeds in r/min and viscosities in mm^2/s,
 and give N mm; the functions here take and give SI, and convert at the first and the last line.
 
-SKF's factors of its rolling moment for heat of the inlet shear and for oil that has not come back
-(pages 104 to 106) also serve the integrated torque: 1 where films are solved with heat, or where
-the layer that they run in is prescribed.
+SKF's factor of its rolling moment for oil that has not come back (pages 104 to 106) also serves
+the integrated torque where the layer of its films is not prescribed; that for heat of the inlet
+shear only the friction laws that have no films.
 """
 
 import re
@@ -549,11 +549,8 @@ def drag_factor(level: float) -> float:
 class InletFactors:
     """Factors of the rolling moment of flooded, isothermal films [-], and their sources."""
 
-    shear_heating: float = 1.0
+    shear_heating: float = 1.0  # of a moment that has no film
     replenishment: float = 1.0
-    # factor of films not solved with heat, where others are and have a loss of their own
-    unheated: float = 1.0
-    heating_source: str = ""
     replenishment_source: str = ""
     limit: str = ""  # the end of the factors' range at which they are held; empty inside
     # phi_rs beyond the end of its range as well [-]
@@ -581,7 +578,6 @@ def inlet_factors(
     viscosity: float,
     lubrication: Lubrication,
     *,
-    heated: bool = False,
     layered: bool = False,
 ) -> InletFactors:
     """Factors of the rolling moment of flooded, isothermal films, beyond the viscosities of SKF's
@@ -597,8 +593,6 @@ def inlet_factors(
         kinematic, of the oil [m^2/s]
     lubrication : skf.Lubrication
         the way the oil comes to the bearing
-    heated : bool, default False
-        whether films that are solved are solved with heat
     layered : bool, default False
         whether the oil at the inlets is given or solved
 
@@ -607,14 +601,9 @@ def inlet_factors(
     InletFactors
         factors [-] and their sources
     """
-    shear = supplied = extrapolated = 1.0
-    why_shear = "solved with the films; SKF's phi_ish where one is not"
+    supplied = extrapolated = 1.0
     why_supplied = "the oil at the inlets is that of the stated supply"
     counted = min(viscosity, to_si("viscosity_mm2_s", RANGES["skf"].viscosity[1]))
-    phi = inlet_shear_factor(speed, counted, mean_diameter(bearing))
-    if not heated:
-        shear = phi
-        why_shear = "SKF's phi_ish"
     if not layered:
         geometry = geometry_factor(bearing_kind(bearing))
         product = speed * counted
@@ -624,10 +613,8 @@ def inlet_factors(
         supplied = max(by_skf, LEAST_REPLENISHMENT)
         why_supplied = f"SKF's phi_rs, {lubrication.value}"
     return InletFactors(
-        shear_heating=shear,
+        shear_heating=inlet_shear_factor(speed, counted, mean_diameter(bearing)),
         replenishment=supplied,
-        unheated=phi if heated else 1.0,
-        heating_source=why_shear,
         replenishment_source=why_supplied,
         limit=_limit(viscosity, supplied),
         extrapolated_replenishment=extrapolated,

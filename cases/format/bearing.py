@@ -1,7 +1,7 @@
 """[bearing] and [surface]: geometry and materials of the bearing."""
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import acos, asin, cos, degrees, floor, hypot, pi, radians
 from typing import Annotated
@@ -15,6 +15,7 @@ from oilfilm.bearing.geometry import (
 )
 from oilfilm.bearing.library.bearings import TOLERANCE_CLASSES
 from oilfilm.bearing.library.catalogue import CLEARANCE_CLASSES, clearance_class
+from oilfilm.bearing.library.plugins import library_data
 from oilfilm.bearing.material import Material
 from oilfilm.bearing.operation import RatingInput
 from oilfilm.bearing.torque.skf import Series, series_of, skf_series
@@ -22,6 +23,15 @@ from oilfilm.ehl.units import MICROMETRE, from_si, to_si
 
 from .fields import Name, OneOf, Table, above, between, described, length, within
 from .rules import Below, CaseProblem, CaseValues, Needs, Where, bounded, shown, together
+
+TYPICAL = "typical.toml"
+RACES = ("race_roughness_um", "precision_race_roughness_um")
+# keys of the roughness, with the typical values that they may have
+ROUGHNESS = {
+    "inner_ring_roughness_um": RACES,
+    "outer_ring_roughness_um": RACES,
+    "ball_roughness_um": ("ball_roughness_um", "ceramic_ball_roughness_um"),
+}
 
 
 class BearingTable(Table):
@@ -437,6 +447,38 @@ def roughness(table: SurfaceTable | None) -> tuple[float, float] | None:
     """
     if table is None:
         return None
-    rings = (table.inner_ring_roughness_um, table.outer_ring_roughness_um)
-    inner, outer = (hypot(ring, table.ball_roughness_um) * MICROMETRE for ring in rings)
-    return inner, outer
+    return _together(*(getattr(table, key) for key in ROUGHNESS))
+
+
+def roughness_ends(
+    table: SurfaceTable | None, assumed: Sequence[str]
+) -> tuple[tuple[float, float], ...]:
+    """Roughness at both ends of the typical ranges of what the case assumes.
+
+    Parameters
+    ----------
+    table : SurfaceTable | None
+        The checked table [surface], where there is one.
+    assumed : Sequence[str]
+        Keys of the case whose values no source gives.
+
+    Returns
+    -------
+    tuple[tuple[float, float], ...]
+        Inner and outer race at the low and the high end [m]; empty where nothing is assumed.
+    """
+    if table is None:
+        return ()
+    library = library_data(TYPICAL)
+    ranges = []
+    for key, kinds in ROUGHNESS.items():
+        value = getattr(table, key)
+        known = [library[kind]["range"] for kind in kinds if library[kind]["value"] == value]
+        ranges.append(known[0] if known and f"surface.{key}" in assumed else (value, value))
+    ends = [_together(*end) for end in zip(*ranges, strict=True)]
+    return () if ends[0] == ends[1] else tuple(ends)
+
+
+def _together(inner: float, outer: float, ball: float) -> tuple[float, float]:
+    """Rms of inner race and ball, outer race and ball [m], of each [um]."""
+    return hypot(inner, ball) * MICROMETRE, hypot(outer, ball) * MICROMETRE

@@ -368,6 +368,7 @@ def _bearing_case(file: BearingFile) -> Case:
         cage_friction(file.cage, file.dynamics),
         file.surface,
         angular=delivered.angular_contact,
+        assumed=file.assumed,
     )
     inlet = _inlet(file, bearing, fluid, torque)
     traction = None
@@ -430,7 +431,6 @@ def _inlet(
         speed,
         oil.viscosity / oil.density,
         friction.lubrication,
-        heated=contacts.FilmModel(file.ehl.film_model) is contacts.FilmModel.THERMAL,
         layered=supplied or _inlet_layer(file, friction) is not None,
     )
 

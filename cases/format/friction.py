@@ -1,7 +1,7 @@
 """[friction], the shear law of the oil, and the heat sources of the bearing."""
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Annotated, Any, Literal
 
@@ -22,7 +22,14 @@ from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS, Constant
 from oilfilm.ehl.units import to_si
 
-from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum
+from .bearing import (
+    BearingTable,
+    SurfaceTable,
+    nominal_contact_angle,
+    roughness,
+    roughness_ends,
+    spectrum,
+)
 from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
 from .rules import Below, CaseProblem, CaseValues, Needs, OnlyWith, Relation, Where, shown
@@ -285,6 +292,7 @@ def friction(
     surface: SurfaceTable | None,
     *,
     angular: bool,
+    assumed: Sequence[str] = (),
 ) -> FrictionInput:
     """Inputs of the friction models.
 
@@ -302,6 +310,8 @@ def friction(
         The checked table [surface], where there is one.
     angular : bool
         True: an angular contact bearing.
+    assumed : Sequence[str]
+        Keys of the case whose values no source gives.
 
     Returns
     -------
@@ -326,6 +336,7 @@ def friction(
         boundary=table.boundary_coefficient,
         full_film=table.full_film_coefficient,
         roughness=roughness(surface),
+        roughness_ends=roughness_ends(surface, assumed),
         sharing=LoadSharing.ZHOU_HOEPRICH
         if surface is None
         else LoadSharing(surface.load_sharing),

@@ -113,14 +113,9 @@ def resisted_traction(
     if isinstance(source, FilmTraction):
         oil_back = inlet.oil
         supply = None if oil_back is None else OilAtInlets(oil=oil_back, balls=bearing.balls)
-        source = replace(
-            source,
-            rolling_factor=inlet.shear_heating,
-            supply=supply,
-            hysteresis=friction.hysteresis_loss,
-        )
+        source = replace(source, supply=supply, hysteresis=friction.hysteresis_loss)
     if isinstance(source, LawTraction):  # of tables, whose films are isothermal
-        source = replace(source, rolling_factor=inlet.rolling * inlet.unheated)
+        source = replace(source, rolling_factor=inlet.rolling)
     resistance = friction.resistance(bearing, oil, speed)
     return BallTraction(source=source, lubricant=oil, resistance=resistance)
 

@@ -32,7 +32,6 @@ from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import ZERO_CELSIUS, from_si
 
 from ..format.case import Case, case_of_file
-from ..format.contact import FilmModel
 from ..format.fields import rounded
 from ..format.fits import HeatingInput, part_temperatures
 from ..format.operation import SELF_HEATED
@@ -346,7 +345,6 @@ def _inlet(case: Case, state: QuasistaticSolution, oil: Lubricant) -> InletFacto
         state.operation.shaft_speed,
         oil.viscosity / oil.density,
         case.friction.lubrication,
-        heated=case.films.model is FilmModel.THERMAL,
         layered=case.friction.scarce is not None or case.inlet_layer is not None,
     )
 

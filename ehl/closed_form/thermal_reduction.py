@@ -1,5 +1,5 @@
-r"""Thermal reduction factors of flooded films: the film with the heat of its inlet over the
-isothermal one, central and minimum film apart.
+r"""Thermal reduction factors of flooded contacts: central film, minimum film and the moment that
+resists rolling, with the heat of the inlet over the isothermal ones.
 
 They are a law of this program, fitted to contacts that it solved with heat and without, in pure
 rolling with Newtonian oil (`tools/heat`), in seven groups x = ln of
@@ -60,6 +60,11 @@ class ThermalReduction(NamedTuple):
         """High end of it [-]."""
         return min(self.value + hypot(self.law, self.oil), 1.0)
 
+    @property
+    def relative_error(self) -> float:
+        """Both parts of the range over the value [-]."""
+        return hypot(self.law, self.oil) / self.value if self.value > 0.0 else 0.0
+
     def at(self, inlet: float) -> "ThermalReduction":
         """Thermal reduction factor of a film behind a layer.
 
@@ -83,13 +88,14 @@ class ThermalReduction(NamedTuple):
 
 
 class InletHeat(NamedTuple):
-    """Thermal reduction factors of both films of a contact."""
+    """Thermal reduction factors of both films and of the rolling moment of a contact."""
 
     central: ThermalReduction = ThermalReduction()
     minimum: ThermalReduction = ThermalReduction()
+    moment: ThermalReduction = ThermalReduction()
 
     def at(self, inlet: float) -> "InletHeat":
-        """Factors of the films behind a layer, `ThermalReduction.at`.
+        """Factors behind a layer, `ThermalReduction.at`.
 
         Parameters
         ----------
@@ -99,16 +105,16 @@ class InletHeat(NamedTuple):
         Returns
         -------
         InletHeat
-            factors of the starved films
+            factors of the starved contact
         """
-        return InletHeat(self.central.at(inlet), self.minimum.at(inlet))
+        return InletHeat(*(one.at(inlet) for one in self))
 
 
 NO_HEAT = InletHeat()
 
 
 class Function(NamedTuple):
-    """Function y of one film."""
+    """Function y of one film, or of the moment."""
 
     scales: Array  # (7,) l
     trend: Array  # (8,) of 1 and x_j
@@ -128,6 +134,7 @@ class Table(NamedTuple):
     loads: Array  # (m,) ln M
     central: Function
     minimum: Function
+    moment: Function
 
 
 @cache
@@ -135,12 +142,10 @@ def table() -> Table:
     """The law, read once [-]."""
     file = read_arrays(FILE)
     names = ("scales", "trends", "weights", "shares", "errors", "spacings")
-    central, minimum = (
-        Function(*(file[name][film].astype(float) for name in names)) for film in range(2)
-    )
+    functions = (Function(*(file[name][row].astype(float) for name in names)) for row in range(3))
     ends = ("centres", "lower", "upper", "losses", "loads")
     whole = {name: file[name].astype(float) for name in ends}
-    return Table(**whole, central=central, minimum=minimum)
+    return Table(**whole, **dict(zip(InletHeat._fields, functions, strict=True)))
 
 
 def inlet_groups(
@@ -184,7 +189,7 @@ def inlet_groups(
 
 
 def thermal_reductions(groups: Array, ranges: Sequence[HeatRanges]) -> list[InletHeat]:
-    """Thermal reduction factors of flooded films.
+    """Thermal reduction factors of flooded contacts.
 
     Parameters
     ----------
@@ -205,13 +210,12 @@ def thermal_reductions(groups: Array, ranges: Sequence[HeatRanges]) -> list[Inle
     beyond = np.maximum(groups[:, 0] - known.upper[0], 0.0)
     outside = np.abs(groups - x)
     outside[:, 0] = beyond
-    films = [
-        _film(known, one, x, light, outside, ranges) for one in (known.central, known.minimum)
-    ]
-    return [InletHeat(*pair) for pair in zip(*films, strict=True)]
+    functions = (known.central, known.minimum, known.moment)
+    factors = [_factors(known, one, x, light, outside, ranges) for one in functions]
+    return [InletHeat(*of_contact) for of_contact in zip(*factors, strict=True)]
 
 
-def _film(
+def _factors(
     known: Table,
     film: Function,
     x: Array,
@@ -219,7 +223,7 @@ def _film(
     outside: Array,
     ranges: Sequence[HeatRanges],
 ) -> list[ThermalReduction]:
-    """Factors of one film at groups inside the table, their distances to it (m, 7)."""
+    """Factors of one function at groups inside the table, their distances to it (m, 7)."""
     steps = (x[:, None, :] - known.centres) / film.scales
     distance = np.sqrt(np.einsum("ijk,ijk->ij", steps, steps))
     t = sqrt(5.0) * distance

@@ -1,7 +1,7 @@
 """Blocks `torque_N_mm`, `supply` and `decay` of the summary, with their messages and lines."""
 
 from collections.abc import Iterator, Mapping
-from math import isfinite
+from math import hypot, isfinite
 from typing import Any
 
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
@@ -9,6 +9,7 @@ from oilfilm.bearing.films.operating_film import mean_fraction, of_driven_balls
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.supply.supply import ReplenishedInlet
 from oilfilm.bearing.torque.breakdown import INTEGRATED, NAMES, TorqueBreakdown
+from oilfilm.bearing.torque.inputs import TorqueRange
 from oilfilm.bearing.torque.integrated import SolvedShear
 from oilfilm.bearing.torque.models import COMPUTED_RATING, ModelTorque
 from oilfilm.ehl.messages import Caution
@@ -34,7 +35,8 @@ WITHOUT_SEALS = ", without seals"
 CHURNING_SHARE = 0.2  # of the total, from which it is said beside it [-]
 VISIBLE_LAG = 0.03  # of the orbit speed, from which it is said [-]
 BEYOND = "*"  # mark of a torque outside the range of its model
-LARGE_SHARE = 0.05  # of the torque: from there on it is reported what the layer decides
+LARGE_SHARE = 0.05  # of the torque: from there on it is reported what decides it
+NAMED_SHARE = 0.01  # of the torque, from which one of several ranges is named
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
 FEW_FILMS = 0.01  # of the flooded film missing, from which on that is said [-]
 FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
@@ -132,8 +134,8 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "model": None if torque is None else torque.chosen,
         "flooded_isothermal": None if torque is None else _flooded(torque),
         "parts": _parts(torque),
-        "assumed_parts": {} if torque is None else _assumed(torque),
-        "inlet_shear_heating_factor": None if inlet is None else inlet.shear_heating,
+        "total_range": _range_block(results),
+        "inlet_shear_heating_factor": None if torque is None else torque.inlet_heating,
         "replenishment_factor": None if inlet is None else inlet.replenishment,
         "asperity_load_share": shear.asperity_share if shear is not None and rough else None,
         "coulomb_coefficient": None if torque is None else torque.coefficient,
@@ -152,30 +154,60 @@ def _flooded(torque: TorqueBreakdown) -> float | None:
     return None if flooded is None else TORQUE.in_unit(flooded)
 
 
-def _assumed(torque: TorqueBreakdown) -> dict[str, dict[str, Any]]:
-    """Parts of the total that an assumption decides, with the ends of their range [N mm]."""
-    return {
-        name: {
-            "assumption": torque.assumptions[name].text,
-            "low": TORQUE.in_unit(low),
-            "high": TORQUE.in_unit(high),
-        }
-        for name, (low, high) in torque.assumed.items()
-    }
-
-
-def _assumed_message(torque: TorqueBreakdown) -> Iterator[str]:
-    """Name the assumptions that together move the total visibly."""
-    parts = torque.models[INTEGRATED].components
-    less, more = (
-        sum(abs(ends[end] - parts[name]) for name, ends in torque.assumed.items())
-        for end in (0, 1)
+def _ranges(results: BearingResults) -> dict[str, TorqueRange]:
+    """Changes of the total by what is not known [N m], by its name."""
+    torque = results.torque
+    if torque is None or torque.total is None:
+        return {}
+    ends = results.replenishment_range
+    if torque.chosen != INTEGRATED or ends is None or None in ends:
+        return torque.ranges
+    low, high = sorted((end or 0.0) - torque.total for end in ends)
+    oil = TorqueRange(
+        "oil that does not come back to flooded inlets", min(low, 0.0), max(high, 0.0)
     )
-    if torque.total is None or max(less, more) < LARGE_SHARE * torque.total:
+    return {**torque.ranges, "replenishment": oil}
+
+
+def _total_range(results: BearingResults) -> tuple[float, float] | None:
+    """Ends of the total, of what is not known independently of each other [N mm]."""
+    torque = results.torque
+    if torque is None or torque.total is None or torque.chosen != INTEGRATED:
+        return None
+    ranges = _ranges(results).values()
+    less, more = (hypot(*ends) for ends in ([r.low for r in ranges], [r.high for r in ranges]))
+    return TORQUE.in_unit(max(torque.total - less, 0.0)), TORQUE.in_unit(torque.total + more)
+
+
+def _range_block(results: BearingResults) -> dict[str, Any] | None:
+    """Ends of the total, and what it would be at the ends of each range alone [N mm]."""
+    ends = _total_range(results)
+    if ends is None or results.torque is None or results.torque.total is None:
+        return None
+    total = results.torque.total
+    parts = {
+        name: {
+            "by": own.text,
+            "low": TORQUE.in_unit(total + own.low),
+            "high": TORQUE.in_unit(total + own.high),
+        }
+        for name, own in _ranges(results).items()
+    }
+    return {"low": ends[0], "high": ends[1], "parts": parts}
+
+
+def _range_message(results: BearingResults) -> Iterator[str]:
+    """Name what is not known and together moves the total visibly."""
+    ends = _total_range(results)
+    total = None if results.torque is None else results.torque.total
+    if ends is None or total is None:
         return
-    low, high = (TORQUE.in_unit(torque.total + change) for change in (-less, more))
-    texts = [f"{name} ({torque.assumptions[name].text})" for name in torque.assumed]
-    yield f"torque_N_mm.total: {low:.3g} to {high:.3g} N mm by what is assumed: {', '.join(texts)}"
+    ranges = _ranges(results).items()
+    if max(abs(TORQUE.in_unit(total) - end) for end in ends) < LARGE_SHARE * TORQUE.in_unit(total):
+        return
+    least = NAMED_SHARE * total
+    texts = [f"{name} ({own.text})" for name, own in ranges if max(-own.low, own.high) > least]
+    yield f"torque_N_mm.total: {ends[0]:.3g} to {ends[1]:.3g} N mm by {', '.join(texts)}"
 
 
 def _parts(torque: TorqueBreakdown | None) -> dict[str, float | None] | None:
@@ -229,7 +261,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield from _inlet_messages(torque)
         yield from _seal_message(torque)
         yield from _churning_message(results, torque)
-        yield from _assumed_message(torque)
+        yield from _range_message(results)
 
 
 def oil_messages(results: BearingResults) -> Iterator[str]:
@@ -314,9 +346,11 @@ def _inlet_messages(torque: TorqueBreakdown) -> Iterator[str]:
         return
     flooded = TORQUE.in_unit(torque.flooded_isothermal)
     bound = "no balance of its own" if flooded is None else f"{flooded:.4g} N mm"
+    films = torque.shear is not None and torque.shear.films
+    source = "law of solved contacts" if films else "SKF's phi_ish"
     yield (
-        f"torque_N_mm.total: of the rolling moment inlet heating leaves {inlet.shear_heating:.3g} "
-        f"({inlet.heating_source}), replenishment {inlet.replenishment:.3g} "
+        f"torque_N_mm.total: of the rolling moment inlet heating leaves "
+        f"{torque.inlet_heating:.3g} ({source}), replenishment {inlet.replenishment:.3g} "
         f"({inlet.replenishment_source}); flooded_isothermal, without both, {bound}"
     )
 
@@ -400,7 +434,9 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
         if name != torque.chosen
     ]
     chosen = torque_model(torque.chosen).title
-    rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({chosen})"}
+    ends = _total_range(results)
+    reach = "" if ends is None else f"; {ends[0]:.3g} to {ends[1]:.3g}"
+    rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({chosen}{reach})"}
     if share := _churning_share(torque):
         rows["friction torque"] += f", {share:.0%} of it churning"
     if seal := torque.models[torque.chosen].components.get("seal"):

@@ -90,10 +90,8 @@ def torque(place: Place, sharing: str = "", roughness: float = 0.0) -> dict[str,
 
 
 def assumed(block: dict[str, Any]) -> tuple[float, float]:
-    """Ends of the total over its assumed parts [N mm]."""
-    less = sum(block["parts"][name] - part["low"] for name, part in block["assumed_parts"].items())
-    more = sum(part["high"] - block["parts"][name] for name, part in block["assumed_parts"].items())
-    return block["total"] - less, block["total"] + more
+    """Ends of the total [N mm]."""
+    return block["total_range"]["low"], block["total_range"]["high"]
 
 
 def total_rows() -> str:

@@ -101,7 +101,7 @@ def main():
     x = np.array([one.groups for one in labels])
     data = {name: [] for name in ("scales", "trends", "weights", "shares", "errors", "spacings")}
     print(len(labels), "contacts; film: number, rms, 95 %, largest error in %, share within 2 %; L_T below 3, then all")
-    for film, name in enumerate(("central", "minimum")):
+    for film, name in enumerate(("central", "minimum", "moment")):
         s = np.array([one.reductions[film] for one in labels])
         noise = np.array([one.noise[film] for one in labels]) / (1.0 - s)
         y = np.log((1.0 - s) / s)

@@ -36,7 +36,7 @@ def main(file: Path) -> None:
     print("|---|---|---|---|---|---|---|---|")
     for low, high, words in ((0.0, 3.0, "below 3"), (3.0, np.inf, "above 3")):
         some = [one for one in labels if low <= np.exp(one.groups[0]) < high]
-        for film, name in enumerate(("central", "minimum")):
+        for film, name in enumerate(("central", "minimum", "moment")):
             if some:
                 print(row(f"{name}, L_T {words}", some, film))
 

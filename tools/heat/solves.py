@@ -23,20 +23,22 @@ from oilfilm.ehl.closed_form.hertz import hertz_contact
 from oilfilm.ehl.closed_form.thermal_reduction import inlet_groups
 from oilfilm.ehl.conditions import moes_groups
 from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.multigrid.supply.oil_supply import pressure_moment
 from oilfilm.ehl.oil.lubricant import ThermalProperties
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solid.heat import SolidThermal
-from oilfilm.ehl.traction.rolling_moment import rolling_moment
+from oilfilm.ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 
 SOLVES = Path(__file__).with_name("solves.jsonl.gz")
 POINTS = (129, 257)
 FINEST = 513  # of contacts whose ratios change by more than STEP between the others
 STEP = 0.01
-# steps of ln s from mesh to mesh over what is left of central and minimum film: 3.7 is the middle of the ratios of two
-# steps of the central film, order 1.9; those of the minimum film scatter
-FACTORS = np.array([2.7, 3.0])
-NOISE = np.array([0.08, 0.4])  # of the step
+# steps of ln s from mesh to mesh over what is left of central film, minimum film and moment: 3.7 is the middle of the
+# ratios of two steps of the central film, order 1.9; those of the others scatter
+FACTORS = np.array([2.7, 3.0, 2.7])
+NOISE = np.array([0.08, 0.4, 0.3])  # of the step
+LARGEST = 0.9995  # share of a moment, above which the steps of the mesh hide the loss
 LEAST_NOISE = 1e-3
 RADIUS = (1e-3, 12e-3)  # R_x [m]
 RATIO = (0.012, 1.0)  # R_x/R_y
@@ -134,11 +136,20 @@ def film(conditions, points, solids=None):
         "bar": [f.relative_uncertainty for f in films],
         "converged": bool(found.converged),
         "resolved": bool(found.resolved),
-        "moment": rolling_moment(found).value if found.converged else None,
+        "moment": lever_moment(found) if found.converged else None,
         "seconds": found.record.wall_time,
         "fallbacks": len(found.record.fallbacks),
         "message": found.message,
     }
+
+
+def lever_moment(found):
+    """Rolling moment by the lever of the pressure alone [N m], as films with heat have it."""
+    value = rolling_moment(found).value
+    if found.state is not None:
+        return value
+    scale = found.hertz_pressure * found.semi_axis_x**3
+    return value - scale * pressure_moment(found, scaled_as_solved(found))[1]
 
 
 def solved(number, contact, pair):
@@ -198,8 +209,8 @@ class Label(NamedTuple):
     """Solved thermal reduction factors of one contact."""
 
     groups: Array  # ln, as the law takes them, shape (7,)
-    reductions: tuple[float, float]  # s of central and minimum film
-    noise: tuple[float, float]  # of s over s
+    reductions: tuple[float, float, float]  # s of central film, minimum film and rolling moment
+    noise: tuple[float, float, float]  # of s over s
 
 
 def conditions_of(line: dict) -> ContactConditions:
@@ -228,15 +239,16 @@ def conditions_of(line: dict) -> ContactConditions:
 
 
 def label(line: dict) -> Label | None:
-    """Ratios of the films of the two finest meshes, extrapolated; None where one did not converge."""
+    """Ratios of films and moments of the two finest meshes, extrapolated; None where one did not converge."""
     if "hot" not in line:
         return None
     coarse, fine = sorted(line["hot"], key=int)[-2:]
     if not all(line[kind][mesh]["converged"] for kind in ("cold", "hot") for mesh in (coarse, fine)):
         return None
-    before, last = (np.divide(line["hot"][mesh]["finest"], line["cold"][mesh]["finest"]) for mesh in (coarse, fine))
+    before, last = (np.divide(_numbers(line["hot"][mesh]), _numbers(line["cold"][mesh])) for mesh in (coarse, fine))
     step = np.log(last / before)
     found = last * np.exp(step / FACTORS)
+    found[2] = min(found[2], LARGEST)
     if not np.all((found > 0.0) & (found < 1.0)):
         return None
     film = line["cold"][fine]["value"][0] * line["scale"]
@@ -244,6 +256,11 @@ def label(line: dict) -> Label | None:
     groups = inlet_groups(conditions_of(line), film, line["a"], bodies)
     noise = LEAST_NOISE + np.abs(step) * NOISE
     return Label(groups, tuple(found), tuple(noise))
+
+
+def _numbers(film: dict) -> list[float]:
+    """Central and minimum film, and moment, of the finest grid."""
+    return [*film["finest"], film["moment"]]
 
 
 def main(seed: int, number: int, file: Path) -> None:

@@ -52,14 +52,13 @@ def test_heat_thins_film_gap_and_error_bar(contacts, computed):
             assert hot.error == pytest.approx(hypot(hot.computed, hot.heat, hot.oil))
         assert film.gap_fraction == pytest.approx(heat.central.value, rel=1e-12)
         assert (film.isothermal_central, film.isothermal_minimum) == (before.central.value, before.minimum.value)
-        assert film.rolling_moment == before.rolling_moment
+        assert film.rolling_moment == pytest.approx(heat.moment.value * before.rolling_moment, rel=1e-12)
+        assert heat.central.value < heat.moment.value < 1.0
 
 
 def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
     oil = OilAtInlets(oil=PrescribedInlet(layer=0.3e-6), balls=9)
-    operating = operating_films(
-        contacts, computed, supply=oil, asperities=ROUGH, rolling_factor=0.9, unheated_factor=0.5
-    )
+    operating = operating_films(contacts, computed, supply=oil, asperities=ROUGH)
     for contact, before, film in zip(contacts, computed, operating, strict=True):
         if film is None:
             continue
@@ -67,7 +66,7 @@ def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
         assert film.supply.central == shares.central.value < 1.0
         assert film.gap_fraction == pytest.approx(film.heat.central.value * shares.central.value, rel=1e-12)
         assert film.rolling_moment == pytest.approx(
-            0.45 * shares.rolling_moment.value * before.flooded_moment, rel=1e-12
+            film.heat.moment.value * shares.rolling_moment.value * before.flooded_moment, rel=1e-12
         )
         assert film.asperity_load == ROUGH.load_fraction(contact, film.central.value)
         assert film.flooded_asperity_load == ROUGH.load_fraction(contact, before.flooded_central) < film.asperity_load

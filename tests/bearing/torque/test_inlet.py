@@ -27,10 +27,7 @@ def test_both_factors_by_hand(bearings, diameters):
     assert mean_diameter(bearing) == pytest.approx(0.06)
 
 
-def test_what_is_solved_with_the_films_is_not_counted_again(bearings):
-    heated = inlet_factors(bearings.b6208, SPEED, VISCOSITY, Lubrication.OIL_JET, heated=True)
-    assert heated.shear_heating == 1.0
-    assert heated.rolling == heated.replenishment < 1.0
+def test_a_layer_that_is_given_is_not_counted_again(bearings):
     layered = inlet_factors(bearings.b6208, SPEED, VISCOSITY, Lubrication.OIL_JET, layered=True)
     assert layered.replenishment == 1.0
     assert layered.rolling == layered.shear_heating < 1.0

@@ -56,6 +56,14 @@ def by_balance(film):
     return pressure_moment(film, scaled_as_solved(film))[1] * film.hertz_pressure * film.semi_axis_x**3
 
 
+@pytest.fixture
+def no_inlet_heat(monkeypatch):
+    """Films of the friction as they were solved."""
+    name = "oilfilm.bearing.films.operating_film.film_heats"
+    monkeypatch.setattr(name, lambda contacts, films: [NO_HEAT] * len(films))
+
+
+@pytest.mark.usefixtures("no_inlet_heat")
 def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     state, tractions, films = rolling
     found = rolling_extent(state, tractions, films)
@@ -78,13 +86,6 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     assert found.layer == FLOODED_LAYER
     assert 0.0 < found.uncertainty < 0.3 * found.within_extent  # 65 points
     assert found.notes == ()
-
-
-@pytest.fixture
-def no_inlet_heat(monkeypatch):
-    """Films of the friction as they were solved."""
-    name = "oilfilm.bearing.films.operating_film.film_heats"
-    monkeypatch.setattr(name, lambda contacts, films: [NO_HEAT] * len(films))
 
 
 def test_twice_the_layer_adds_what_is_said(rolling):

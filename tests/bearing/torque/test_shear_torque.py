@@ -53,7 +53,8 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
     )  # fmt: skip
     for resistance, asperities in ((NO_RESISTANCE, ROUGH), (land, None)):
         solved = solved_films(contacts, [film and film.field for film in films])
-        running = operating_films(contacts, solved, asperities=asperities, rolling_factor=0.6)
+        running = operating_films(contacts, solved, asperities=asperities)
+        running = [film and replace(film, rolling_fraction=0.6) for film in running]
         shear = solved_shear(state, contacts, running, rheology, resistance)
         assert shear.closed and not shear.note
         assert shear.torque.imbalance == pytest.approx(0.0, abs=1e-8)
@@ -65,17 +66,16 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
 
 
 def test_inlet_heating_counts_once_in_each_contact(light, monkeypatch):
-    """Films not solved with heat lose rolling moment by the factor for them, those that were do not."""
+    """Films not solved with heat lose rolling moment by the law of solved contacts, those that were do not."""
     _, contacts, films, _ = light
-    factors = {"rolling_factor": 0.9, "unheated_factor": 0.6}
     solved = solved_films(contacts, [film and film.field for film in films])
-    cold = operating_films(contacts, solved, **factors)
-    assert [film.rolling_fraction for film in cold if film is not None] == pytest.approx([0.54] * 12)
+    cold = [film for film in operating_films(contacts, solved) if film is not None]
+    assert all(film.rolling_fraction == film.heat.moment.value < 1.0 for film in cold)
     monkeypatch.setattr("oilfilm.bearing.films.film.solved_with_heat", lambda film: True)
-    hot = operating_films(contacts, with_formulas(contacts, [solved[0], *[None] * (len(solved) - 1)]), **factors)
-    assert hot[0] is not None
-    assert hot[0].rolling_fraction == pytest.approx(0.9)
-    assert [film.rolling_fraction for film in hot[1:] if film is not None] == pytest.approx([0.54] * 11)
+    hot = operating_films(contacts, with_formulas(contacts, [solved[0], *[None] * (len(solved) - 1)]))
+    first, *others = [film for film in hot if film is not None]
+    assert first.rolling_fraction == first.heated_moment == 1.0
+    assert all(film.rolling_fraction == film.heated_moment < 1.0 for film in others)
 
 
 def test_push_is_that_of_the_motion_found_from_a_law_nearby_too(light):

@@ -15,9 +15,11 @@ from oilfilm.ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from oilfilm.ehl.closed_form.hertz import hertz_contact
 from oilfilm.ehl.closed_form.thermal_reduction import NO_HEAT, ThermalReduction, inlet_groups, table, thermal_reductions
 from oilfilm.ehl.generalized.solver import solve_generalized
+from oilfilm.ehl.multigrid.supply.oil_supply import pressure_moment
 from oilfilm.ehl.oil.lubricant import HeatRanges, ThermalProperties
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.solid.heat import SolidThermal
+from oilfilm.ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 
 OIL = Lubricant(
     viscosity=0.02,
@@ -113,9 +115,13 @@ def test_films_solved_with_heat_are_met():
     hot = solve_generalized(CONTACT, Rheology(), solids=(STEEL, STEEL), options=options).contact
     assert cold.converged and hot.converged
     by_law = thermal_reductions(groups(cold.film_central)[None], [HeatRanges()])[0]
-    for name, one in zip(("film_central", "film_minimum"), by_law, strict=True):
+    for name, one in zip(("film_central", "film_minimum"), by_law[:2], strict=True):
         solved, isothermal = (getattr(film, f"{name}_dimensionless").finest for film in (hot, cold))
         assert one.value == pytest.approx(solved / isothermal, rel=0.025)
+    lever = rolling_moment(cold).value - pressure_moment(cold, scaled_as_solved(cold))[1] * (
+        cold.hertz_pressure * cold.semi_axis_x**3
+    )
+    assert by_law.moment.value == pytest.approx(rolling_moment(hot).value / lever, rel=0.02)
     hertz = hertz_contact(CONTACT.load, CONTACT.radius_x, CONTACT.radius_y, CONTACT.reduced_modulus)
     pressure = hertz.pressure / CONTACT.reduced_modulus
     assert film_reduction_gupta(pressure, thermal_loading(CONTACT), 0.0) < by_law.central.low
