@@ -191,15 +191,17 @@ def initial_state(
     # 1. balls: place, speed of the orbit, spin about axis and radius
     if point.equilibrium is None:
         axial, radial, orbit, spin = _rolling(bearing, data, point.angles, speeds)
+        cage = float(np.mean(orbit))
     else:
         s = point.equilibrium
         y[layout.ring] = np.concatenate([s.displacement, s.tilt])
         axial, radial, orbit = s.ball_axial, s.ball_radial, s.orbit_speed
+        cage = s.cage_speed
         spin = np.stack(
             [orbit - s.spin_speed * np.cos(s.attitude), s.spin_speed * np.sin(s.attitude)]
         )
     if start is Start.REST or not np.any(speeds):
-        orbit, spin = 0.0 * orbit, 0.0 * spin
+        orbit, spin, cage = 0.0 * orbit, 0.0 * spin, 0.0
     # 2. along the inertial axes, as far as the equations let them move
     speed = orbit * radial
     ball_free = data.free[BODIES:FREE_TURN]
@@ -210,10 +212,10 @@ def initial_state(
     y[layout.ball] = position.ravel()
     y[layout.ball_speed] = velocity.ravel()
     y[layout.ball_turn] = turn.ravel()
-    # 3. the cage goes round with the balls
+    # 3. the cage goes round with the loaded balls
     if data.constants.cage_mass > 0.0:
         y[layout.cage.start] = float(np.mean(axial))
-        y[layout.cage_speed.start + CAGE_ROTATION] = float(np.mean(orbit))
+        y[layout.cage_speed.start + CAGE_ROTATION] = cage
     return y
 
 

@@ -27,7 +27,6 @@ from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions, with_oil
 from ..films.between_races import contacts_between_films
 from ..films.film import CONTACT_PRESSURE, ContactFilm, Films, first_same
-from ..films.operating_film import OilAtInlets
 from ..films.unsolved_films import formula_films
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
 from ..friction.balance import BalancedFriction
@@ -275,8 +274,7 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
-        back = self.friction.inlet_oil(inlet)
-        supply = None if back is None else OilAtInlets(oil=back, balls=solution.bearing.balls)
+        supply = self.friction.oil_at_inlets(inlet, solution.bearing.balls)
         contacts = contacts_between_films(solution, contacts, oil, supply)
         operating, balance = computed.films, computed.balance
         if operating is None:

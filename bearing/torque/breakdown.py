@@ -1,7 +1,7 @@
 """All models of the friction torque of one bearing, side by side."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from oilfilm.ehl import Lubricant
@@ -9,7 +9,7 @@ from oilfilm.ehl.units import from_si, notebook_html
 
 from ..contacts.contact import BearingContact
 from ..films.film import ContactFilm, Films
-from ..films.operating_film import OilAtInlets, supplied_films
+from ..films.operating_film import supplied_films
 from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import ReplenishedInlet, Supply
@@ -25,7 +25,7 @@ from .models import (
     summed,
 )
 from .paper_models import line_models, yao_model
-from .skf import InletFactors
+from .skf import NO_LOSS, InletFactors
 from .starved import StarvedTorque, starved_torque
 
 INTEGRATED = "integrated"
@@ -232,7 +232,7 @@ def friction_torque(
     models[STARVED], starved = _starved(solution, contacts, lubricant, friction, known)
     supplied: tuple[ContactFilm | None, ...] = ()
     if friction.supply is not None:
-        oil = OilAtInlets(oil=friction.supply, balls=solution.bearing.balls)
+        oil = replace(friction, flooded=False).oil_at_inlets(NO_LOSS, solution.bearing.balls)
         supplied = supplied_films(contacts, known, oil, friction.asperities)
     behind_layers = any(film is not None and film.with_inlet_film_by_law for film in known)
     order = [*NAMES, *(name for name in models if name not in NAMES)]

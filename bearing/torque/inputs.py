@@ -7,6 +7,7 @@ from typing import NamedTuple
 from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..films.asperities import Asperities, LoadSharing, Spectrum
+from ..films.operating_film import OilAtInlets
 from ..friction.resistance import (
     HYSTERESIS,
     HYSTERESIS_RANGE,
@@ -262,20 +263,24 @@ class FrictionInput:
         """The supply that the torque is wanted at [m^3/s], [m]; None where it is flooded."""
         return None if self.flooded else self.supply
 
-    def inlet_oil(self, inlet: skf.InletFactors) -> InletOil | None:
+    def oil_at_inlets(self, inlet: skf.InletFactors, balls: int) -> OilAtInlets | None:
         """Oil at the inlets: of the stated supply, else that comes back between two balls.
 
         Parameters
         ----------
         inlet : InletFactors
             Has the oil without a stated supply.
+        balls : int
+            In one row [-].
 
         Returns
         -------
-        InletOil or None
-            The oil [m^3/s], [m], [-]; None where it is ample.
+        OilAtInlets or None
+            The oil; None where it is ample.
         """
-        return inlet.oil if self.scarce is None else self.scarce
+        oil = inlet.oil if self.scarce is None else self.scarce
+        as_solved = self.solved_supply in (None, self.scarce)
+        return None if oil is None else OilAtInlets(oil=oil, balls=balls, as_solved=as_solved)
 
 
 def _assumption(text: str, value: float, ends: tuple[float, float]) -> Assumption:

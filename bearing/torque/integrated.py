@@ -28,7 +28,7 @@ from oilfilm.ehl.traction.rolling_moment import RollingMoment, rolling_moment
 from ..contacts.contact import BearingContact
 from ..contacts.motion import ContactTraction, MotionMap, ball_speeds, contact_traction, motion_map
 from ..films.film import ContactFilm, FilmOrigin, Films, first_same
-from ..films.operating_film import OilAtInlets, operating_films, with_asperities, with_formulas
+from ..films.operating_film import operating_films, with_asperities, with_formulas
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
 from ..friction.contact_friction import ContactFriction
@@ -384,18 +384,10 @@ def bearing_films(
     tuple of ContactFilm or None
         None where a contact carries no load or entrains no oil.
     """
-    supply = None
-    oil = friction.inlet_oil(inlet)
-    if oil is not None:
-        supply = OilAtInlets(
-            oil=oil,
-            balls=solution.bearing.balls,
-            as_solved=friction.solved_supply in (None, friction.scarce),
-        )
     return operating_films(
         contacts,
         with_formulas(contacts, films),
-        supply=supply,
+        supply=friction.oil_at_inlets(inlet, solution.bearing.balls),
         asperities=friction.asperities,
         hysteresis=friction.hysteresis_loss,
     )

@@ -33,6 +33,7 @@ from ..supply.supply import InletOil, PrescribedInlet, Supply, cavity_volume, oi
 from .inputs import FrictionInput
 from .models import cage_and_drag
 from .paper_models import pure_rolling_line_torque, sliding_contacts
+from .skf import NO_LOSS
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,7 +107,8 @@ def starved_torque(
     if speed == 0.0:
         raise ValueError("the rings do not turn against each other")
     known = films or (None,) * len(contacts)
-    oil = OilAtInlets(oil=supply, balls=solution.bearing.balls)
+    given = replace(friction, supply=supply, solved_supply=None, flooded=False)
+    oil = given.oil_at_inlets(NO_LOSS, solution.bearing.balls)
     supplied = supplied_films(contacts, known, oil, friction.asperities)
     if any(
         film is None and c.conditions is not None

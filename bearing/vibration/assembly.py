@@ -24,7 +24,6 @@ from ..films.asperities import Asperities
 from ..films.operating_film import OilAtInlets, supplied_films
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import AMPLE, PrescribedInlet, Supply
 from .form import FormBody, SurfaceForm, heights, hollow, rolled
 from .inputs import ContactLaw, VibrationModel, WaveFilter
 from .transmission import Transmission, dry_transmission, film_transmission, filtered
@@ -125,10 +124,7 @@ def heaviest(contacts: Sequence[BearingContact], race: Race) -> BearingContact:
 
 
 def film_load_fractions(
-    contacts: Sequence[BearingContact],
-    asperities: Asperities,
-    supply: Supply | PrescribedInlet | None,
-    balls: int,
+    contacts: Sequence[BearingContact], asperities: Asperities, oil: OilAtInlets | None
 ) -> dict[Race, float]:
     """Load that the film of the heaviest contact of each race carries, over its whole load.
 
@@ -138,10 +134,8 @@ def film_load_fractions(
         All contacts of the bearing.
     asperities : Asperities
         Roughness of the surfaces and the law by which asperities carry load.
-    supply : Supply or PrescribedInlet or None
-        Supply of oil that limits the films; None: flooded.
-    balls : int
-        Number of balls [-].
+    oil : OilAtInlets or None
+        Oil that limits the films; None: flooded.
 
     Returns
     -------
@@ -151,7 +145,6 @@ def film_load_fractions(
     shares = {}
     for race in Race:
         contact = heaviest(contacts, race)
-        oil = OilAtInlets(oil=supply or AMPLE, balls=balls)
         (film,) = supplied_films([contact], [None], oil)
         if film is not None:
             shares[race] = 1.0 - asperities.load_fraction(contact, film.central.value)

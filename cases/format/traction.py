@@ -6,7 +6,6 @@ from math import isclose
 from pathlib import Path
 from typing import Any
 
-from oilfilm.bearing.films.operating_film import OilAtInlets
 from oilfilm.bearing.friction.contact_friction import BallTraction, FrictionSource
 from oilfilm.bearing.friction.friction_sources import (
     CoefficientTraction,
@@ -111,8 +110,8 @@ def resisted_traction(
         The friction, SI.
     """
     if isinstance(source, FilmTraction):
-        oil_back = inlet.oil
-        supply = None if oil_back is None else OilAtInlets(oil=oil_back, balls=bearing.balls)
+        solved = replace(friction, supply=None)  # whose layers the films were solved behind
+        supply = solved.oil_at_inlets(inlet, bearing.balls)
         source = replace(source, supply=supply, hysteresis=friction.hysteresis_loss)
     if isinstance(source, LawTraction):  # of tables, whose films are isothermal
         source = replace(source, rolling_factor=inlet.rolling)

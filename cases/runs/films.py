@@ -21,6 +21,7 @@ from oilfilm.bearing.films.unsolved_films import (
 from oilfilm.bearing.fits.ring_strength import Strength, ring_strengths, strength_map
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.bearing.supply.supply import Supply, inlet_layer
+from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from oilfilm.ehl.atlas.field_maps import field_maps
 from oilfilm.ehl.multigrid.threads import cores, film_threads
@@ -223,8 +224,8 @@ def oil_at_inlets(case: Case) -> OilAtInlets | None:
     OilAtInlets | None
         The oil; None: ample.
     """
-    oil = case.inlet.oil if case.friction is None else case.friction.inlet_oil(case.inlet)
-    return None if oil is None else OilAtInlets(oil=oil, balls=case.bearing.balls)
+    friction = case.friction or FrictionInput()
+    return friction.oil_at_inlets(case.inlet, case.bearing.balls)
 
 
 def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:

@@ -9,7 +9,6 @@ from time import perf_counter
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.bearing.supply.supply import ReplenishedInlet
 from oilfilm.bearing.vibration.assembly import FilmsNotSolvedError, assembled, film_load_fractions
 from oilfilm.bearing.vibration.inputs import Direction
 from oilfilm.bearing.vibration.simulation import VibrationRun, pieces, vibration_run
@@ -22,7 +21,7 @@ from ..format.vibration import VibrationTable, frequency_response, vibration
 from ..version import version
 from .dynamics import build_model
 from .equilibrium import case_equilibrium
-from .films import Progress, inlet_layers
+from .films import Progress, inlet_layers, oil_at_inlets
 from .interrupt import interruptible
 
 # keys of [dynamics] for its own history and end
@@ -78,10 +77,8 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
             raise NotSolvedError(state.message)
         contacts = _contacts(case, state)
         if case.friction is not None and case.friction.asperities is not None:
-            supply = case.friction.scarce if case.inlet_layer is not None else None
-            assert not isinstance(supply, ReplenishedInlet)  # of a layer or a flow
-            asperities = case.friction.asperities
-            shares = film_load_fractions(contacts, asperities, supply, case.bearing.balls)
+            oil = oil_at_inlets(case)
+            shares = film_load_fractions(contacts, case.friction.asperities, oil)
             model = replace(model, film_load_fractions=shares)
         equations = interruptible(partial(assembled, state, contacts, model))
         simulated = given - {"end_time_s"}
@@ -98,7 +95,7 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     results = VibrationResults(
         version=version(),
         case=case.document,
-        messages=(*case.warnings, *_notes(case)),
+        messages=(*case.warnings, *_notes(case, state)),
         run=run,
         direction=Direction(table.direction),
         reference=table.reference_m_s2,
@@ -131,12 +128,17 @@ def _contacts(case: Case, state: QuasistaticSolution) -> list[BearingContact]:
     ]
 
 
-def _notes(case: Case) -> Iterator[str]:
-    """Notes on effects of the oil that are left out."""
+def _notes(case: Case, state: QuasistaticSolution) -> Iterator[str]:
+    """What the equilibrium says of its hypothesis, and effects of the oil that are left out."""
+    if ";" in state.message:
+        yield f"equilibrium of ring and balls: {state.message}"
     if case.inlet_layer is not None:
         yield "vibration: waves enter as through flooded films; behind layers it is not known"
     elif case.friction is not None and case.friction.scarce is not None:
-        yield 'vibration: films are flooded; [ehl] starvation = "solved" takes the supply of oil'
+        yield (
+            "vibration: the films are flooded but for the load that asperities carry; [ehl] "
+            'starvation = "solved" takes the supply of oil'
+        )
 
 
 def _band(table: VibrationTable) -> tuple[float, float] | None:

@@ -10,7 +10,16 @@ import pytest
 from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.quasistatic.solution import bearing_frequencies
+from oilfilm.bearing.vibration.assembly import assembled
+from oilfilm.bearing.vibration.inputs import ContactLaw, VibrationModel, VibrationOptions, WaveFilter
 from oilfilm.cases.cli.main import app
+from oilfilm.cases.cli.new_case import FirstOperation, case_of_designation
+from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.runs.bearing import run_case
+from oilfilm.cases.runs.dynamics import build_model
 from oilfilm.postprocess import open_results
 
 CASE = """
@@ -192,3 +201,20 @@ start_speed_rpm = 600.0
     assert document["vibration"]["measured"] == "inner ring, y"
     assert document["vibration"]["bands_um_s"] == {"low": None, "medium": None, "high": None}
     assert document["vibration"]["displacement_um"] > 0.03
+
+
+@pytest.mark.parametrize(("bearing", "radial", "axial"), [("6306", 900.0, 0.0), ("7205B", 400.0, 700.0)])
+def test_run_vibration_and_simulation_have_one_cage_speed(bearing, radial, axial):
+    """That of the loaded balls; a simulation begins with it."""
+    first = FirstOperation(speed=4000.0, radial_load=radial, axial_load=axial)
+    text = case_of_designation(bearing, first).replace('film_maps = "all"', 'film_maps = "none"')
+    text = text.replace('temperature = "self-heated"', "") + "[dynamics]\nend_time_s = 1e-5\n"
+    case = case_from_text(text, "case.toml")
+    state = run_case(case).quasistatic
+    contacts = contact_conditions(state, case.lubricant)
+    dry = VibrationOptions(law=ContactLaw.DRY, wave_filter=WaveFilter.DRY)
+    vibrating = assembled(state, contacts, VibrationModel(options=dry))
+    assert vibrating.cage_speed == pytest.approx(state.cage_speed, rel=1e-12)
+    run = simulation(case.bearing, case.operation, build_model(case, None, lambda *_: None))
+    assert run.state.y[run.layout.cage_speed][3] == pytest.approx(state.cage_speed, rel=1e-6)
+    assert bearing_frequencies(state).cage == pytest.approx(state.cage_speed / (2.0 * np.pi), rel=1e-12)
