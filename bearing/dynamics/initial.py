@@ -201,7 +201,8 @@ def initial_state(
             [orbit - s.spin_speed * np.cos(s.attitude), s.spin_speed * np.sin(s.attitude)]
         )
     if start is Start.REST or not np.any(speeds):
-        orbit, spin, cage = 0.0 * orbit, 0.0 * spin, 0.0
+        orbit, spin = 0.0 * orbit, 0.0 * spin
+        cage = 0.0
     # 2. along the inertial axes, as far as the equations let them move
     speed = orbit * radial
     ball_free = data.free[BODIES:FREE_TURN]

@@ -129,7 +129,7 @@ def _contacts(case: Case, state: QuasistaticSolution) -> list[BearingContact]:
 
 
 def _notes(case: Case, state: QuasistaticSolution) -> Iterator[str]:
-    """What the equilibrium says of its hypothesis, and effects of the oil that are left out."""
+    """Notes on the hypothesis of the equilibrium, and on effects of the oil that are left out."""
     if ";" in state.message:
         yield f"equilibrium of ring and balls: {state.message}"
     if case.inlet_layer is not None:
