@@ -18,19 +18,8 @@ from ..format.rules import CaseError
 from ..runs.interrupt import finish_first, print_message
 from ..runs.output_directory import scratch_folder
 from ..runs.processes import POINTS, fork_server
+from . import terminal
 from .output import batch_cost, lock_output_directory, report, report_cost
-from .terminal import (
-    FAILED,
-    NOT_CONVERGED,
-    Json,
-    Notes,
-    Output,
-    Quiet,
-    app,
-    guarded,
-    print_json,
-    progress_bar,
-)
 
 if TYPE_CHECKING:
     from oilfilm.postprocess.batch.packed_columns import Columns
@@ -78,13 +67,13 @@ class _Wanted:
     csv: bool
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def batch(
     sweep: Annotated[
         str, typer.Argument(metavar="SWEEP", help="A sweep file, or the name of a shipped one.")
     ],
-    output: Output = None,
+    output: terminal.Output = None,
     workers: Workers = None,
     scheduler: Scheduler = None,
     executor: ExecutorName = None,
@@ -112,9 +101,9 @@ def batch(
     csv: Annotated[
         bool, typer.Option("--csv", help="batch.csv also of more than 100000 points.")
     ] = False,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Run many points of one case: factorial, listed, sampled."""
     # loads while this process plans
@@ -193,7 +182,7 @@ def _compute(
 
     _report_cost(plan, wanted.workers, choice.shard.count, quiet=quiet)
     stored = report_stored_points(directory if keep else None)
-    with stored, progress_bar(quiet=quiet) as progress:
+    with stored, terminal.progress_bar(quiet=quiet) as progress:
         return run_batch(plan, directory, _pool(plan, wanted), choice, progress=progress)
 
 
@@ -302,15 +291,15 @@ def _report_shard(done: Batch, choice: PointSelection, *, as_json: bool, quiet: 
 
     counts = shard_counts(done, choice.shard)
     if as_json:
-        print_json({"kind": "shard", "shard": str(choice.shard), **counts})
+        terminal.print_json({"kind": "shard", "shard": str(choice.shard), **counts})
     failed = counts["failed"] + counts["lost"]
     if not quiet or failed:
         named = (f"{number} {name}" for name, number in counts.items() if number)
         words = ", ".join(named) or "no points"
         print_message(f"oilfilm: shard {choice.shard} in {done.directory}: {words}")
     if counts["lost"]:
-        return FAILED
-    return NOT_CONVERGED if counts["converged"] < counts["points"] else 0
+        return terminal.FAILED
+    return terminal.NOT_CONVERGED if counts["converged"] < counts["points"] else 0
 
 
 def _report(
@@ -336,4 +325,4 @@ def _report(
             print_message(f"  point {point.number} ({point.label}): {point.message}")
         for message, number in counts.reasons:
             print_message(f"  {number}: {message}")
-    return FAILED if counts.lost else code
+    return terminal.FAILED if counts.lost else code

@@ -15,6 +15,7 @@ import typer
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
 from ..runs.kernel_cache import compiled_ahead
+from . import terminal
 from .output import (
     film_seconds,
     load_bearing,
@@ -28,17 +29,6 @@ from .output import (
     slip_cost,
     table_cost,
     temperatures_cost,
-)
-from .terminal import (
-    CaseName,
-    Json,
-    Notes,
-    Output,
-    Quiet,
-    app,
-    enter_context,
-    guarded,
-    progress_bar,
 )
 
 if TYPE_CHECKING:
@@ -57,20 +47,20 @@ class Method(StrEnum):
     FINITE_ELEMENT = "finite-element"
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def run(
-    case: CaseName,
-    output: Output = None,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
     workers: Annotated[
         int | None, typer.Option(min=1, metavar="N", help="Contacts at a time; default: cores.")
     ] = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Run a bearing case: loads, film maps, pictures, VTK."""
-    enter_context(compiled_ahead("bearing"))
+    terminal.enter_context(compiled_ahead("bearing"))
     from ..runs.drawing import drawing_processes
 
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
@@ -84,7 +74,7 @@ def run(
 
         report_cost(run_cost(loaded, workers or cores()), quiet=quiet)
         try:
-            with progress_bar(quiet=quiet) as progress:
+            with terminal.progress_bar(quiet=quiet) as progress:
                 results = run_case(
                     loaded, workers, progress, on_films_solved=drawing.films if directory else None
                 )
@@ -101,15 +91,15 @@ def run(
     )
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def contact(
-    case: CaseName,
-    output: Output = None,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
     method: Annotated[Method, typer.Option(help="Discretisation.")] = Method.MULTIGRID,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Solve one lubricated contact from a [contact] table."""
     from ..runs.drawing import drawing_processes
@@ -130,7 +120,7 @@ def contact(
         elements = method is Method.FINITE_ELEMENT
         film = f"one film on at most {loaded.solver.max_points} nodes"
         report_cost((film, film_seconds(loaded.solver)), quiet=quiet)
-        with progress_bar(quiet=quiet) as progress:
+        with terminal.progress_bar(quiet=quiet) as progress:
             progress(0, 1, "film")
             results = run_contact(loaded, finite_element=elements, workers=cores())
             save(results, directory, drawing, progress)
@@ -139,9 +129,14 @@ def contact(
     )
 
 
-@app.command()
-@guarded
-def film(case: CaseName, as_json: Json = False, quiet: Quiet = False, notes: Notes = False) -> int:
+@terminal.app.command()
+@terminal.guarded
+def film(
+    case: terminal.CaseName,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
+) -> int:
     """Films of a contact, or of each contact of a bearing, by the film atlas, without a solve."""
     from oilfilm.postprocess.bearing.atlas import atlas_bearing_summary, atlas_bearing_table
     from oilfilm.postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
@@ -160,17 +155,17 @@ def film(case: CaseName, as_json: Json = False, quiet: Quiet = False, notes: Not
     return report(document, lambda: atlas_bearing_table(found), None, as_json, quiet, notes)
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def slip(
-    case: CaseName,
-    output: Output = None,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
     workers: Annotated[
         int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")
     ] = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Map gross slip of the balls after Hirano, and the minimum preload, from a [slip] table."""
     loaded = load_bearing(case, "slip maps need a bearing")
@@ -181,7 +176,7 @@ def slip(
 
     report_cost(slip_cost(loaded, workers or cores()), quiet=quiet)
     try:
-        with progress_bar(quiet=quiet) as progress:
+        with terminal.progress_bar(quiet=quiet) as progress:
             results = run_slip(loaded, case, workers, progress)
     except KeyboardInterrupt:
         print_message("oilfilm: of unfinished slip maps nothing is kept")
@@ -194,11 +189,11 @@ def slip(
     return report(document, lambda: slip_table(results), directory, as_json, quiet, notes)
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def stiffness(
-    case: CaseName,
-    output: Output = None,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
     speeds: Annotated[
         tuple[float, float] | None,
         typer.Option(
@@ -212,9 +207,9 @@ def stiffness(
     damping: Annotated[
         float, typer.Option(min=0.0, metavar="C", help="Damping handed to the rotor code [N s/m].")
     ] = 0.0,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Stiffness of a bearing over speed, also as a bearing element for the rotor code ROSS."""
     from oilfilm.ehl.units import RPM
@@ -224,7 +219,7 @@ def stiffness(
     from ..runs.stiffness_and_slip import run_stiffness
 
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
-    with progress_bar(quiet=quiet) as progress:
+    with terminal.progress_bar(quiet=quiet) as progress:
         results = run_stiffness(loaded, case, ends, points, damping, progress)
     from oilfilm.postprocess.stiffness.results import stiffness_summary
     from oilfilm.postprocess.stiffness.write import stiffness_table, write_stiffness
@@ -234,17 +229,17 @@ def stiffness(
     return report(document, lambda: stiffness_table(results), directory, as_json, quiet, notes)
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def shaft(
-    case: CaseName,
-    output: Output = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """A shaft on its bearings: loads, deflection, each bearing's results, critical speeds."""
-    enter_context(compiled_ahead("bearing"))
+    terminal.enter_context(compiled_ahead("bearing"))
     from ..format.shaft_case import load_shaft
 
     loaded = load_shaft(case)
@@ -252,7 +247,7 @@ def shaft(
     from ..runs.interrupt import interruptible
     from ..runs.shaft import run_shaft
 
-    with progress_bar(quiet=quiet) as progress:
+    with terminal.progress_bar(quiet=quiet) as progress:
         results = interruptible(partial(run_shaft, loaded, progress))
     from oilfilm.postprocess.shaft.results import shaft_summary
     from oilfilm.postprocess.shaft.write import shaft_table, write_shaft
@@ -262,11 +257,11 @@ def shaft(
     return report(document, lambda: shaft_table(results), directory, as_json, quiet, notes)
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def temperatures(
-    case: CaseName,
-    output: Output = None,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
     hours: Annotated[
         float | None,
         typer.Option(
@@ -276,9 +271,9 @@ def temperatures(
             help="Of the course from the start; default: five times the longest time constant.",
         ),
     ] = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Temperatures of a bearing over its speed, up to the limit, and over time from the start."""
     from ..runs.interrupt import interruptible
@@ -289,7 +284,7 @@ def temperatures(
 
     report_cost(temperatures_cost(loaded), quiet=quiet)
     duration = None if hours is None else 3600.0 * hours
-    with progress_bar(quiet=quiet) as progress:
+    with terminal.progress_bar(quiet=quiet) as progress:
         results = interruptible(partial(study.temperatures, loaded, case, duration, progress))
     from oilfilm.postprocess.temperatures.results import temperatures_summary
     from oilfilm.postprocess.temperatures.write import temperatures_table, write_temperatures
@@ -299,10 +294,10 @@ def temperatures(
     return report(document, lambda: temperatures_table(document), directory, as_json, quiet, notes)
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def table(
-    case: CaseName,
+    case: terminal.CaseName,
     output: TableFile = None,
     points: Annotated[
         int, typer.Option(metavar="N", help="Nodes of each film along x, 2^k + 1.")
@@ -337,9 +332,9 @@ def table(
             help="Places per race to compare with full solves (shear, heat) that slide.",
         ),
     ] = 0,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Tabulate shear traction of a bearing's contacts over load, speed and sliding."""
     loaded = load_bearing(case, "a traction table needs a bearing", own_table=False)
@@ -366,12 +361,12 @@ def table(
     from oilfilm.postprocess.traction.write import save_tables, traction_table, write_traction
 
     with _film_sampler(path) as sample:
-        with progress_bar(quiet=quiet) as progress:
+        with terminal.progress_bar(quiet=quiet) as progress:
             results = runs.run_table(loaded, points, workers, progress, over, sample, wish)
         if path is not None:
             write_traction(results, path)
     if full_solves:
-        with progress_bar(quiet=quiet) as progress:
+        with terminal.progress_bar(quiet=quiet) as progress:
             results = runs.with_full_solves(results, full_solves, progress)
         if path is not None:
             save_tables(results, path)

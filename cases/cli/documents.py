@@ -9,17 +9,8 @@ import typer
 
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
+from . import terminal
 from .output import lock_output_directory, lock_output_file
-from .terminal import (
-    FAILED,
-    NOT_CONVERGED,
-    app,
-    guarded,
-    print_json,
-    print_table,
-    progress_bar,
-    reading,
-)
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
 Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
@@ -39,13 +30,13 @@ class Axis(StrEnum):
     Y = "y"
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def report(directory: Directory, quiet: Errors = False) -> None:
     """Write one self-contained HTML page of results."""
     from oilfilm.postprocess.report.page import write_report
 
-    with reading(directory):
+    with terminal.reading(directory):
         path = write_report(lock_output_directory(directory))
     from ..runs.output_directory import add_to_manifest
 
@@ -54,8 +45,8 @@ def report(directory: Directory, quiet: Errors = False) -> None:
         print_message(f"report in {path}")
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def compare(
     first: Directory,
     second: Annotated[Path, typer.Argument(metavar="DIR", help="Another one.")],
@@ -71,14 +62,14 @@ def compare(
     """Compare two results: differences of input and numbers."""
     from oilfilm.postprocess.compare import compare as compared
 
-    with reading(first, second):
+    with terminal.reading(first, second):
         comparison = compared(first, second)
     if as_json:
-        print_json(comparison.document())
+        terminal.print_json(comparison.document())
     elif not quiet:
         from oilfilm.postprocess.compare import comparison_table
 
-        print_table(comparison_table(comparison))
+        terminal.print_table(comparison_table(comparison))
     for name, converged in zip(comparison.names, comparison.converged, strict=True):
         if not converged:
             print_message(f"oilfilm: {name}: not converged")
@@ -87,11 +78,11 @@ def compare(
         print_message(
             f"oilfilm: a result differs by more than {within:g}: {comparison.largest:.3g}"
         )
-    return NOT_CONVERGED if differs or not all(comparison.converged) else 0
+    return terminal.NOT_CONVERGED if differs or not all(comparison.converged) else 0
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def cut(
     directory: Directory,
     output: Annotated[
@@ -107,13 +98,13 @@ def cut(
     """Write film and pressure along a line through a contact as CSV."""
     from oilfilm.postprocess.contact.plots import write_line_cut
 
-    with reading(directory):
+    with terminal.reading(directory):
         file = lock_output_file(output or Path("cut.csv"))
         print_message(f"table in {write_line_cut(directory, file, contact, axis.value, at)}")
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def interferogram(
     directory: Directory,
     output: Annotated[
@@ -135,15 +126,15 @@ def interferogram(
     from oilfilm.ehl.units import NANOMETRE
     from oilfilm.postprocess.contact.plots import SODIUM, Optics, write_interferogram
 
-    with reading(directory):
+    with terminal.reading(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
         optics = Optics(wavelengths=lengths, refractive_index=index)
         file = lock_output_file(output or Path("interferogram.png"))
         print_message(f"picture in {write_interferogram(directory, file, contact, optics)}")
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def diagram(
     directory: Annotated[
         Path, typer.Argument(metavar="DIR", help="A directory of results of 'oilfilm batch'.")
@@ -169,7 +160,7 @@ def diagram(
     from oilfilm.postprocess.batch.plots import write_diagram
     from oilfilm.postprocess.batch.store import read_batch
 
-    with reading(directory):
+    with terminal.reading(directory):
         file = lock_output_file(output or Path("diagram.png"))
         results = read_batch(directory)
         print_message(
@@ -177,8 +168,8 @@ def diagram(
         )
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def export(
     directory: Directory,
     file_format: Annotated[
@@ -209,7 +200,7 @@ def export(
     file = output or Path(f"{stem}.{file_format}")
     if file.suffix.lower() != f".{file_format}":
         raise CaseError(f"--output {file}: allowed: a .{file_format} file, as --format says")
-    with reading(directory):
+    with terminal.reading(directory):
         lock_output_file(file)
         files = _write_document(
             directory, file, file_format, model=model, fmi=fmi, quiet=quiet
@@ -263,8 +254,8 @@ class Quantity(StrEnum):
     DISPLACEMENT = "displacement"
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def view(
     directory: Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")],
     screenshot: Annotated[
@@ -303,7 +294,7 @@ def view(
         quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration
     )
     try:
-        with reading(directory), progress_bar(quiet=False) as progress:
+        with terminal.reading(directory), terminal.progress_bar(quiet=False) as progress:
             if screenshot is not None:
                 progress(0, 1, f"drawing {screenshot}")
                 print_message(f"picture in {scene.screenshot(directory, screenshot, options)}")
@@ -315,11 +306,11 @@ def view(
                 small = replace(options, size=scene.MOVIE_SIZE)
                 print_message(f"movie in {scene.movie(directory, movie, small)}")
         if screenshot is None and html is None and movie is None:
-            with reading(directory):
+            with terminal.reading(directory):
                 scene.view(directory, options)
     except CaseError:
         raise
     except scene.RenderingError as error:
         print_message(f"oilfilm: {error}")
-        return FAILED
+        return terminal.FAILED
     return 0

@@ -18,6 +18,7 @@ from ..runs.interrupt import finish_first, print_message
 from ..runs.kernel_cache import compiled_ahead
 from ..runs.output_directory import TEMPORARY, home, scratch_folder
 from ..runs.processes import one_thread
+from . import terminal
 from .output import (
     dynamics_cost,
     load_bearing,
@@ -28,18 +29,6 @@ from .output import (
     save_with,
     transient_cost,
     vibration_cost,
-)
-from .terminal import (
-    NOT_CONVERGED,
-    CaseName,
-    Json,
-    Notes,
-    Output,
-    Quiet,
-    app,
-    enter_context,
-    guarded,
-    progress_bar,
 )
 
 if TYPE_CHECKING:
@@ -74,21 +63,21 @@ Window = Annotated[
 ]
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def vibration(
-    case: CaseName,
-    output: Output = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Vibration of a bearing by waviness, defects and passing balls, with its films."""
     return run_and_report(case, output, as_json=as_json, quiet=quiet, notes=notes)
 
 
 def run_and_report(
-    case: CaseName, output: Output, *, as_json: bool, quiet: bool, notes: bool
+    case: terminal.CaseName, output: terminal.Output, *, as_json: bool, quiet: bool, notes: bool
 ) -> int:
     """Compute the vibration of a case, write it and print it.
 
@@ -117,11 +106,11 @@ def run_and_report(
 
     report_cost(vibration_cost(loaded), quiet=quiet)
     try:
-        with progress_bar(quiet=quiet) as progress:
+        with terminal.progress_bar(quiet=quiet) as progress:
             results = run_vibration(loaded, case, progress)
     except NotSolvedError as problem:
         print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
-        return NOT_CONVERGED
+        return terminal.NOT_CONVERGED
     except KeyboardInterrupt:
         print_message("oilfilm: of an unfinished vibration nothing is kept")
         raise
@@ -134,21 +123,21 @@ def run_and_report(
     return report(document, lambda: vibration_table(document), directory, as_json, quiet, notes)
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def dynamics(
-    case: CaseName,
-    output: Output = None,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
     restart: Restart = None,
     table: Tables = None,
     animation: Animation = None,
     window: Window = None,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Simulate a bearing over time: balls, cage and inner ring."""
-    enter_context(compiled_ahead("motion"))
+    terminal.enter_context(compiled_ahead("motion"))
     loaded = load_bearing(case, "a simulation needs a bearing")
     if loaded.file.form is not None or loaded.file.support is not None:
         if any(option is not None for option in (restart, table, animation)):
@@ -165,7 +154,7 @@ def dynamics(
     with _history_folder(directory) as folder:
         history = Path(folder) / "history.nc"
         try:
-            with progress_bar(quiet=quiet) as progress:
+            with terminal.progress_bar(quiet=quiet) as progress:
                 results = run_dynamics(loaded, case, history, restart, table, progress)
         except Interrupted as stop:
             _keep(loaded, stop.results, stop.simulation, directory)
@@ -262,15 +251,15 @@ def _keep(
     print_message(f"history so far in {directory}; go on with --restart {path}")
 
 
-@app.command()
-@guarded
+@terminal.app.command()
+@terminal.guarded
 def transient(
-    case: CaseName,
-    output: Output = None,
+    case: terminal.CaseName,
+    output: terminal.Output = None,
     movie: Annotated[bool, typer.Option(help="Draw the film over time as a .gif.")] = True,
-    as_json: Json = False,
-    quiet: Quiet = False,
-    notes: Notes = False,
+    as_json: terminal.Json = False,
+    quiet: terminal.Quiet = False,
+    notes: terminal.Notes = False,
 ) -> int:
     """Solve one contact over time: load, speed, waviness, dents, impact.
 
@@ -288,7 +277,7 @@ def transient(
     folder = None if directory is None else _steps_folder(directory)
     report_cost(transient_cost(loaded), quiet=quiet)
     try:
-        with progress_bar(quiet=quiet) as progress:
+        with terminal.progress_bar(quiet=quiet) as progress:
             results = run_transient(loaded, case, folder, progress)
             if directory is not None:
                 progress(0, 1, "pictures and files")
@@ -297,7 +286,7 @@ def transient(
                 save_with(write, directory, hurry.set)
     except StartError as problem:
         print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
-        return NOT_CONVERGED
+        return terminal.NOT_CONVERGED
     except Interrupted as stop:
         if stop.kept:
             print_message(

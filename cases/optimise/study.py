@@ -13,18 +13,8 @@ from oilfilm.ehl.units import notebook_html
 from oilfilm.postprocess.batch.results import BatchPoint, point_error, result_names
 from oilfilm.postprocess.batch.summary import point_numbers
 
+from ..batch import plan
 from ..batch.keys import value_in
-from ..batch.plan import (
-    Document,
-    Plan,
-    PointDocuments,
-    PointName,
-    Sampled,
-    Setting,
-    Variation,
-    block_settings,
-    with_values,
-)
 from ..batch.points import Sweep
 from ..batch.samples import RANGE, Distribution, distribution, unit_sample, with_law
 from ..batch.sweep_file import OptimisationFile, SearchTable, SweepFile
@@ -51,7 +41,7 @@ class Study:
     text: str
     title: str
     case: str
-    base: Document  # with the fixed values
+    base: plan.Document  # with the fixed values
     keys: tuple[str, ...]
     ranges: tuple[tuple[float, float], ...]  # in the units of the keys
     whole: tuple[bool, ...]  # keys of whole numbers
@@ -61,7 +51,7 @@ class Study:
     scatter: tuple[str, ...]  # keys that scatter
     deviations: Array  # of them, shape (points of a design, keys that scatter)
     search: SearchTable
-    proof: tuple[Setting, ...]
+    proof: tuple[plan.Setting, ...]
 
     def values(self, position: Array) -> list[float]:
         """Values of the keys at a position of the unit cube.
@@ -91,7 +81,7 @@ class Study:
         position = (np.array(given, dtype=float) - low) / (high - low)
         return position if (position >= 0.0).all() and (position <= 1.0).all() else None
 
-    def sweep(self, designs: list[list[float]], extra: tuple[Setting, ...] = ()) -> Sweep:
+    def sweep(self, designs: list[list[float]], extra: tuple[plan.Setting, ...] = ()) -> Sweep:
         """The points of designs: one each, or one for each row of `deviations`.
 
         Parameters
@@ -106,7 +96,7 @@ class Study:
         Sweep
             The points.
         """
-        base = with_values(self.base, Variation("fixed", extra))
+        base = plan.with_values(self.base, plan.Variation("fixed", extra))
         resolved = case_of_document(base).document
         keys = (*self.keys, *(key for key in self.scatter if key not in self.keys))
         rows = []
@@ -116,9 +106,9 @@ class Study:
                 for key, own in zip(self.scatter, deviation, strict=True):
                     row[key] = row.get(key, value_in(resolved, key)) + float(own)
                 rows.append(tuple(_plain(row[key], self._is_whole(key)) for key in keys))
-        block = Sampled("designs", [(key, ("vary", key)) for key in keys], rows)
+        block = plan.Sampled("designs", [(key, ("vary", key)) for key in keys], rows)
         file = SweepFile(case=self.case)
-        documents = PointDocuments(base)
+        documents = plan.PointDocuments(base)
         return Sweep(
             text=self.text,
             title=self.title,
@@ -126,7 +116,9 @@ class Study:
             compute="run",
             fields=False,
             keys=keys,
-            points=Plan([block], documents.document, PointName(file, base).name_of, keys),
+            points=plan.Plan(
+                [block], documents.document, plan.PointName(file, base).name_of, keys
+            ),
         )
 
     def _is_whole(self, key: str) -> bool:
@@ -162,10 +154,10 @@ def read_study(path: str | Path) -> Study:
     if file is None:
         raise faults_error(wrong, name, text)
     case_file = find_case(file.case, file_path.parent)
-    fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
-    base = with_values(parse(read_text(case_file), str(case_file)), fixed)
+    fixed = plan.Variation("fixed", tuple(plan.block_settings(file.fixed, ("fixed",))))
+    base = plan.with_values(parse(read_text(case_file), str(case_file)), fixed)
     case_of_document(base)
-    vary = block_settings(file.vary, ("vary",))
+    vary = plan.block_settings(file.vary, ("vary",))
     scatter, laws, faults = _scatter(file, base)
     faults += [
         CaseProblem(s.where, f"found {shown(s.value)}", RANGE) for s in vary if _is_no_range(s)
@@ -187,11 +179,11 @@ def read_study(path: str | Path) -> Study:
         scatter=scatter,
         deviations=_deviations(file, laws),
         search=file.search,
-        proof=tuple(block_settings(file.proof, ("proof",))),
+        proof=tuple(plan.block_settings(file.proof, ("proof",))),
     )
 
 
-def _is_no_range(setting: Setting) -> bool:
+def _is_no_range(setting: plan.Setting) -> bool:
     value = setting.value
     two = isinstance(value, list) and len(value) == 2 and all(map(is_number, value))
     return not two or not value[0] < value[1]
@@ -236,10 +228,10 @@ def _name_faults(file: OptimisationFile, kind: str) -> list[CaseProblem]:
 
 
 def _scatter(
-    file: OptimisationFile, base: Document
+    file: OptimisationFile, base: plan.Document
 ) -> tuple[tuple[str, ...], list[Distribution], list[CaseProblem]]:
     """Keys that scatter, the laws of their deviations, and faults."""
-    settings = [with_law(s) for s in block_settings(file.scatter, ("scatter",))]
+    settings = [with_law(s) for s in plan.block_settings(file.scatter, ("scatter",))]
     laws = [distribution(setting) for setting in settings]
     faults = [law for law in laws if isinstance(law, CaseProblem)]
     resolved = case_of_document(base).document

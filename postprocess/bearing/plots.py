@@ -27,28 +27,9 @@ from oilfilm.ehl import ContactSolution
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si, value_with_error
 
+from .. import plot_style
 from ..contact.plots import draw_contact, draw_map, film_text
 from ..contact.shown_part import ContactView, contact_view
-from ..plot_style import (
-    BALL_COLOUR,
-    BEYOND_SCALE,
-    CAGE_COLOUR,
-    INK,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    PAGE_WIDTH,
-    RC,
-    REFERENCE,
-    RULING_PRESSURE,
-    SHOWN_INLET,
-    SHOWN_OUTLET,
-    SHOWN_SIDE,
-    common_film_range,
-    few_ticks,
-    logarithmic_ticks,
-    titled_panels,
-    write_figures,
-)
 from ..quantities import FILMS, OTHERS, Quantity, by_key, evenly_chosen
 from .bearing_quantities import BALL_QUANTITY, DECAY_COURSE, TORQUE, TORQUE_MODELS
 from .results import BearingResults, azimuths_text, distinct_contacts
@@ -76,9 +57,9 @@ KINDS = (  # what one colour stands for, and the components of the models that a
     ("curvature slip: ball rotation", ROTATION, ("rotation",)),
     ("curvature slip: orbit", ORBIT, ("orbit",)),
     ("asperities", ASPERITY, ("asperity",)),
-    ("hysteresis", REFERENCE, ("hysteresis", "ME")),
+    ("hysteresis", plot_style.REFERENCE, ("hysteresis", "ME")),
     ("load term", LOAD, ("load",)),
-    ("cage", CAGE_COLOUR, ("cage", "MC")),
+    ("cage", plot_style.CAGE_COLOUR, ("cage", "MC")),
     ("churning", DRAG, ("drag",)),
     ("seals", SEAL, ("seal",)),
 )
@@ -113,7 +94,7 @@ FOOTNOTES = {
 FILLED = "; dotted: filled with oil"
 BOX_ENDS = "; hatched: outside the computed box"
 MANY_TIMES = 5.0  # largest over smallest film from which on the film axis is logarithmic [-]
-COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}  # by race
+COLOURS = {"inner": plot_style.INNER_COLOUR, "outer": plot_style.OUTER_COLOUR}  # by race
 FIELDS = {
     "film": Quantity("film_um", "film thickness"),
     "pressure": Quantity("pressure_GPa", "pressure"),
@@ -214,15 +195,15 @@ def _chosen(keys: list[tuple[Any, ...]], idle: set[Any]) -> list[tuple[Any, ...]
 
 def _ruling(views: list[ContactView]) -> list[ContactView]:
     """The contacts under load, after which a picture of all chooses its scales."""
-    least = RULING_PRESSURE * max((view.hertz for view in views), default=0.0)
+    least = plot_style.RULING_PRESSURE * max((view.hertz for view in views), default=0.0)
     return [view for view in views if view.hertz >= least]
 
 
 def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
     """Part that all maps show: ends along the rolling direction, half width [mm]."""
-    x_in = max((-SHOWN_INLET * v.half_x for v in views), default=1.0)
-    x_out = max((SHOWN_OUTLET * v.half_x for v in views), default=1.0)
-    return -x_in, x_out, max((SHOWN_SIDE * v.half_y for v in views), default=1.0)
+    x_in = max((-plot_style.SHOWN_INLET * v.half_x for v in views), default=1.0)
+    x_out = max((plot_style.SHOWN_OUTLET * v.half_x for v in views), default=1.0)
+    return -x_in, x_out, max((plot_style.SHOWN_SIDE * v.half_y for v in views), default=1.0)
 
 
 def write_bearing_plots(
@@ -247,9 +228,11 @@ def write_bearing_plots(
         Messages on figures that failed.
     """
     if picture is None:
-        return write_figures(directory, chain(*(figures(results) for figures in FIGURES.values())))
+        return plot_style.write_figures(
+            directory, chain(*(figures(results) for figures in FIGURES.values()))
+        )
     kind, number = picture
-    return write_figures(directory, islice(FIGURES[kind](results), number, number + 1))
+    return plot_style.write_figures(directory, islice(FIGURES[kind](results), number, number + 1))
 
 
 def _film_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], None]]]:
@@ -282,7 +265,7 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     columns = ball_columns(results)
     # fixed boxes: the layout engine takes as long as the drawing
     figure.set_layout_engine("none")
-    figure.set_size_inches(PAGE_WIDTH, 6.0)
+    figure.set_size_inches(plot_style.PAGE_WIDTH, 6.0)
     of_film = "operating film" if quantity == "film" else quantity
     figure.suptitle(f"{results.title}, {of_film}", fontsize=8.5, y=0.99)
     top = MAPS_TOP - LABEL_LINE * max(column.label.count("\n") for column in columns)
@@ -316,13 +299,15 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     bar = figure.colorbar(image, cax=box, label=label, extend=extend)
     if quantity == "film":
         bar.ax.minorticks_off()
-        ticks = logarithmic_ticks(*limits)
+        ticks = plot_style.logarithmic_ticks(*limits)
         bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
     _over_azimuth(figure.add_axes(VALUES), results, quantity, _left_out(columns, results))
     views = [view for column in columns for view in column.views.values() if view is not None]
     starved = quantity == "film" and any(view.filled is not None for view in views)
     note = FOOTNOTES[quantity] + FILLED * starved + BOX_ENDS * any(view.cut for view in views)
-    figure.text(0.5, 0.008, note, fontsize=6.5, color=REFERENCE, ha="center", va="bottom")
+    figure.text(
+        0.5, 0.008, note, fontsize=6.5, color=plot_style.REFERENCE, ha="center", va="bottom"
+    )
 
 
 def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:
@@ -344,7 +329,7 @@ def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, floa
     shown = _ruling([v for v in views if v is not None])
     if quantity == "pressure":
         return 0.0, max(v.pressure_top for v in shown)
-    return common_film_range([v.central for v in shown], [v.smallest for v in shown])
+    return plot_style.common_film_range([v.central for v in shown], [v.smallest for v in shown])
 
 
 def _hatch_outside(axes: Axes, view: ContactView | None) -> None:
@@ -352,7 +337,12 @@ def _hatch_outside(axes: Axes, view: ContactView | None) -> None:
     if view is None or not view.cut:
         return
     x_first, x_last, y_first, y_last = view.box
-    style: Any = {"facecolor": "white", "edgecolor": BEYOND_SCALE, "hatch": "////", "zorder": 3}
+    style: Any = {
+        "facecolor": "white",
+        "edgecolor": plot_style.BEYOND_SCALE,
+        "hatch": "////",
+        "zorder": 3,
+    }
     far = 1e3 * max(map(abs, view.window))
     for start, end in ((-far, x_first), (x_last, far)):
         axes.axvspan(start, end, **style)
@@ -362,7 +352,7 @@ def _hatch_outside(axes: Axes, view: ContactView | None) -> None:
 
 def _few_ticks(axes: Axes, start: float, end: float, count: int) -> None:
     """Ticks along the rolling direction [mm] that fit below one of `count` narrow maps."""
-    ticks = few_ticks(start, end, min(5.0, 16.0 / count))
+    ticks = plot_style.few_ticks(start, end, min(5.0, 16.0 / count))
     axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
 
 
@@ -373,7 +363,9 @@ def _small_map(
     if view is None:
         axes.set_facecolor("#eeeeee")
         middle: Any = {"ha": "center", "va": "center", "transform": axes.transAxes}
-        axes.text(0.5, 0.5, "no map" if loaded else "no load", color=REFERENCE, **middle)
+        axes.text(
+            0.5, 0.5, "no map" if loaded else "no load", color=plot_style.REFERENCE, **middle
+        )
         axes.set(xticks=[], yticks=[])
         return None
     film = quantity == "film"
@@ -385,8 +377,8 @@ def _small_map(
     text = f"{_with_error(view, 'central')}\n{_with_error(view, 'minimum')}"
     text = text if film else f"{view.pressure_top:.3g} GPa"
     small: Any = {"fontsize": 6.5, "transform": axes.transAxes, "zorder": 4}
-    axes.text(0.04, 0.03, text, color=INK, **small)
-    axes.text(0.04, 0.97, view.doubt, va="top", color=OUTER_COLOUR, **small)
+    axes.text(0.04, 0.03, text, color=plot_style.INK, **small)
+    axes.text(0.04, 0.97, view.doubt, va="top", color=plot_style.OUTER_COLOUR, **small)
     return image
 
 
@@ -470,7 +462,7 @@ def draw_load_zone(figure: Figure, results: BearingResults) -> None:
     """
     state = results.quasistatic
     rows = len(state.rows)
-    figure.set_size_inches(min(0.5 * rows, 1.0) * PAGE_WIDTH, 3.9 if rows == 1 else 4.3)
+    figure.set_size_inches(min(0.5 * rows, 1.0) * plot_style.PAGE_WIDTH, 3.9 if rows == 1 else 4.3)
     figure.suptitle(results.title, fontsize=7.5, wrap=True)
     panels: Any = figure.subplots(1, rows, squeeze=False, subplot_kw={"projection": "polar"})
     top = float(max(state.outer_load.max(), state.inner_load.max()))
@@ -482,9 +474,15 @@ def _load_zone(axes: Any, state: QuasistaticSolution, top: float, name: str) -> 
     """Contact loads of one row as bars, on a scale up to the largest load of all rows [N]."""
     axes.set_theta_zero_location("N")
     width = 0.55 * 2.0 * pi / len(state.azimuth)
-    outer: Any = {"color": OUTER_COLOUR, "alpha": 0.35, "label": "outer race"}
+    outer: Any = {"color": plot_style.OUTER_COLOUR, "alpha": 0.35, "label": "outer race"}
     axes.bar(state.azimuth, state.outer_load, width, **outer)
-    axes.bar(state.azimuth, state.inner_load, 0.55 * width, color=INNER_COLOUR, label="inner race")
+    axes.bar(
+        state.azimuth,
+        state.inner_load,
+        0.55 * width,
+        color=plot_style.INNER_COLOUR,
+        label="inner race",
+    )
     axes.set_xticks(state.azimuth, [f"{degrees(a) % 360.0:.4g}°" for a in state.azimuth])
     emptiest = int(np.argmin(state.outer_load + np.roll(state.outer_load, -1)))
     axes.set_rlabel_position(degrees(state.azimuth[emptiest] + pi / len(state.azimuth)) % 360.0)
@@ -517,14 +515,14 @@ def draw_strength(figure: Figure, results: BearingResults) -> None:
         raise ValueError("no strength to draw")
     result = strength.inner_map
     ring = next(ring for ring in strength.rings if ring.race is Race.INNER)
-    left, right = titled_panels(
+    left, right = plot_style.titled_panels(
         figure, f"{results.title}\ninner ring of {ring.material.name}", HEIGHT, 1, 2
     )
     _lines(left, result, from_si("tension_MPa", result.hoop_tension))
     left.set_ylabel("hoop tension [MPa]")
     if ring.material.bending_strength is not None:
         limit = LARGE_SHARE * from_si("strength_MPa", ring.material.bending_strength)
-        left.axhline(limit, color=REFERENCE, linestyle="--", linewidth=0.8)
+        left.axhline(limit, color=plot_style.REFERENCE, linestyle="--", linewidth=0.8)
         text = f"{LARGE_SHARE:.0%} of the bending strength"
         left.annotate(
             text,
@@ -533,9 +531,11 @@ def draw_strength(figure: Figure, results: BearingResults) -> None:
             xytext=(0, 2),
             textcoords="offset points",
             fontsize=7,
-            color=REFERENCE,
+            color=plot_style.REFERENCE,
         )
-    left.plot(*_operation(results, ring.hoop_tension), "o", color=INK, label="this case")
+    left.plot(
+        *_operation(results, ring.hoop_tension), "o", color=plot_style.INK, label="this case"
+    )
     figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=6)
     if result.failure_probability is not None:
         _lines(right, result, np.maximum(result.failure_probability, SMALLEST))
@@ -564,7 +564,9 @@ def _band(axes: Axes, result: StrengthMap) -> None:
     )
     temperature = from_si("temperature_C", result.temperature)
     label = "range of the material's data"
-    band = axes.fill_between(temperature, low, high, color=REFERENCE, alpha=0.18, lw=0.0)
+    band = axes.fill_between(
+        temperature, low, high, color=plot_style.REFERENCE, alpha=0.18, lw=0.0
+    )
     axes.legend([band], [label], loc="upper left")
 
 
@@ -617,7 +619,7 @@ def draw_torque(figure: Figure, results: BearingResults) -> None:
     available = shown_torques(results)
     shares = None if torque.shear is None else torque.shear.torque.per_ball
     height = 1.1 + 0.26 * len(available) + (1.9 if shares is not None else 0.0)
-    figure.set_size_inches(PAGE_WIDTH, height)
+    figure.set_size_inches(plot_style.PAGE_WIDTH, height)
     figure.suptitle(f"{results.title}\nfriction torque by model", fontsize=8.5)
     if shares is None:
         draw_models(figure.subplots(), available, torque.chosen)
@@ -678,8 +680,8 @@ def torque_svg(models: dict[str, ModelTorque]) -> Markup:
         The SVG element.
     """
     content = StringIO()
-    with matplotlib.rc_context(RC | {"svg.fonttype": "none"}):
-        figure = Figure(figsize=(PAGE_WIDTH, 0.8 + 0.24 * len(models)))
+    with matplotlib.rc_context(plot_style.RC | {"svg.fonttype": "none"}):
+        figure = Figure(figsize=(plot_style.PAGE_WIDTH, 0.8 + 0.24 * len(models)))
         axes = figure.subplots()
         draw_models(axes, models)
         drawn = [bar for bar in axes.patches if isinstance(bar, Rectangle) and bar.get_width()]
@@ -729,7 +731,7 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
     for row in range(len(state.rows)):
         in_row = state.row_of_ball == row
         azimuth = np.degrees(state.azimuth[in_row]) % 360.0 + (row - 0.5) * width * several
-        style: Any = {"color": BALL_COLOUR, "alpha": 1.0 if row == 0 else 0.5}
+        style: Any = {"color": plot_style.BALL_COLOUR, "alpha": 1.0 if row == 0 else 0.5}
         axes.bar(azimuth, shares[in_row], width=width, label=f"row {row + 1}", **style)
     if several:
         axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))  # off the bars
@@ -759,18 +761,20 @@ def draw_decay(figure: Figure, results: BearingResults) -> None:
         raise ValueError("no decay to draw")
     place = f"ball {decay.contact.ball}, {decay.contact.race.value} race"
     title = f"{results.title}\nfilm after the supply stops, {place}"
-    axes = titled_panels(figure, title, 2.9)
+    axes = plot_style.titled_panels(figure, title, 2.9)
     later = decay.time > 0.0
     seconds = COURSE["time_s"].in_unit(decay.time[later])
     film = COURSE["film_um"].in_unit(decay.film[later])
     text = f"all losses, {decay.loss:.3g} between two balls" if decay.loss else "from ball to ball"
-    axes.loglog(seconds[film > 0.0], film[film > 0.0], color=INNER_COLOUR, label=text)
+    axes.loglog(seconds[film > 0.0], film[film > 0.0], color=plot_style.INNER_COLOUR, label=text)
     joined = COURSE["joined_um"].in_unit(decay.joined[later])
-    style: Any = {"color": OUTER_COLOUR, "linestyle": "--", "linewidth": 0.9}
+    style: Any = {"color": plot_style.OUTER_COLOUR, "linestyle": "--", "linewidth": 0.9}
     axes.loglog(seconds, joined, label="closed forms joined, no loss", **style)
     if decay.roughness > 0.0:
         rough = COURSE["film_um"].in_unit(decay.roughness)
-        axes.axhline(rough, color=REFERENCE, linewidth=0.7, linestyle=":", label="roughness")
+        axes.axhline(
+            rough, color=plot_style.REFERENCE, linewidth=0.7, linestyle=":", label="roughness"
+        )
     axes.set_xlim(seconds[0], seconds[-1])
     axes.set(xlabel=COURSE["time_s"].label, ylabel=COURSE["film_um"].label)
     axes.grid(linewidth=0.3, alpha=0.5)

@@ -15,21 +15,10 @@ from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.ehl import ContactSolution
 from oilfilm.ehl.units import from_si, unit_of, unit_symbol, value_with_error
 
+from .. import quantities
 from ..contact.write import field_group
 from ..files import contact_name, write_csv
 from ..netcdf_write import DataGroup, Variables, root_attributes, write_groups
-from ..quantities import (
-    CAGE_SPEED,
-    NOTHING,
-    STIFFNESS_HEADLINES,
-    STIFFNESS_ORDER,
-    facts_table,
-    in_ranges,
-    number,
-    number_table,
-    titled,
-    values_of,
-)
 from .bearing_quantities import BALL_QUANTITY, RING
 from .contact_quantities import (
     CONTACT_QUANTITIES,
@@ -140,13 +129,13 @@ def _ring_group(state: QuasistaticSolution) -> DataGroup:
     units = {"units": "SI: N, m, rad, N m"}
     geometry = {name: getattr(state.bearing, name) for name in GEOMETRY}
     lengths = {name: float(length) for name, length in geometry.items() if length is not None}
-    names = list(STIFFNESS_ORDER)
+    names = list(quantities.STIFFNESS_ORDER)
     return DataGroup(
         variables={
             "displacement": (("freedom",), np.r_[state.displacement, state.tilt], units),
             "force": (("freedom",), np.r_[state.ring_force, state.ring_moment], units),
             "stiffness": (("freedom", "freedom_2"), np.asarray(state.stiffness), units),
-            "cage_speed": ((), state.cage_speed, CAGE_SPEED.si_attributes),
+            "cage_speed": ((), state.cage_speed, quantities.CAGE_SPEED.si_attributes),
             "freedom": (("freedom",), names, {}),
             "freedom_2": (("freedom_2",), names, {}),
         },
@@ -180,15 +169,15 @@ def bearing_table(results: BearingResults) -> Group:
     Group
         The table.
     """
-    return titled(
+    return quantities.titled(
         results.title, _bearing_table(results), _contacts_table(results), *_legend(results)
     )
 
 
 def _bearing_table(results: BearingResults) -> Table:
     state = results.quasistatic
-    titles = {quantity.key: quantity.title for quantity in (*RING, CAGE_SPEED)}
-    ring = values_of(state, (*RING, CAGE_SPEED))
+    titles = {quantity.key: quantity.title for quantity in (*RING, quantities.CAGE_SPEED)}
+    ring = quantities.values_of(state, (*RING, quantities.CAGE_SPEED))
     x, y, z = ring["displacement_um"]
     tilt_y, tilt_z = ring["tilt_mrad"]
     moments = [round(moment, 0) + 0.0 for moment in ring["moment_N_mm"]]
@@ -215,12 +204,14 @@ def _bearing_table(results: BearingResults) -> Table:
     rows |= row_lines(state) | ring_lines(state)
     rows |= frequency_lines(results) | rating_rows(results) | duty_cycle_rows(results)
     rows |= strength_rows(results)
-    return facts_table(rows | torque_rows(results) | supply_rows(results))
+    return quantities.facts_table(rows | torque_rows(results) | supply_rows(results))
 
 
 def _stiffness_text(state: QuasistaticSolution) -> str:
     """Stiffness of the ring along the axis and along the load line [N/um]."""
-    numbers = {title: state.stiffness[at, at] for title, at in STIFFNESS_HEADLINES.items()}
+    numbers = {
+        title: state.stiffness[at, at] for title, at in quantities.STIFFNESS_HEADLINES.items()
+    }
     return ", ".join(
         f"{title.split()[0]} {from_si('stiffness_N_um', value):.4g} N/µm"
         for title, value in numbers.items()
@@ -239,7 +230,7 @@ def _contacts_table(results: BearingResults) -> Table:
     available = [(record, contact_values(record)) for record in contact_records(results)]
     for decimals in range(DECIMALS, 0, -1):
         rows = _contact_rows(available, keys, decimals)
-        table = number_table((*headers, ""), rows, ("race", ""), **style)
+        table = quantities.number_table((*headers, ""), rows, ("race", ""), **style)
         if Console(width=2 * WIDTH).measure(table).maximum <= WIDTH:
             break
     return table
@@ -261,7 +252,7 @@ def _contact_rows(
         if contacts[0].row != row:
             row = contacts[0].row
             yield [f"row {row}"]
-        names = in_ranges([str(one.ball) for one in contacts])
+        names = quantities.in_ranges([str(one.ball) for one in contacts])
         first, last = (
             f"{degrees(one.azimuth) % 360.0:.0f}" for one in (contacts[0], contacts[-1])
         )
@@ -295,10 +286,10 @@ def _contact_cell(record: ContactRecord, available: dict[str, Any], key: str, mo
         return "0"
     value = available[key]
     if value is None or not record.loaded:
-        return NOTHING
+        return quantities.NOTHING
     if key.startswith("film_"):
         return value_with_error(value, available[key.replace("_um", "_uncertainty_um")], most=most)
-    text = number(value, TERMINAL_COLUMNS[key])
+    text = quantities.number(value, TERMINAL_COLUMNS[key])
     return text if text.strip("-0.") else text.removeprefix("-")  # no minus before a zero
 
 

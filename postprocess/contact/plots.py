@@ -27,17 +27,8 @@ from matplotlib.ticker import MaxNLocator
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import MICROMETRE, MILLIMETRE, NANOMETRE, value_with_error
 
+from .. import plot_style
 from ..files import write_csv
-from ..plot_style import (
-    BEYOND_SCALE,
-    PAGE_WIDTH,
-    REFERENCE,
-    colour_map,
-    colour_stops,
-    titled_panels,
-    write_figure,
-    write_figures,
-)
 from ..plot_style import INNER_COLOUR as FILM_COLOUR
 from ..plot_style import OUTER_COLOUR as PRESSURE_COLOUR
 from .shown_part import ContactView, contact_view, refined, shown
@@ -90,7 +81,7 @@ def write_contact_plots(results: ContactResults, directory: Path) -> tuple[str, 
     figures: list[tuple[str, Callable[[Figure], None]]] = [("plots/contact", draw)]
     if results.passes:
         figures.append(("plots/passes", partial(draw_passes, results=results)))
-    return write_figures(directory, figures)
+    return plot_style.write_figures(directory, figures)
 
 
 def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
@@ -107,7 +98,7 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
     """
     # fixed boxes: the layout engine takes longer than the drawing
     figure.set_layout_engine("none")
-    figure.set_size_inches(PAGE_WIDTH, HEIGHT)
+    figure.set_size_inches(plot_style.PAGE_WIDTH, HEIGHT)
     figure.suptitle(title, fontsize=8.5, y=0.99)
     for quantity, left in zip(QUANTITIES, PANEL_LEFTS, strict=True):
         width = STRETCHED_WIDTH if view.stretched else MAP_WIDTH
@@ -121,13 +112,15 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
         else:
             panel.set_aspect("equal", anchor="W")
             proportion = float(np.ptp(view.shown[:2]) / np.ptp(view.shown[2:]))
-            width = min(MAP_WIDTH, MAP_HEIGHT * HEIGHT / PAGE_WIDTH * proportion)
-        panel.xaxis.set_major_locator(MaxNLocator(max(int(width * PAGE_WIDTH / TICK_WIDTH), 1)))
+            width = min(MAP_WIDTH, MAP_HEIGHT * HEIGHT / plot_style.PAGE_WIDTH * proportion)
+        panel.xaxis.set_major_locator(
+            MaxNLocator(max(int(width * plot_style.PAGE_WIDTH / TICK_WIDTH), 1))
+        )
         bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
         _colour_bar(figure, image, bar, view, quantity)
     for along, left in zip((True, False), PANEL_LEFTS, strict=True):
         centre_line(figure.add_axes((left, LINE_BOTTOM, LINE_WIDTH, LINE_HEIGHT)), view, along)
-    style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
+    style: Any = {"fontsize": 6.5, "color": plot_style.REFERENCE, "ha": "center", "va": "bottom"}
     figure.text(0.5, 0.01, _footnote(view), **style)
 
 
@@ -182,14 +175,14 @@ def draw_map(
         extent=_extent(x, y),
         origin="lower",
         aspect="auto",
-        cmap=colour_map(quantity),
+        cmap=plot_style.colour_map(quantity),
         norm="log" if film and limits else "linear",
         interpolation="bilinear",
         interpolation_stage="data",
     )
     image.set_clim(low, high)
     if film:
-        image.set_cmap(image.get_cmap().with_extremes(over=BEYOND_SCALE))
+        image.set_cmap(image.get_cmap().with_extremes(over=plot_style.BEYOND_SCALE))
     lines = np.linspace(low, high, LINES + 1)[1:-1] if levels is None else levels
     available = values[np.isfinite(values)]
     lines = [line for line in lines if available.size and available.min() < line < available.max()]
@@ -248,7 +241,7 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     s, pressure = _on_centre_line(view, view.pressure, along)
     axes.plot(s, pressure, color=PRESSURE_COLOUR, label="pressure")
     reach = np.cos(np.linspace(-np.pi, 0.0, 121))
-    style: Any = {"color": REFERENCE, "linestyle": "--", "linewidth": 0.8}
+    style: Any = {"color": plot_style.REFERENCE, "linestyle": "--", "linewidth": 0.8}
     ends = view.reach_x if along else view.reach_y
     hertz = view.hertz * np.sqrt(1.0 - reach**2)
     if view.hertz < MOST_HERTZ * view.pressure_top:  # else two lines that rise out of the picture
@@ -319,7 +312,7 @@ def draw_passes(figure: Figure, results: ContactResults) -> None:
     """
     number = len(results.passes)
     title = f"{results.title}\neach pass stands behind the layer that the last one left"
-    left, right = titled_panels(figure, title, 3.0, 1, 2)
+    left, right = plot_style.titled_panels(figure, title, 3.0, 1, 2)
     films = [one for one in results.passes if one.solution.converged]
     style: Any = {"color": FILM_COLOUR, "marker": "o", "markersize": 3, "linewidth": 1.0}
     left.plot(range(1, len(films) + 1), [one.film_fraction for one in films], **style)
@@ -329,14 +322,14 @@ def draw_passes(figure: Figure, results: ContactResults) -> None:
     first = results.solution
     scale = first.film_scale
     unit = 1.0 if scale is None else scale / MICROMETRE
-    colours = colour_stops("film", number + 1)[:number]
+    colours = plot_style.colour_stops("film", number + 1)[:number]
     for index, one in enumerate(results.passes, 1):
         label = f"pass {index}" if index in (1, number) else None
         y = one.solution.Y / first.semi_axis_ratio
         style = {"color": colours[index - 1], "linewidth": 0.9, "label": label}
         right.plot(y, one.outlet * unit, **style)
     for side in (-1.0, 1.0):
-        right.axvline(side, color=REFERENCE, linestyle="--", linewidth=0.6)
+        right.axvline(side, color=plot_style.REFERENCE, linestyle="--", linewidth=0.6)
     right.set_xlabel("$y/b$ [-]; the contact ends at ±1")
     right.set_ylabel(f"layer that leaves [{'a²/Rx' if scale is None else 'µm'}]")
     right.set_yscale("log")
@@ -421,7 +414,7 @@ def write_interferogram(
     if data["h"].attrs["units"] != "m":
         reason = "since the contact is given by Moes' groups"
         raise ValueError(f"{name}: the film has no dimension, {reason}")
-    write_figure(path, lambda figure: _draw(figure, name, data, optics or Optics()))
+    plot_style.write_figure(path, lambda figure: _draw(figure, name, data, optics or Optics()))
     return path
 
 
@@ -429,7 +422,7 @@ def _draw(figure: Figure, name: str, data: Any, optics: Optics) -> None:
     x, y, film = _fine_film(data)
     width, height = float(np.ptp(x)), float(np.ptp(y))
     equal = 1.0 / STRETCHED < width / height < STRETCHED
-    side = 0.6 * PAGE_WIDTH
+    side = 0.6 * plot_style.PAGE_WIDTH
     figure.set_size_inches(side, side * (min(1.4, height / width) if equal else 1.0) + 0.6)
     axes = figure.add_subplot()
     picture = intensity(film, optics)
@@ -445,7 +438,7 @@ def _draw(figure: Figure, name: str, data: Any, optics: Optics) -> None:
     note = f"from fringe to fringe {step:.4g} nm of film"
     note += " (first wavelength)" if len(optics.wavelengths) > 1 else ""
     note += "" if equal else "; axes stretched"
-    figure.supxlabel(note, fontsize=6.5, color=REFERENCE)
+    figure.supxlabel(note, fontsize=6.5, color=plot_style.REFERENCE)
 
 
 def _fine_film(data: Any) -> tuple[Array, Array, Array]:

@@ -12,19 +12,9 @@ from matplotlib.ticker import MaxNLocator
 from oilfilm.ehl.transient.record import QUANTITIES, TransientSolution
 from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, from_si
 
+from .. import plot_style
 from ..files import SUMMARY_FILE, write_csv, write_json
 from ..netcdf_write import FIELDS_FILE, DataGroup, Variables, root_attributes, write_groups
-from ..plot_style import (
-    COLOUR_MAPS,
-    INK,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    PAGE_WIDTH,
-    REFERENCE,
-    SHOWN_INLET,
-    SHOWN_OUTLET,
-    write_figures,
-)
 from .transient_summary import TransientResults, transient_summary
 
 HEIGHT = 6.2  # [in]
@@ -66,7 +56,7 @@ def write_transient_plots(results: TransientResults, directory: Path) -> tuple[s
         Messages on figures that failed.
     """
     draw = partial(draw_transient, solution=results.solution, title=results.title)
-    return write_figures(directory, [("plots/transient", draw)])
+    return plot_style.write_figures(directory, [("plots/transient", draw)])
 
 
 def draw_transient(figure: Figure, solution: TransientSolution, title: str) -> None:
@@ -81,7 +71,7 @@ def draw_transient(figure: Figure, solution: TransientSolution, title: str) -> N
     title : str
         Title of the picture.
     """
-    figure.set_size_inches(PAGE_WIDTH, HEIGHT)
+    figure.set_size_inches(plot_style.PAGE_WIDTH, HEIGHT)
     figure.suptitle(title, fontsize=8.5)
     grid = figure.add_gridspec(3, 2, height_ratios=(1.0, 0.55, 1.0))
     _film_over_time(figure, figure.add_subplot(grid[:2, 0]), solution)
@@ -105,7 +95,7 @@ def shown(solution: TransientSolution) -> Any:
         True at the nodes that are drawn, shape (nx,).
     """
     a = solution.semi_axes[0]
-    return (solution.x >= SHOWN_INLET * a) & (solution.x <= SHOWN_OUTLET * a)
+    return (solution.x >= plot_style.SHOWN_INLET * a) & (solution.x <= plot_style.SHOWN_OUTLET * a)
 
 
 def film_span(solution: TransientSolution) -> tuple[float, float]:
@@ -133,7 +123,7 @@ def _film_over_time(figure: Figure, axes: Any, solution: TransientSolution) -> N
     x = solution.x[part] / MILLIMETRE
     time = solution.series("time") / MILLISECOND
     low, high = film_span(solution)
-    style: dict[str, Any] = {"cmap": COLOUR_MAPS["film"], "vmin": low, "vmax": high}
+    style: dict[str, Any] = {"cmap": plot_style.COLOUR_MAPS["film"], "vmin": low, "vmax": high}
     films = solution.film_lines[:, part] / MICROMETRE
     image = axes.pcolormesh(x, time, films, shading="nearest", rasterized=True, **style)
     figure.colorbar(image, ax=axes, location="top", label="film on $y$ = 0 [µm]", extend="max")
@@ -147,8 +137,8 @@ def _film_over_time(figure: Figure, axes: Any, solution: TransientSolution) -> N
 def _films(axes: Any, solution: TransientSolution) -> None:
     time = solution.series("time") / MILLISECOND
     for name, title, colour in (
-        ("film_central", "centre", INNER_COLOUR),
-        ("film_minimum", "smallest", OUTER_COLOUR),
+        ("film_central", "centre", plot_style.INNER_COLOUR),
+        ("film_minimum", "smallest", plot_style.OUTER_COLOUR),
     ):
         axes.plot(time, solution.series(name) / MICROMETRE, color=colour, label=title)
     axes.set_ylabel("film [µm]")
@@ -163,14 +153,14 @@ def _conditions(axes: Any, solution: TransientSolution) -> None:
     """Load, and what the film carries of it where that differs; the speed."""
     time = solution.series("time") / MILLISECOND
     load, force = solution.series("load"), solution.series("film_force")
-    axes.plot(time, load, color=INK, label="load", linewidth=1.0)
+    axes.plot(time, load, color=plot_style.INK, label="load", linewidth=1.0)
     if np.abs(force - load).max() > 0.01 * max(float(np.abs(force).max()), 1e-300):
-        axes.plot(time, force, color=OUTER_COLOUR, label="film force", linewidth=1.0)
+        axes.plot(time, force, color=plot_style.OUTER_COLOUR, label="film force", linewidth=1.0)
     axes.set(ylabel="force [N]", xlabel="time [ms]")
     speed = axes.twinx()
-    style = {"color": REFERENCE, "linestyle": "--", "linewidth": 1.0}
+    style = {"color": plot_style.REFERENCE, "linestyle": "--", "linewidth": 1.0}
     speed.plot(time, solution.series("speed"), label="speed", **style)
-    speed.set_ylabel("$u_m$ [m/s]", color=REFERENCE)
+    speed.set_ylabel("$u_m$ [m/s]", color=plot_style.REFERENCE)
     handles = [*axes.get_legend_handles_labels()[0], *speed.get_legend_handles_labels()[0]]
     axes.legend(handles=handles, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
 

@@ -22,28 +22,23 @@ from oilfilm.bearing.dynamics.statistics import (
 from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
 from oilfilm.ehl.units import to_si
 
-from ..plot_style import (
-    BALL_COLOUR,
-    CAGE_COLOUR,
-    INK,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    REFERENCE,
-    titled_panels,
-    write_figures,
-)
+from .. import plot_style
 from ..quantities import FREQUENCIES
 from .results import PLOTTED, STATES, open_history
 
 RUNNING = 0.02  # of the largest speed, below which a slip in percent says nothing [-]
-RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
+RACES = (("inner", plot_style.INNER_COLOUR), ("outer", plot_style.OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
 MECHANISM_COLOURS = (
     "#0b5394 #c1440e #3a7d44 #7a4fa3 #8a6d1d #5b8c00 #1f9e9e #b8336a #666666 #d98c00".split()
 )
 TIME = PLOTTED["time_ms"]
 SPEED = PLOTTED["speed_rpm"]
-ROLLING: dict[str, Any] = {"linestyle": "--", "color": REFERENCE, "label": "without sliding"}
+ROLLING: dict[str, Any] = {
+    "linestyle": "--",
+    "color": plot_style.REFERENCE,
+    "label": "without sliding",
+}
 SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
 SPIKES = 0.01  # share of the time at each end of an axis that may lie beyond it [-]
 ORBIT_POINTS = 4000  # of an orbit, the last ones
@@ -209,7 +204,7 @@ def write_dynamics_plots(
     with open_history(directory).load() as data:
         given = {"data": data, "document": document}
         drawings = [(name, partial(draw, **given)) for name, draw in PICTURES.items()]
-        return write_figures(directory, drawings, is_interrupted)
+        return plot_style.write_figures(directory, drawings, is_interrupted)
 
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
@@ -232,7 +227,7 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     rolling = SPEED.in_unit(result.cage.without_slip)
     top = panels[0]
     _all_balls(top, time, orbit)
-    top.plot(time, cage, color=CAGE_COLOUR, label="cage")
+    top.plot(time, cage, color=plot_style.CAGE_COLOUR, label="cage")
     top.plot(time, rolling, **ROLLING)
     top.set_ylabel(SPEED.label)
     top.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
@@ -241,8 +236,8 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     for ax, part in zip(panels[1:], (slice(None), late), strict=True):
         balls, held = (slip[part] for slip in slips)
         _all_balls(ax, time[part], balls)
-        ax.plot(time[part], held, color=CAGE_COLOUR)
-        ax.axhline(0.0, color=REFERENCE, linewidth=0.6)
+        ax.plot(time[part], held, color=plot_style.CAGE_COLOUR)
+        ax.axhline(0.0, color=plot_style.REFERENCE, linewidth=0.6)
         from_zero = (np.zeros(1),) if ax is panels[1] else ()
         _without_spikes(ax, held, balls.min(axis=1), balls.max(axis=1), *from_zero)
     _mean_of_part(panels, time[late], document["cage_slip_ratio"], "slip of cage\nand balls [%]")
@@ -274,7 +269,7 @@ def draw_spin(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) ->
     for ax, part in zip(panels[1:], (slice(None), late), strict=True):
         slip = 100.0 * spin.slip[part]
         _all_balls(ax, time[part], slip)
-        ax.axhline(0.0, color=REFERENCE, linewidth=0.6)
+        ax.axhline(0.0, color=plot_style.REFERENCE, linewidth=0.6)
         _without_spikes(ax, slip.min(axis=1), slip.max(axis=1))
     available = spin.slip[late]
     mean = float(available.mean()) if np.isfinite(available).all() else None
@@ -292,16 +287,16 @@ def _three_panels(figure: Figure, document: dict[str, Any]) -> Any:
 
 def _all_balls(axes: Any, time: Any, values: Any) -> None:
     """Mean and range of the balls, whose values have the shape (m, Z)."""
-    style: dict[str, Any] = {"color": BALL_COLOUR, "alpha": 0.25, "linewidth": 0}
+    style: dict[str, Any] = {"color": plot_style.BALL_COLOUR, "alpha": 0.25, "linewidth": 0}
     axes.fill_between(time, values.min(axis=1), values.max(axis=1), **style)
     label = "balls: mean, and all (shaded)"
-    axes.plot(time, values.mean(axis=1), color=BALL_COLOUR, label=label)
+    axes.plot(time, values.mean(axis=1), color=plot_style.BALL_COLOUR, label=label)
 
 
 def _mean_of_part(panels: Any, time: Any, mean: float | None, label: str) -> None:
     """Which time [ms] the lowest panel is of, in those above; its mean [-] as a line, labels."""
     for ax in panels[:2]:
-        ax.axvspan(time[0], time[-1], color=CAGE_COLOUR, alpha=0.08, linewidth=0)
+        ax.axvspan(time[0], time[-1], color=plot_style.CAGE_COLOUR, alpha=0.08, linewidth=0)
     panels[1].set_ylabel(label)
     panels[2].set_ylabel("the same, in the\naveraged third")
     for ax in panels:
@@ -309,7 +304,9 @@ def _mean_of_part(panels: Any, time: Any, mean: float | None, label: str) -> Non
     if mean is not None:
         percent = 100.0 * mean
         shown = f"mean {percent:.3g} %".replace("-", "\N{MINUS SIGN}")
-        line = panels[2].axhline(percent, color=INK, linestyle=":", linewidth=1.0, label=shown)
+        line = panels[2].axhline(
+            percent, color=plot_style.INK, linestyle=":", linewidth=1.0, label=shown
+        )
         panels[2].legend(handles=[line], loc="upper right", framealpha=0.85)
 
 
@@ -330,7 +327,12 @@ def _without_spikes(axes: Any, *lines: Any) -> None:
     if cut:
         note = f"short spikes reach {' and '.join(cut)}".replace("-", "\N{MINUS SIGN}")
         place: dict[str, Any] = {"y": 0.97, "va": "top"} if above else {"y": 0.03, "va": "bottom"}
-        style: dict[str, Any] = {"color": REFERENCE, "fontsize": 6.5, "ha": "right", **place}
+        style: dict[str, Any] = {
+            "color": plot_style.REFERENCE,
+            "fontsize": 6.5,
+            "ha": "right",
+            **place,
+        }
         axes.text(0.995, s=note, transform=axes.transAxes, **style)
 
 
@@ -359,7 +361,7 @@ def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
         style: dict[str, Any] = {"color": colour, "label": f"{race} race", "linewidth": 0.9}
         top.plot(time, one["contact_load"], **style)
         bottom.plot(time, one["contact_friction_x"], **style)
-    top.plot(time, part["pocket_load"], color=INK, label="pocket", linewidth=0.9)
+    top.plot(time, part["pocket_load"], color=plot_style.INK, label="pocket", linewidth=0.9)
     top.set_ylabel(PLOTTED["normal_force_N"].label)
     bottom.set_ylabel(PLOTTED["friction_N"].label)
     top.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
@@ -431,7 +433,7 @@ def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
         ax.set_ylabel(f"ball, {race} race")
         ax.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=7))
     keys = [
-        Patch(facecolor=colour, edgecolor=INK, linewidth=0.4, label=state)
+        Patch(facecolor=colour, edgecolor=plot_style.INK, linewidth=0.4, label=state)
         for colour, state in zip(STATE_COLOURS, STATES, strict=True)
     ]
     figure.legend(handles=keys, loc="outside lower center", ncols=3)
@@ -452,12 +454,14 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     axes = _start(figure, document, (1, 2), 3.6)
     late = data.isel(time=slice(-ORBIT_POINTS, None))
     vertical, across = PLOTTED["y_um"], PLOTTED["z_um"]
-    for ax, body, colour in zip(axes, ("ring", "cage"), (INNER_COLOUR, CAGE_COLOUR), strict=True):
+    for ax, body, colour in zip(
+        axes, ("ring", "cage"), (plot_style.INNER_COLOUR, plot_style.CAGE_COLOUR), strict=True
+    ):
         place = late[f"{body}_position"]
         y = vertical.in_unit(place.sel({f"{body}_coordinate": "y"}).to_numpy())
         z = across.in_unit(place.sel({f"{body}_coordinate": "z"}).to_numpy())
         ax.plot(z, y, color=colour, linewidth=0.5)
-        ax.plot(z[-1], y[-1], "o", color=INK, markersize=3)
+        ax.plot(z[-1], y[-1], "o", color=plot_style.INK, markersize=3)
         whirl = document[f"{body}_whirl_speed_rpm"]
         is_line = min(np.ptp(y), np.ptp(z)) <= ROUND_ORBIT * max(np.ptp(y), np.ptp(z))
         turns = "" if whirl is None or is_line else f", turning at {whirl:.0f} r/min"
@@ -466,7 +470,7 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
         ax.set_xlabel(across.label)
         ax.set_aspect("equal", adjustable="datalim")
         if np.ptp(y) == 0.0 and np.ptp(z) == 0.0:
-            style = {"ha": "center", "transform": ax.transAxes, "color": REFERENCE}
+            style = {"ha": "center", "transform": ax.transAxes, "color": plot_style.REFERENCE}
             ax.text(0.5, 0.6, "fixed in these equations", **style)
     axes[0].set_ylabel(vertical.label)
 
@@ -487,19 +491,19 @@ def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]
     defects = document["frequencies_Hz"]["with_slip"]
     if data.sizes["time"] < 2 * FEWEST_SAMPLES:
         note = f"fewer than {2 * FEWEST_SAMPLES} samples hold no spectrum"
-        ax.text(0.5, 0.5, note, ha="center", transform=ax.transAxes, color=REFERENCE)
+        ax.text(0.5, 0.5, note, ha="center", transform=ax.transAxes, color=plot_style.REFERENCE)
         return
     frequency, amplitude, direction = ring_spectrum(data)
     shown = frequency <= SPECTRUM_REACH * max(defects["ball_pass_inner"], 1.0)
     length = PLOTTED["amplitude_um"]
     heights = length.in_unit(amplitude[shown][1:])
-    ax.semilogy(frequency[shown][1:], heights, color=INNER_COLOUR, linewidth=0.8)
-    style = {"color": OUTER_COLOUR, "va": "top", "transform": ax.get_xaxis_transform()}
+    ax.semilogy(frequency[shown][1:], heights, color=plot_style.INNER_COLOUR, linewidth=0.8)
+    style = {"color": plot_style.OUTER_COLOUR, "va": "top", "transform": ax.get_xaxis_transform()}
     # room for the names of the defects above the peaks
     ax.set_ylim(top=float(heights.max(initial=1e-12)) * 30.0)
     for k, defect in enumerate(f for f in FREQUENCIES if f.key in defects):
         value = defects[defect.key]
-        ax.axvline(value, color=OUTER_COLOUR, linestyle="--", linewidth=0.7)
+        ax.axvline(value, color=plot_style.OUTER_COLOUR, linestyle="--", linewidth=0.7)
         ax.text(value, 0.98 - 0.07 * k, f" {defect.symbol} {value:.1f} Hz", **style)
     ax.set_xlabel(f"{PLOTTED['frequency_Hz'].label}; defect frequencies with the slip of the cage")
     ax.set_ylabel(f"{length.label}, along {direction}")
@@ -524,8 +528,8 @@ def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     stored = data["energy"].to_numpy().astype(np.float64).sum(axis=1)
     put_in = work[:, :INPUTS].sum(axis=1)
     lost = work[:, LOSSES].sum(axis=1)
-    top.plot(time, put_in, color=INK, label="put in", linewidth=1.6)
-    top.plot(time, stored - stored[0], color=REFERENCE, label="stored")
+    top.plot(time, put_in, color=plot_style.INK, label="put in", linewidth=1.6)
+    top.plot(time, stored - stored[0], color=plot_style.REFERENCE, label="stored")
     taken = work[:, INPUTS:]
     largest = np.abs(taken).max()
     for name, column, colour in zip(names[INPUTS:], taken.T, MECHANISM_COLOURS, strict=True):
@@ -536,7 +540,7 @@ def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     residual = stored - stored[0] - (put_in - taken.sum(axis=1))
     residual -= residual[0]
     scale = max(np.abs(put_in).max(), np.abs(lost).max(), 1e-300)
-    bottom.plot(time, 100.0 * residual / scale, color=INK, linewidth=0.9)
+    bottom.plot(time, 100.0 * residual / scale, color=plot_style.INK, linewidth=0.9)
     bottom.set_ylabel("left over\n[% of the work]")
 
 
@@ -610,7 +614,9 @@ def _start(
 ) -> Any:
     """Panels in rows and columns with a grid, below the title of the case."""
     title = str(document["case"].get("title", ""))
-    axes = titled_panels(figure, title, height, *panels, squeeze=False, **options).ravel()
+    axes = plot_style.titled_panels(
+        figure, title, height, *panels, squeeze=False, **options
+    ).ravel()
     for ax in axes:
         ax.grid(linewidth=0.3, alpha=0.5)
     return axes

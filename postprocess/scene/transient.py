@@ -19,18 +19,10 @@ from oilfilm.ehl.grid import unfolded
 from oilfilm.ehl.transient.record import Frame, TransientSolution
 from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
+from .. import plot_style
 from ..contact.transient_plots import MILLISECOND, film_span, shown
 from ..dynamics.results import open_history
 from ..files import write_text
-from ..plot_style import (
-    CAGE_COLOUR,
-    COLOUR_MAPS,
-    INK,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    RC,
-    keep_dollars,
-)
 from .geometry import Surface, ring_shape, ring_surface
 from .render_process import read_request, write_gif
 from .scene import AnimationOptions
@@ -49,7 +41,7 @@ SHOWN_SIDE = 1.35  # semi-axes across
 LIGHT = "#e8ebef"
 DARK = "#39424e"
 RING_COLOUR = "#c3cad3"
-FORCE_COLOURS = dict(zip(RACES, (INNER_COLOUR, OUTER_COLOUR), strict=True))
+FORCE_COLOURS = dict(zip(RACES, (plot_style.INNER_COLOUR, plot_style.OUTER_COLOUR), strict=True))
 FRAME_TIME = 60  # [ms]
 LONGEST_ARROW = 0.9  # over the ball diameter [-]
 
@@ -138,7 +130,7 @@ def write_movie(
         Asked before each frame; once it is true nothing is written.
     """
     pictures = []
-    with rc_context(RC):
+    with rc_context(plot_style.RC):
         for frame in solution.frames:
             if is_interrupted():
                 return
@@ -158,7 +150,7 @@ def _picture(solution: TransientSolution, frame: Frame, title: str) -> Image.Ima
     x = solution.x[part] / MILLIMETRE
     y = (unfolded(solution.y, sign=-1.0) if solution.symmetric else solution.y) / MILLIMETRE
     film = _whole(solution, frame.film)[:, part] / MICROMETRE
-    style: dict[str, Any] = {"cmap": COLOUR_MAPS["film"], "vmin": low, "vmax": high}
+    style: dict[str, Any] = {"cmap": plot_style.COLOUR_MAPS["film"], "vmin": low, "vmax": high}
     image = top.pcolormesh(x, y, film, shading="nearest", **style)
     figure.colorbar(image, ax=top, label="film [µm]", extend="max")
     side = SHOWN_SIDE * solution.semi_axes[1] / MILLIMETRE
@@ -168,16 +160,18 @@ def _picture(solution: TransientSolution, frame: Frame, title: str) -> Image.Ima
     top.plot(a * np.cos(angle), b * np.sin(angle), "--", color="white", linewidth=0.8)
     top.set_ylabel("y [mm]")
     middle = 0 if solution.symmetric else solution.y.size // 2
-    bottom.plot(x, frame.film[middle, part] / MICROMETRE, color=INNER_COLOUR)
+    bottom.plot(x, frame.film[middle, part] / MICROMETRE, color=plot_style.INNER_COLOUR)
     bottom.set_ylim(max(0.0, low - (high - low)), high + 0.5 * (high - low))
-    bottom.set_ylabel("film [µm]", color=INNER_COLOUR)
+    bottom.set_ylabel("film [µm]", color=plot_style.INNER_COLOUR)
     bottom.set_xlabel("x, along the entrainment [mm]")
     pressure = bottom.twinx()
-    pressure.plot(x, frame.pressure[middle, part] / GIGAPASCAL, color=OUTER_COLOUR, linewidth=0.8)
+    pressure.plot(
+        x, frame.pressure[middle, part] / GIGAPASCAL, color=plot_style.OUTER_COLOUR, linewidth=0.8
+    )
     top_pressure = float(solution.series("pressure_maximum").max()) / GIGAPASCAL
     pressure.set_ylim(0.0, 1.05 * top_pressure)
-    pressure.set_ylabel("pressure [GPa]", color=OUTER_COLOUR)
-    keep_dollars(figure)
+    pressure.set_ylabel("pressure [GPa]", color=plot_style.OUTER_COLOUR)
+    plot_style.keep_dollars(figure)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     return Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
@@ -198,7 +192,7 @@ class Frames:
         self.plotter = pv.Plotter(off_screen=True, window_size=list(size))
         self.plotter.set_background("white")
         self._add_bodies()
-        self.plotter.add_text(title, position="upper_left", font_size=9, color=INK)
+        self.plotter.add_text(title, position="upper_left", font_size=9, color=plot_style.INK)
         camera = self.plotter.camera
         camera.focal_point = (0.0, 0.0, 0.0)
         camera.position = (1.0, 0.25, -0.35)
@@ -210,7 +204,7 @@ class Frames:
         add = self.plotter.add_mesh
         marks = {"scalars": "mark", "cmap": [LIGHT, DARK], "clim": (0, 1)}
         add(self.balls, **marks, show_scalar_bar=False, specular=0.3, smooth_shading=False)
-        add(self.cage, color=CAGE_COLOUR, ambient=0.3)
+        add(self.cage, color=plot_style.CAGE_COLOUR, ambient=0.3)
         add(self.ring, color=RING_COLOUR, ambient=0.3, opacity=0.45)
         shape = ring_shape(self.bearing.data.attrs, inner=False)
         add(_mesh(ring_surface(shape, 0.0, (0.0, 0.0))), color=RING_COLOUR, opacity=0.12)
@@ -235,7 +229,7 @@ class Frames:
             self._draw_forces(row, race, colour)
         time = 1000.0 * float(self.bearing.data["time"][row])
         self.plotter.add_text(
-            f"{time:.2f} ms", position="lower_left", font_size=9, color=INK, name="time"
+            f"{time:.2f} ms", position="lower_left", font_size=9, color=plot_style.INK, name="time"
         )
         self.plotter.render()
         return Image.fromarray(self.plotter.screenshot(return_img=True))

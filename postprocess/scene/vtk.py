@@ -35,22 +35,7 @@ from ..bearing.results import BearingResults
 from ..contact.shown_part import principal_coordinates, resampled, shown_scales
 from ..contact.summary import ContactResults
 from ..files import contact_name, write_text
-from .geometry import (
-    SET_BACK,
-    Placement,
-    Surface,
-    about_axis,
-    ball_surface,
-    bearing_lengths,
-    cage_surface,
-    contact_frame,
-    crop_to_ball,
-    hexahedra,
-    merge,
-    place_patch,
-    ring_shape,
-    ring_surface,
-)
+from . import geometry
 
 CELLS = 81  # each way
 LEFT_OUT = 0.01  # pressure over the largest one below which the box may end [-]
@@ -128,10 +113,11 @@ def stress_volume(
     depth = np.linspace(0.0, DEEPEST, LEVELS) * 0.5 * min(float(np.ptp(x)), float(np.ptp(y)))
     even = resampled(long, wide, pressure, x, y, outside=0.0)
     field = subsurface_stress(even, x, y, depth, poisson_ratio)
-    frame = contact_frame(contact, ball_radius)
+    frame = geometry.contact_frame(contact, ball_radius)
     along, across = principal_coordinates(x, y, solution.frame_angle)
     levels = [
-        place_patch(along, across, frame, Placement(), np.full(along.shape, z)) for z in depth
+        geometry.place_patch(along, across, frame, geometry.Placement(), np.full(along.shape, z))
+        for z in depth
     ]
     return StressVolume(
         points=np.stack(levels, axis=2),
@@ -182,7 +168,7 @@ def write_collection(
         blocks = {"contact": {"contact": _write(grid, directory, "contact.vts")}}
         return _write_collection(directory, COLLECTION_FILE, blocks)
     rolling, transverse = patch_magnification
-    placement = Placement(rolling=rolling, transverse=transverse, film=film_exaggeration)
+    placement = geometry.Placement(rolling=rolling, transverse=transverse, film=film_exaggeration)
     radius = 0.5 * results.quasistatic.bearing.ball_diameter
     draw = partial(placed_patch, ball_radius=radius, placement=placement)
     blocks = _write_contacts(results, directory, "", draw)
@@ -269,7 +255,10 @@ def volume_grid(volume: StressVolume) -> vtkStructuredGrid:
 
 
 def placed_patch(
-    contact: BearingContact, solution: ContactSolution, ball_radius: float, placement: Placement
+    contact: BearingContact,
+    solution: ContactSolution,
+    ball_radius: float,
+    placement: geometry.Placement,
 ) -> vtkStructuredGrid:
     """One contact on its ball.
 
@@ -301,10 +290,12 @@ def placed_patch(
         raise ValueError(
             "a contact given by Moes' groups has no lengths and cannot be placed in a bearing"
         )
-    part = crop_to_ball(long, wide, ball_radius, placement)
+    part = geometry.crop_to_ball(long, wide, ball_radius, placement)
     x, y = principal_coordinates(long[part[0]], wide[part[1]], solution.frame_angle)
     height = placement.film * film[part]
-    points = place_patch(x, y, contact_frame(contact, ball_radius), placement, height)
+    points = geometry.place_patch(
+        x, y, geometry.contact_frame(contact, ball_radius), placement, height
+    )
     fields = {FILM: film[part] / MICROMETRE, PRESSURE: solution.pressure[part] / GIGAPASCAL}
     fields |= {name: values[part] for name, values in _oil_fields(solution).items()}
     fields |= {"rolling [mm]": x / MILLIMETRE, "transverse [mm]": y / MILLIMETRE}
@@ -370,7 +361,7 @@ def _oil_fields(solution: ContactSolution) -> dict[str, Array]:
     return fields
 
 
-def bodies(results: BearingResults) -> dict[str, Surface]:
+def bodies(results: BearingResults) -> dict[str, geometry.Surface]:
     """Balls and rings as surfaces [m], set back behind the patches; the outer ring is cut open.
 
     Parameters
@@ -385,8 +376,8 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
     """
     state = results.quasistatic
     bearing = state.bearing
-    lengths = bearing_lengths(bearing)
-    radius = (0.5 - SET_BACK) * bearing.ball_diameter
+    lengths = geometry.bearing_lengths(bearing)
+    radius = (0.5 - geometry.SET_BACK) * bearing.ball_diameter
     centres = np.stack(
         [
             state.ball_axial,
@@ -396,18 +387,20 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
         axis=1,
     )
     most_loaded = float(state.azimuth[int(np.argmax(state.outer_load))])
-    surfaces = {"balls": merge([ball_surface(centre, radius) for centre in centres])}
+    surfaces = {
+        "balls": geometry.merge([geometry.ball_surface(centre, radius) for centre in centres])
+    }
     for race, opening in (("inner", 0.0), ("outer", OPENING)):
-        shape = ring_shape(lengths, inner=race == "inner")
+        shape = geometry.ring_shape(lengths, inner=race == "inner")
         rings = [
-            ring_surface(shape, groove_axial(results, race, row), (most_loaded, opening))
+            geometry.ring_surface(shape, groove_axial(results, race, row), (most_loaded, opening))
             for row in range(1, len(state.rows) + 1)
         ]
-        surfaces[f"{race} ring"] = merge(rings)
+        surfaces[f"{race} ring"] = geometry.merge(rings)
     return surfaces | {"cage": _cages(results)}
 
 
-def _cages(results: BearingResults) -> Surface:
+def _cages(results: BearingResults) -> geometry.Surface:
     """A simplified cage for each row, its bars between the balls [m]."""
     state = results.quasistatic
     bearing = state.bearing
@@ -415,11 +408,11 @@ def _cages(results: BearingResults) -> Surface:
     for number in range(len(state.rows)):
         row = state.row(number)
         pitch = 2.0 * float(np.mean(row.ball_radial))
-        cage = cage_surface(pitch, bearing.ball_diameter, bearing.balls)
+        cage = geometry.cage_surface(pitch, bearing.ball_diameter, bearing.balls)
         place = float(np.mean(row.ball_axial)) * np.eye(3)[0]
-        points = place + cage.points @ about_axis(float(row.azimuth[0])).T
-        cages.append(Surface(points=points, quads=cage.quads))
-    return merge(cages)
+        points = place + cage.points @ geometry.about_axis(float(row.azimuth[0])).T
+        cages.append(geometry.Surface(points=points, quads=cage.quads))
+    return geometry.merge(cages)
 
 
 def groove_axial(results: BearingResults, race: str, row: int) -> float:
@@ -518,7 +511,7 @@ def add_field_data(grid: Any, name: str, value: float | str) -> None:
     grid.GetFieldData().AddArray(array)
 
 
-def poly_data(surface: Surface, facts: Facts | None = None) -> vtkPolyData:
+def poly_data(surface: geometry.Surface, facts: Facts | None = None) -> vtkPolyData:
     """Turn a surface into vtkPolyData.
 
     Parameters
@@ -736,7 +729,7 @@ def displacement_mesh(points: list[Array], displacements: list[Array]) -> meshio
         numbers = first + np.arange(count).reshape(place.shape[:-1])
         if (place[0, 0, 0, 1:] ** 2).sum() > (place[0, 0, -1, 1:] ** 2).sum():
             numbers = numbers[:, :, ::-1]  # outwards, for a right-handed order
-        cells.append(hexahedra(np.concatenate([numbers, numbers[:1]])))  # closed around
+        cells.append(geometry.hexahedra(np.concatenate([numbers, numbers[:1]])))  # closed around
         first += count
     place = np.concatenate([part.reshape(-1, 3) for part in points])
     moved = np.concatenate([part.reshape(-1, 3) for part in displacements]) / MICROMETRE
@@ -802,4 +795,4 @@ def stress_mesh(stress: RingStress) -> meshio.Mesh:
             fields[f"stress {component}{name} [GPa]"] = values
     data = {name: values.ravel() / GIGAPASCAL for name, values in fields.items()}
     number = np.arange(ring.von_mises.size).reshape(ring.von_mises.shape)
-    return meshio.Mesh(points, [("hexahedron", hexahedra(number))], data)
+    return meshio.Mesh(points, [("hexahedron", geometry.hexahedra(number))], data)

@@ -14,16 +14,7 @@ from oilfilm.ehl.arrays import Array
 
 from ..dynamics.results import open_history
 from ..files import write_text
-from .geometry import (
-    Surface,
-    about_axis,
-    ball_surface,
-    cage_surface,
-    merge,
-    ring_shape,
-    ring_surface,
-    rotation,
-)
+from . import geometry
 from .vtk import add_array, collection_text, poly_data, write_block
 
 COLLECTION_FILE = "motion.pvd"
@@ -49,10 +40,10 @@ class MovingBearing:
     """Shapes of a bearing in their own frames [m], and the history that moves them."""
 
     data: xarray.Dataset  # the rows shown, in memory, SI
-    ball: Surface
+    ball: geometry.Surface
     marks: Array  # at the points of a ball: 1 on dark, 0 on light eighths of it [-]
-    cage: Surface
-    ring: Surface
+    cage: geometry.Surface
+    ring: geometry.Surface
 
     @classmethod
     def read(
@@ -89,13 +80,15 @@ class MovingBearing:
             data=piece.isel(time=rows - rows[0]),
             ball=ball,
             marks=marks,
-            cage=cage_surface(float(data.attrs["pitch_diameter"]), diameter, data.sizes["ball"]),
-            ring=ring_surface(
-                ring_shape(data.attrs, inner=True), 0.0, (0.0, 0.0), RING_RESOLUTION
+            cage=geometry.cage_surface(
+                float(data.attrs["pitch_diameter"]), diameter, data.sizes["ball"]
+            ),
+            ring=geometry.ring_surface(
+                geometry.ring_shape(data.attrs, inner=True), 0.0, (0.0, 0.0), RING_RESOLUTION
             ),
         )
 
-    def balls_at(self, row: int) -> Surface:
+    def balls_at(self, row: int) -> geometry.Surface:
         """All balls, at their positions and in their attitudes.
 
         Parameters
@@ -111,14 +104,14 @@ class MovingBearing:
         one = self.data.isel(time=row)
         centres = one["ball_position"].to_numpy()
         attitudes = one["ball_attitude"].to_numpy().astype(np.float64)
-        return merge(
+        return geometry.merge(
             [
-                _moved(self.ball, centre, rotation(attitude))
+                _moved(self.ball, centre, geometry.rotation(attitude))
                 for centre, attitude in zip(centres, attitudes, strict=True)
             ]
         )
 
-    def cage_at(self, row: int) -> Surface:
+    def cage_at(self, row: int) -> geometry.Surface:
         """The cage at a sample.
 
         Parameters
@@ -133,9 +126,9 @@ class MovingBearing:
         """
         place = self.data["cage_position"].isel(time=row).to_numpy()
         angle = float(self.data.attrs["first_ball_azimuth"]) + place[3]
-        return _moved(self.cage, place[:3], about_axis(angle))
+        return _moved(self.cage, place[:3], geometry.about_axis(angle))
 
-    def ring_at(self, row: int) -> Surface:
+    def ring_at(self, row: int) -> geometry.Surface:
         """The inner ring at a sample.
 
         Parameters
@@ -149,7 +142,7 @@ class MovingBearing:
             The surface [m].
         """
         one = self.data.isel(time=row)
-        turn = about_axis(float(one["ring_rotation"]))
+        turn = geometry.about_axis(float(one["ring_rotation"]))
         return _moved(self.ring, one["ring_position"].to_numpy()[:3], turn)
 
     def forces_at(self, row: int, race: str) -> tuple[Array, Array]:
@@ -180,11 +173,11 @@ class MovingBearing:
         return centres + 0.5 * self.data.attrs["ball_diameter"] * normal, -load * normal
 
 
-def _moved(surface: Surface, place: Array, turn: Array) -> Surface:
-    return Surface(points=place + surface.points @ turn.T, quads=surface.quads)
+def _moved(surface: geometry.Surface, place: Array, turn: Array) -> geometry.Surface:
+    return geometry.Surface(points=place + surface.points @ turn.T, quads=surface.quads)
 
 
-def marked_ball(radius: float) -> tuple[Surface, Array]:
+def marked_ball(radius: float) -> tuple[geometry.Surface, Array]:
     """A ball with dark and light eighths.
 
     Parameters
@@ -199,7 +192,7 @@ def marked_ball(radius: float) -> tuple[Surface, Array]:
     value
         1 at points of dark, 0 of light eighths, shape (n,) [-].
     """
-    surface = ball_surface(np.zeros(3), radius, BALL_RINGS)
+    surface = geometry.ball_surface(np.zeros(3), radius, BALL_RINGS)
     direction = surface.points / radius
     return surface, (np.prod(np.sign(np.round(direction, 9)), axis=1) > 0.0).astype(np.float64)
 
@@ -283,7 +276,7 @@ def _step(bearing: MovingBearing, row: int) -> object:
     bodies = (bearing.balls_at(row), bearing.cage_at(row), bearing.ring_at(row))
     numbers = np.repeat((0.0, 2.0, 3.0), [len(body.points) for body in bodies])
     of_balls = numbers == 0.0
-    grid = poly_data(merge(bodies), {"time [s]": float(bearing.data["time"][row])})
+    grid = poly_data(geometry.merge(bodies), {"time [s]": float(bearing.data["time"][row])})
     loads = bearing.data["contact_load"].isel(time=row)
     for race in RACES:
         load = np.zeros_like(numbers)

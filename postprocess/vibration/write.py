@@ -17,17 +17,9 @@ from oilfilm.bearing.vibration.simulation import INNER, OUTER, OVERSAMPLED, SENS
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si
 
+from .. import plot_style
 from ..files import CsvTable
 from ..netcdf_write import StudyFiles, Variables, write_study
-from ..plot_style import (
-    BALL_COLOUR,
-    INK,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    REFERENCE,
-    titled_panels,
-    write_figures,
-)
 from ..quantities import facts_table, number, number_table, titled
 from .results import (
     Measured,
@@ -52,10 +44,10 @@ SHOWN_TURNS = 4.0  # of the shaft, in the picture over time
 LEAST_ORDER = 0.1  # of the shaft, lowest frequency of a spectrum [-]
 SHOWN_PASSES = 8.0  # highest frequency of an envelope, over that of the inner ring's passes [-]
 MARKERS = {
-    "cage": REFERENCE,
-    "ball_pass_outer": OUTER_COLOUR,
-    "ball_pass_inner": INNER_COLOUR,
-    "ball_spin": BALL_COLOUR,
+    "cage": plot_style.REFERENCE,
+    "ball_pass_outer": plot_style.OUTER_COLOUR,
+    "ball_pass_inner": plot_style.INNER_COLOUR,
+    "ball_spin": plot_style.BALL_COLOUR,
 }
 AUDIO_FILE = "vibration.wav"
 LINE_KEYS = (
@@ -135,7 +127,7 @@ def write_vibration_plots(
     folder = directory / "plots"
     folder.mkdir(exist_ok=True)
     drawings = [(name, partial(draw, **given)) for name, draw in pictures.items()]
-    return write_figures(folder, drawings, is_interrupted)
+    return plot_style.write_figures(folder, drawings, is_interrupted)
 
 
 def draw_time(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
@@ -152,7 +144,7 @@ def draw_time(figure: Figure, results: VibrationResults, seen: Measured, documen
     document : Any
         Summary of the results in named units.
     """
-    rows = titled_panels(
+    rows = plot_style.titled_panels(
         figure, f"{results.title}: {document['vibration']['measured']}", 4.6, 3, 1, sharex=True
     )
     span = SHOWN_TURNS / shaft_frequency(results.run)
@@ -163,7 +155,7 @@ def draw_time(figure: Figure, results: VibrationResults, seen: Measured, documen
         (rows[1], from_si("x_um_s", seen.velocity), "velocity [µm/s]"),
         (rows[2], from_si("x_um", seen.displacement - seen.displacement.mean()), "shift [µm]"),
     ):
-        axes.plot(time, values[shown], color=INK, linewidth=0.7)
+        axes.plot(time, values[shown], color=plot_style.INK, linewidth=0.7)
         axes.set_ylabel(label)
         axes.grid(linewidth=0.3, alpha=0.5)
     rows[2].set_xlabel("time [ms]")
@@ -186,7 +178,9 @@ def draw_spectrum(
     document : Any
         Summary of the results in named units.
     """
-    axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.4)
+    axes = plot_style.titled_panels(
+        figure, f"{results.title}: {document['vibration']['measured']}", 3.4
+    )
     result = spectrum(seen.velocity, seen.rate)
     top = _decades(axes, result, "x_um_s")
     axes.set_xscale("log")
@@ -196,11 +190,13 @@ def draw_spectrum(
     lines = document["vibration"]["lines"] if steady else []
     shown = [line for line in lines if (line["velocity_um_s"] or 0.0) > 1e-4 * top]
     for line in shown:
-        axes.plot(line["frequency_Hz"], line["velocity_um_s"], "o", color=OUTER_COLOUR, ms=3)
+        axes.plot(
+            line["frequency_Hz"], line["velocity_um_s"], "o", color=plot_style.OUTER_COLOUR, ms=3
+        )
     if steady:
         for band in document["vibration"]["bands_Hz"].values():
             for edge in band:
-                axes.axvline(edge, color=REFERENCE, linewidth=0.5, linestyle=":")
+                axes.axvline(edge, color=plot_style.REFERENCE, linewidth=0.5, linestyle=":")
         note = "dots: lines expected from the form of the surfaces; dotted: bands of ISO 15242-2"
         axes.set_title(f"{note}, scaled with the speed", fontsize=7)
     axes.set(xlabel="frequency [Hz]", ylabel="velocity [µm/s]")
@@ -220,7 +216,7 @@ def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, docum
     document : Any
         Summary of the results in named units.
     """
-    axes = titled_panels(figure, f"{results.title}: orders of the shaft", 3.2)
+    axes = plot_style.titled_panels(figure, f"{results.title}: orders of the shaft", 3.2)
     result = by_order(seen.velocity, seen.turned, results.run.solution.operation.shaft_speed)
     _decades(axes, result, "x_um_s")
     shaft = shaft_frequency(results.run)
@@ -249,10 +245,10 @@ def draw_envelope(
     """
     band = envelope_band(results)
     title = f"{results.title}: envelope of {band[0]:.0f} to {band[1]:.0f} Hz"
-    axes = titled_panels(figure, title, 3.2)
+    axes = plot_style.titled_panels(figure, title, 3.2)
     size = envelope(seen.acceleration, seen.rate, band)
     result = spectrum(size, seen.rate)
-    axes.plot(result.frequency, result.amplitude, color=INK, linewidth=0.7)
+    axes.plot(result.frequency, result.amplitude, color=plot_style.INK, linewidth=0.7)
     kinds = document["frequencies_Hz"]
     _mark(axes, kinds["with_slip"], "-")
     _mark(axes, kinds["kinematic"], ":", named=False)
@@ -279,7 +275,9 @@ def draw_waterfall(
     document : Any
         Summary of the results in named units.
     """
-    axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.8)
+    axes = plot_style.titled_panels(
+        figure, f"{results.title}: {document['vibration']['measured']}", 3.8
+    )
     time, frequency, size = waterfall(seen.acceleration, seen.rate)
     options = results.run.model.options
     levels = 20.0 * np.log10(np.maximum(size, 1e-300) / results.reference)
@@ -311,13 +309,13 @@ def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, docume
     document : Any
         Summary of the results in named units.
     """
-    axes = titled_panels(figure, f"{results.title}: loads of the balls", 3.2)
+    axes = plot_style.titled_panels(figure, f"{results.title}: loads of the balls", 3.2)
     run = results.run
     balls = run.solution.bearing.balls
     time = np.arange(len(run.loads)) * (run.model.options.duration / len(run.loads))
     shown = time >= time[-1] - SHOWN_TURNS / shaft_frequency(run)
     for j in range(balls):
-        colour = INK if j == 0 else BALL_COLOUR
+        colour = plot_style.INK if j == 0 else plot_style.BALL_COLOUR
         values = run.loads[shown, balls + j]
         axes.plot(from_si("x_ms", time[shown]), values, color=colour, linewidth=0.6)
     axes.set(xlabel="time [ms]; ball 1 in black", ylabel="load at the outer race [N]")
@@ -336,7 +334,9 @@ def _decades(axes: Any, result: Spectrum, key: str) -> float:
     values = from_si(key, result.amplitude)
     top = float(values[1:].max())
     axes.set_yscale("log")
-    axes.plot(result.frequency, np.maximum(values, FLOOR * top), color=INK, linewidth=0.6)
+    axes.plot(
+        result.frequency, np.maximum(values, FLOOR * top), color=plot_style.INK, linewidth=0.6
+    )
     if top > 0.0:
         axes.set_ylim(FLOOR * top, 3.0 * top)
     axes.grid(linewidth=0.3, alpha=0.5)
