@@ -5,7 +5,7 @@ from enum import Enum
 from math import isfinite, sqrt
 from typing import Any
 
-from oilfilm.ehl.units import to_si
+from oilfilm.ehl.units import table_in_si
 
 from .library.plugins import library_data, matching_name
 
@@ -169,16 +169,11 @@ def load_material(name: str) -> Material:
     if key is None:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
     entry = material_data(key)
-    numbers: dict[str, Any] = {
-        field: float(to_si(key, entry[key]["value"]))
-        for field, key in FIELDS.items()
-        if key in entry
-    }
-    ranges: dict[str, Any] = {
-        f"{field}_range": tuple(float(to_si(key, end)) for end in entry[key]["range"])
-        for field, key in FIELDS.items()
-        if field in STRENGTH and key in entry
-    }
+    given = {field: key for field, key in FIELDS.items() if key in entry}
+    numbers = table_in_si({key: float(entry[key]["value"]) for key in given.values()})
+    ends = table_in_si(
+        {given[field]: tuple(entry[given[field]]["range"]) for field in STRENGTH if field in given}
+    )
     return Material(
         name=key,
         source="; ".join(
@@ -188,8 +183,8 @@ def load_material(name: str) -> Material:
         unverified=tuple(
             field for field, key in FIELDS.items() if not entry.get(key, {}).get("verified", True)
         ),
-        **numbers,
-        **ranges,
+        **{field: numbers[key] for field, key in given.items()},
+        **{f"{field}_range": ends[given[field]] for field in STRENGTH if field in given},
     )
 
 

@@ -296,6 +296,54 @@ def to_si(key: str, value: Any) -> Any:
     return value * key_unit.si + key_unit.zero if key_unit.zero or key_unit.si != 1.0 else value
 
 
+def table_in_si(table: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of a table, converted to SI by the units of their keys.
+
+    Parameters
+    ----------
+    table : Mapping[str, Any]
+        numbers and lists of numbers by key, also rows whose first number is a time; text, truth
+        values and None stay
+
+    Returns
+    -------
+    dict[str, Any]
+        values in SI by the same keys
+
+    Examples
+    --------
+    >>> table_in_si({"load_N": (1.0, "free"), "speed_rpm": None, "title": "a bearing"})
+    {'load_N': (1.0, 'free'), 'speed_rpm': None, 'title': 'a bearing'}
+    """
+    return {key: _entry_in_si(key, value) for key, value in table.items()}
+
+
+def _entry_in_si(key: str, value: Any) -> Any:
+    if value is None or isinstance(value, str | bool):  # as most keys
+        return value
+    if isinstance(value, tuple) and value and isinstance(value[0], tuple):  # rows over time
+        return tuple((row[0], *_entry_in_si(key, row[1:])) for row in value)
+    if isinstance(value, tuple):
+        return tuple(_entry_in_si(key, entry) for entry in value)
+    return to_si(key, value) if isinstance(value, int | float) else value
+
+
+def table_from_si(table: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of a table in SI, converted to the units of their keys.
+
+    Parameters
+    ----------
+    table : Mapping[str, Any]
+        numbers by key, SI
+
+    Returns
+    -------
+    dict[str, Any]
+        numbers in the units of their keys
+    """
+    return {key: from_si(key, value) for key, value in table.items()}
+
+
 def value_with_error(value: float, error: float, most: int = 5) -> str:
     """Text of a value and its uncertainty.
 

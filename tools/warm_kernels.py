@@ -1,18 +1,19 @@
 """Compile the kernels of all kinds of work, in two processes side by side: `python tools/warm_kernels.py`.
 
-Each process runs shipped cases on coarse grids and over short times, into a temporary folder; numba keeps what it
-compiles beside the package, where workers of tests find it. Kernels are compiled for the types of a call, hence by
-calls of the product, not by lists of signatures. One process has the contacts, the other the bearings and their motion:
-few kernels are needed by both. Exit code 1 if a command fails.
+Each process runs shipped cases on coarse grids and over short times, one after the other, into a temporary folder;
+numba keeps what it compiles beside the package, where workers of tests find it. Kernels are compiled for the types of
+a call, hence by calls of the product, not by lists of signatures. One process has the contacts, the other the bearings
+and their motion: few kernels are needed by both. Exit code 1 if a command fails.
 """
 
 from __future__ import annotations
 
-import subprocess
+import os
 import sys
 import tempfile
 import time
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 
 COARSE = {"points": "65"}
@@ -54,23 +55,28 @@ def shortened(case: str, changes: dict[str, str]) -> str:
 
 
 def run(works: tuple[Work, ...], folder: Path) -> list[str]:
-    """Run commands one after the other; what failed."""
+    """Run commands one after the other in this process; what failed."""
+    from typer.testing import CliRunner
+
+    from oilfilm.cases.cli.main import app
+
+    os.chdir(folder)
     failed = []
     for command, case, changes, words in works:
         name = f"{case}.toml"
-        (folder / name).write_text(shortened(case, changes), encoding="utf-8")
+        Path(name).write_text(shortened(case, changes), encoding="utf-8")
         started = time.monotonic()
-        call = [sys.executable, "-m", "oilfilm.cases.cli", command, name, "-q", "--json", *words]
-        answer = subprocess.run(call, cwd=folder, capture_output=True, text=True, check=False)
-        print(f"{command} {case}: code {answer.returncode}, {time.monotonic() - started:.1f} s", flush=True)
-        if answer.returncode > 1:
-            failed.append(f"{command} {case}: {answer.stderr[-300:]}")
+        answer = CliRunner().invoke(app, [command, name, "-q", "--json", *words])
+        print(f"{command} {case}: code {answer.exit_code}, {time.monotonic() - started:.1f} s", flush=True)
+        if answer.exit_code > 1:
+            failed.append(f"{command} {case}: {answer.output[-300:]}")
     return failed
 
 
 def main() -> int:
     """Both processes; the number of failures as the exit code."""
-    with tempfile.TemporaryDirectory(prefix="warm-") as name, ThreadPoolExecutor(2) as pool:
+    pool = ProcessPoolExecutor(2, mp_context=get_context("spawn"))
+    with tempfile.TemporaryDirectory(prefix="warm-") as name, pool:
         folders = [Path(name) / part for part in ("contacts", "bearings")]
         for folder in folders:
             folder.mkdir()

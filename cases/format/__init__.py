@@ -18,7 +18,6 @@ lubricant   - [lubricant] and [lubricants.NAME]: the oil at the temperature of o
 operation   - [operation], [model] and [slip]: speeds, loads, assumptions, slip maps
 rows        - [[rows]]: rows of balls, and the balls whose films are wanted
 rules       - relations between keys as data, and their checker
-schedules   - tables of [dynamics] over time and the rules that they follow
 shaft       - [shaft], [[support]], [[load]], [housing]: a shaft on bearings
 shaft_case  - a shaft case: what a checked file describes, in SI
 shipped     - case files that come with the program

@@ -4,7 +4,7 @@ import re
 import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import chain, pairwise
+from itertools import pairwise
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -44,9 +44,9 @@ from .rules import (
     CaseProblem,
     CaseValues,
     faults_error,
+    known_keys,
     nearest_name,
     relation_faults,
-    resolved,
     shown,
 )
 from .shaft import HousingTable, ShaftLoadTable, ShaftOperationTable, ShaftSupportTable, ShaftTable
@@ -171,41 +171,44 @@ class ShaftFile(CaseFile):
     lubricants: dict[str, OilTable] = described("oils by name", {})
 
 
-# tables with relations, and functions for what these do not say
-OF_BEARINGS = (
-    lubricant,
-    bearing,
-    fits,
-    operation,
-    rows,
-    friction,
-    dynamics,
-    vibration,
-    load_cases,
-)
-OF_CONTACTS = (lubricant, contact, transient)
-OF_SHAFTS = (shaft,)
 AnyFile = BearingFile | ContactFile | ShaftFile
-TABLES_OF: dict[type[AnyFile], tuple[ModuleType, ...]] = {
-    BearingFile: OF_BEARINGS,
-    ContactFile: OF_CONTACTS,
-    ShaftFile: OF_SHAFTS,
+# modules with relations, and functions for what these do not say, and the tables without which
+# there is nothing to check; none: always
+ALWAYS = ()
+TABLES_OF: dict[type[AnyFile], dict[ModuleType, tuple[str, ...]]] = {
+    BearingFile: {
+        lubricant: ALWAYS,
+        bearing: ALWAYS,
+        fits: ("fit", "rings", "temperatures"),
+        operation: ALWAYS,
+        rows: ("rows", "ehl"),
+        friction: ALWAYS,
+        dynamics: ("cage", "dynamics"),
+        vibration: ("form", "support", "vibration"),
+        load_cases: ("load_cases",),
+    },
+    ContactFile: {lubricant: ALWAYS, contact: ALWAYS, transient: ALWAYS},
+    ShaftFile: {shaft: ALWAYS},
 }
 
 
-def _conflicts(values: CaseValues, tables: tuple[ModuleType, ...]) -> Iterator[CaseProblem]:
+def _conflicts(values: CaseValues, kind: type[AnyFile]) -> Iterator[CaseProblem]:
     """Every conflict between values that are valid by themselves."""
-    relations = chain.from_iterable(table.RELATIONS for table in tables)
-    yield from relation_faults(relations, values)
+    modules = TABLES_OF[kind]
+    yield from relation_faults([rule for module in modules for rule in module.RELATIONS], values)
     yield from name_faults(values)
-    yield from chain.from_iterable(table.faults(values) for table in tables)
+    for module, tables in modules.items():
+        if not tables or not values.document.keys().isdisjoint(tables):
+            yield from module.faults(values)
 
 
 def _load_case_conflicts(values: CaseValues, known: list[CaseProblem]) -> Iterator[CaseProblem]:
     """Conflicts that only a load case in the place of [operation] brings, at its keys."""
+    if load_cases.NAME not in values.document:
+        return
     before = {(fault.path, fault.finding) for fault in known}
     for index, own in load_cases.load_case_tables(values):
-        for fault in _conflicts(load_cases.with_load_case(values, own), OF_BEARINGS):
+        for fault in _conflicts(load_cases.with_load_case(values, own), BearingFile):
             if (fault.path, fault.finding) not in before:
                 yield load_cases.load_case_problem(fault, index, own)
 
@@ -380,7 +383,7 @@ def check_document(document: dict[str, Any]) -> tuple[AnyFile | None, list[CaseP
     file, wrong = _validate(kind, document)
     faults += wrong
     values = CaseValues(document, frozenset(fault.path for fault in faults))
-    conflicts = list(_conflicts(values, TABLES_OF[kind]))
+    conflicts = list(_conflicts(values, kind))
     faults += conflicts
     faults += _load_case_conflicts(values, conflicts)
     faults += _assumed(values, kind)
@@ -440,12 +443,7 @@ def _assumed(values: CaseValues, kind: type[AnyFile]) -> Iterator[CaseProblem]:
     assumed = values.get("assumed")
     if not assumed:
         return
-    schema = schema_of(kind)
-    tables = {
-        table: resolved(schema, node).get("properties", ())
-        for table, node in schema["properties"].items()
-    }
-    known = {f"{table}.{key}" for table, keys in tables.items() for key in keys}
+    known = known_keys(schema_of(kind))
     for name in assumed:
         if not isinstance(name, str) or name in known:
             continue

@@ -19,7 +19,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from oilfilm.ehl.units import to_si, without_unit
+from oilfilm.ehl.units import table_from_si, table_in_si, without_unit
 
 from .rules import CaseProblem, schema_faults
 
@@ -57,7 +57,8 @@ class Table(BaseModel):
             Values by name.
         """
         chosen = keys or tuple(type(self).model_fields)
-        return {name: _si(key, getattr(self, key)) for name, key in names_in_si(chosen)}
+        values = table_in_si({key: getattr(self, key) for key in chosen})
+        return {name: values[key] for name, key in names_in_si(chosen)}
 
     def build(self, kind: type[D], prefix: str = "", **given: Any) -> D:
         """Build an object of a dataclass whose fields have the names of keys without their units.
@@ -165,16 +166,6 @@ def name_in_si(key: str) -> str:
     return without_unit(key).replace(" ", "_")
 
 
-def _si(key: str, value: Any) -> Any:
-    if value is None or isinstance(value, str):  # as most keys
-        return value
-    if isinstance(value, tuple) and value and isinstance(value[0], tuple):  # rows over time
-        return tuple((row[0], *_si(key, row[1:])) for row in value)
-    if isinstance(value, tuple):
-        return tuple(_si(key, entry) for entry in value)
-    return to_si(key, value) if is_number(value) else value
-
-
 def is_number(value: object) -> TypeGuard[float]:
     """Tell whether a value is a finite number; a bool is none, nor an integer beyond the floats.
 
@@ -208,6 +199,23 @@ def rounded(value: float) -> float:
         The value to `DIGITS` digits.
     """
     return float(f"{value:.{DIGITS}g}")
+
+
+def numbers_from_si(values: Mapping[str, Any]) -> dict[str, float]:
+    """Numbers of a table, in the units of their keys without the noise of the conversion.
+
+    Parameters
+    ----------
+    values : Mapping[str, Any]
+        Values by key, SI.
+
+    Returns
+    -------
+    dict[str, float]
+        Those that are numbers, in the units of their keys.
+    """
+    given = table_from_si({key: value for key, value in values.items() if is_number(value)})
+    return {key: rounded(value) for key, value in given.items()}
 
 
 def above(low: float, high: float, description: str, default: Any = None) -> Any:

@@ -14,10 +14,9 @@ from oilfilm.bearing.material import (
     load_material,
 )
 from oilfilm.ehl.oil.assumed_heat import BaseOil
-from oilfilm.ehl.units import from_si
 
 from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
-from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded
+from .fields import OneOf, Table, above, between, described, name_in_si, numbers_from_si
 from .lubricant import SHEET, VISCOSITIES, named_by_sheet
 from .rules import CaseProblem, CaseValues, nearest_name, shown
 
@@ -115,9 +114,8 @@ def material_table(material: Material) -> dict[str, Any]:
         Values by key, in the units of the keys.
     """
     values = {key: getattr(material, name_in_si(key)) for key in MaterialTable.model_fields}
-    numbers = {key: from_si(key, value) for key, value in values.items() if is_number(value)}
-    given = {key: rounded(value) for key, value in numbers.items()}
-    return {**given, "kind": material.kind.value, "source": material.source}
+    own = {"kind": material.kind.value, "source": material.source}
+    return {**numbers_from_si(values), **own}
 
 
 def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]]]:

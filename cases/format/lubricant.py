@@ -6,6 +6,7 @@ The constants of Tait, Doolittle and Yasutomi give the pressure-viscosity coeffi
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 from math import log
 from typing import Annotated, Any, Literal
 
@@ -55,7 +56,7 @@ from .fields import (
     described,
     name_in_si,
     numbers,
-    rounded,
+    numbers_from_si,
     within,
 )
 from .rules import (
@@ -487,6 +488,7 @@ POINTS = {  # key of a viscosity of a data sheet: its temperature [K]
 }
 PAIR = "kinematic_viscosity_table_mm2_s"
 SHEET = (*POINTS, PAIR)  # viscosities of a data sheet
+SHEET_RANGE_C = (-40.0, 200.0)  # of viscosities by ASTM D341
 DENSITY_AT_15 = "density_15C_kg_m3"
 # 700 K, below which oilfilm.bearing.library.lubricants has its laws; the tables keep the lower end
 LIBRARY_TEMPERATURE_C = 426.85
@@ -1047,4 +1049,26 @@ def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:
     numbers |= {} if moes else {"flooded_layer_um": oil.flooded_layer}
     numbers |= {PRESSURE_VISCOSITY: oil.pressure_viscosity, "density_kg_m3": oil.density}
     laws = {name: getattr(oil, name).value for name in LAWS}
-    return {key: rounded(from_si(key, value)) for key, value in numbers.items()} | laws
+    return numbers_from_si(numbers) | laws
+
+
+def oil_data(oil: Oil) -> dict[str, Any] | None:
+    """Viscosity over temperature of an oil of the library, or by its data sheet.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        The data; None for another oil.
+    """
+    if any(key in oil.keys for key in SHEET):
+        return {"viscosity": {"law": partial(sheet_viscosity, oil)}, "range_C": SHEET_RANGE_C}
+    name = str(oil.keys.get("name"))
+    key = matching_name(name, list_lubricants(name)) if oil.of_library else None
+    if key is None or any(viscosity in oil.keys for viscosity in VISCOSITIES):
+        return None
+    return lubricant_data(key)

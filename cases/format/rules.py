@@ -316,6 +316,27 @@ def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
     return node
 
 
+def known_keys(schema: dict[str, Any]) -> set[str]:
+    """Keys of a JSON Schema as table.key.
+
+    Parameters
+    ----------
+    schema : dict[str, Any]
+        The schema.
+
+    Returns
+    -------
+    set[str]
+        The keys.
+    """
+    tables = schema["properties"].items()
+    return {
+        f"{table}.{key}"
+        for table, node in tables
+        for key in resolved(schema, node).get("properties", ())
+    }
+
+
 def schema_node(schema: dict[str, Any], path: KeyPath) -> dict[str, Any]:
     """The node of a JSON Schema that describes a key.
 

@@ -45,8 +45,8 @@ from ..format.case import Case, oil_of_file
 from ..format.dynamics import DynamicsTable, end_time, sample_interval, simulated_friction
 from ..format.fields import FREE_WORD
 from ..format.library import materials
+from ..format.lubricant import oil_data
 from ..format.rules import CaseError
-from ..format.schedules import oil_data
 from ..format.shipped import table_path
 from ..format.traction import coefficient_source, read_race_tables
 from ..version import version
