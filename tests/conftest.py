@@ -19,6 +19,14 @@ from oilfilm.cases.runs.processes import COLLECTED, own_packages
 SEED = "OILFILM_SEED"
 SAMPLED = "sample"  # mark of the slow tests that are drawn
 SHARE = 0.1  # of the slow tests that are in the sample
+LONGEST = (  # files with few tests that take tens of seconds; they come first, so that no worker ends with one alone
+    *("regression/test_shipped_cases.py", "cases/runs/test_dynamics.py", "cases/batch/test_processes.py"),
+    *("postprocess/scene/test_page.py", "cases/runs/test_open_results.py", "postprocess/test_full_disk.py"),
+    *("ehl/solid/bodies/test_compliance.py", "ehl/solid/bodies/test_surface_difference.py"),
+    *("postprocess/scene/test_ring_deformed.py", "postprocess/scene/test_animation.py"),
+    *("ehl/traction/table/test_temperature.py", "ehl/multigrid/test_hard_contacts.py"),
+    *("cases/cli/test_signals_and_streams.py", "cases/batch/test_batch.py", "ehl/traction/heated/test_heated.py"),
+)
 
 
 def pytest_configure(config):
@@ -26,8 +34,7 @@ def pytest_configure(config):
     os.environ.setdefault(SEED, date.today().strftime("%Y%m%d"))
     os.environ.update(own_packages())  # processes of tests import what is tested
     gc.set_threshold(COLLECTED)
-    if SAMPLED in config.option.markexpr:
-        config.option.loadscopereorder = False  # the order of the files is that of `longest_first`
+    config.option.loadscopereorder = False  # the order of the files is that of `longest_first`
     if getattr(config.option, "numprocesses", None):
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         compile_all()  # else each worker would compile the same kernels
@@ -41,10 +48,10 @@ def pytest_terminal_summary(terminalreporter, config):
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection_modifyitems(items, config):
-    """Mark the sample before tests are chosen by their marks; its files come first."""
+    """Mark the sample before tests are chosen by their marks; files that take long come first."""
     draw_sample(items)
     yield
-    if SAMPLED in config.option.markexpr:
+    if getattr(config.option, "numprocesses", None) or hasattr(config, "workerinput"):
         longest_first(items)
 
 
@@ -54,10 +61,11 @@ def pytest_collection_finish():
 
 
 def longest_first(items):
-    """Files with slow tests before the others, then those with many tests: no worker ends with a slow one alone."""
+    """Files with slow tests and those of `LONGEST` before the others, which go by their number of tests."""
     tests = Counter(item.location[0] for item in items)
-    slow = Counter(item.location[0] for item in items if item.get_closest_marker(SAMPLED))
-    items.sort(key=lambda item: (slow[item.location[0]] == 0, -tests[item.location[0]]))
+    slow = {item.location[0] for item in items if item.get_closest_marker("slow")}
+    slow |= {f"tests/{name}" for name in LONGEST}
+    items.sort(key=lambda item: (item.location[0] not in slow, -tests[item.location[0]]))
 
 
 def draw_sample(items):

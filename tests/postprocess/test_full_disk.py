@@ -102,8 +102,8 @@ def test_hdf5_of_a_mesh_is_not_begun_without_room(bearing_folder, tmp_path):
     "words",
     [
         "run 209_radial_8900N -o out",
-        "stiffness 209_radial_8900N --speeds 0 900 --points 40 -o out",
-        "batch s.toml -o out",
+        pytest.param("stiffness 209_radial_8900N --speeds 0 900 --points 40 -o out", marks=pytest.mark.slow),
+        pytest.param("batch s.toml -o out", marks=pytest.mark.slow),
     ],
 )
 def test_commands_end_with_one_line_and_code_4(words, tmp_path):

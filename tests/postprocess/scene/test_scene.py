@@ -41,6 +41,7 @@ def test_screenshot_shows_something(bearing_folder, tmp_path, quantity):
 
 
 @pytest.mark.usefixtures("drawing")
+@pytest.mark.slow
 def test_single_contact_in_moes_units(moes_folder, tmp_path):
     assert screenshot(moes_folder, tmp_path / "scene.png", SceneOptions(size=(400, 300))).stat().st_size > 1000
 

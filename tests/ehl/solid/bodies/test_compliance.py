@@ -126,12 +126,9 @@ def direct_solution(profile, seat, turns, angles, loads):
 
 
 @pytest.mark.parametrize(
-    "side",
-    [
-        pytest.param(np.ones(5), id="thrust", marks=pytest.mark.slow),
-        pytest.param(np.array([1.0, 1.0, 1.0, -1.0, -1.0]), id="moment"),
-    ],
+    "side", [pytest.param(np.ones(5), id="thrust"), pytest.param(np.array([1.0, 1.0, 1.0, -1.0, -1.0]), id="moment")]
 )
+@pytest.mark.slow
 def test_loads_at_contact_angles_against_a_direct_calculation(side):
     """Loose outer ring of a 6208, eight balls: approach and axial movement. Without the groove's opening the axial
     entry held it, and was 0.43 off under thrust (0.0015 here)."""
@@ -191,6 +188,7 @@ def test_load_that_the_seat_spreads_alike_moves_the_ring_little():
     assert abs((radial * np.cos(balls)).sum()) < 0.1 * (radial * np.cos(2.0 * balls)).sum()
 
 
+@pytest.mark.slow
 def test_halved_cells():
     """2 % of the half-space's approach of 4 um/kN."""
     coarse, fine = (response(INNER_6208, Seat.RIGID, cells) for cells in (COARSE, RingCells(groove=10)))

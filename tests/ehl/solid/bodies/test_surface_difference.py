@@ -128,6 +128,7 @@ def test_cells_of_a_patch_carry_hertz_pressure():
     assert (loads / np.prod(sides)).max() == pytest.approx(peak, rel=0.02)
 
 
+@pytest.mark.slow
 def test_curvatures_stand_for_the_whole_difference_of_a_ball():
     """Dry contact with every term of the ball's difference, and with its curvatures: p_h +0.26 and -0.03 %.
 
