@@ -46,9 +46,9 @@ BEARINGS: tuple[Work, ...] = (
 
 def shortened(case: str, changes: dict[str, str]) -> str:
     """A shipped case with some values replaced."""
-    from oilfilm.cases.format.shipped import find_case
+    from oilfilm.cases.format.shipped import shipped_cases
 
-    lines = find_case(case).read_text(encoding="utf-8").splitlines()
+    lines = shipped_cases()[case].read_text(encoding="utf-8").splitlines()
     for key, value in changes.items():
         lines = [f"{key} = {value}" if line.split("=")[0].strip() == key else line for line in lines]
     return "\n".join(lines) + "\n"
