@@ -113,6 +113,7 @@ def test_all_sources_tell_one_story(summaries):
             assert own["kappa"] == pytest.approx(one["kappa"], rel=2.0 * FILM)
 
 
+@pytest.mark.slow
 def test_fields_of_the_atlas_are_written(runs, tmp_path):
     results = runs['films = "auto"']
     assert write_results(results, tmp_path / "out") == ()

@@ -108,7 +108,7 @@ def test_dynamics(tmp_path, computed):
         assert "no readable summary.json" in tree.attrs["messages"]
 
 
-@pytest.mark.parametrize("command", ["slip", "stiffness"])
+@pytest.mark.parametrize("command", [pytest.param("slip", marks=pytest.mark.slow), "stiffness"])
 def test_folders_of_older_versions_are_told(tmp_path, command, computed):
     opened(computed(command, tmp_path), command)[1].close()
     (tmp_path / "out" / "results.nc").unlink()

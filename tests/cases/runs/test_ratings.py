@@ -310,6 +310,7 @@ def test_a_load_beyond_the_static_rating_is_told():
     assert duty_cycle_rows(results)["safety of the cycle"] == "S_0 0.746, the smallest"
 
 
+@pytest.mark.slow
 def test_what_the_operation_tells_is_not_told_again_of_each_load_case():
     """Also where a load case finds its own temperature, and its case is made anew with it."""
     oil = CASE.replace("viscosity_mPa_s = 26.1\npressure_viscosity_1_GPa = 18.0", 'name = "iso vg 32"')

@@ -17,7 +17,7 @@ SHUT = "/proc/nowhere"  # no folder can be made there, by root either
     [
         ["run", "209_radial_8900N", "-q", "-o", "out"],
         pytest.param(["slip", "small.toml", "-q", "-o", "out", "--workers", "1"], marks=pytest.mark.slow),
-        ["batch", "sweep.toml", "-q", "-o", "out", "--plot", "--workers", "1"],
+        pytest.param(["batch", "sweep.toml", "-q", "-o", "out", "--plot", "--workers", "1"], marks=pytest.mark.slow),
     ],
     ids=lambda words: words[0],
 )
