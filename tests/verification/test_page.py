@@ -183,6 +183,7 @@ def test_draws_keep_their_ranges_and_repeat():
     assert {draw.kind for draw in some} == {"straight", "at an angle", "rotating"}
 
 
+@pytest.mark.slow
 def test_sweep_is_resumed(tmp_path):
     file = tmp_path / "robustness.jsonl"
     first = sweep(3, 5323, file, silent, QUICK_OPTIONS)
@@ -227,6 +228,7 @@ def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
     assert not (tmp_path / "robustness.md").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_an_interrupt_gives_up_the_contacts_under_way(tmp_path):
     """A film cannot be stopped; here each takes far longer than the patience of this test."""

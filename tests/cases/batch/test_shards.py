@@ -151,6 +151,7 @@ def test_only_failed_points_are_computed_again(tmp_path, monkeypatch):
     assert [stored(tmp_path / "out").status.get(p.key) for p in sweep.points] == ["done"] * 5 + [None]
 
 
+@pytest.mark.slow
 def test_a_large_sweep_is_planned_by_a_sample_and_its_ends():
     speeds = [1000.0 + k for k in range(3000)]
     sweep = sweep_from_text(MANY.format(speeds=speeds), "sweep.toml")

@@ -196,6 +196,7 @@ def test_halved_cells():
     assert_allclose(coarse.at(places), fine.at(places), atol=0.02 * 4e-9)
 
 
+@pytest.mark.slow
 def test_thick_ring_on_a_rigid_shaft_tends_to_the_half_space():
     """The rest falls like the contact's size over the wall."""
     thick = RingProfile(
