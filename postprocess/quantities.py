@@ -449,6 +449,24 @@ def in_figures(value: float, figures: int) -> str:
     return f"{float(text):.0f}" if float(text) >= 10.0 ** (figures - 1) else text
 
 
+def null(values: str, why: str) -> str:
+    """A message of values that a summary lacks.
+
+    Parameters
+    ----------
+    values : str
+        Their keys.
+    why : str
+        The reason.
+
+    Returns
+    -------
+    str
+        The message.
+    """
+    return f"{values}: null, {why}"
+
+
 def in_hours(life: float) -> str:
     """A life to three figures, without a power of ten; beyond `LONG_LIFE` that alone.
 

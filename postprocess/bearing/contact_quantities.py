@@ -31,7 +31,7 @@ from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.units import from_si, to_si
 
 from ..contact.summary import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
-from ..quantities import by_key, quantities, values_of
+from ..quantities import by_key, null, quantities, values_of
 from .bearing_quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
 
@@ -514,13 +514,13 @@ def _ratio_messages(results: BearingResults) -> Iterator[str]:
     """Give the reason why Hirano's ratio or the lambda ratio are null."""
     yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
     if not any(force > 0.0 for force in results.quasistatic.centrifugal_force):
-        yield "contacts: hirano_ratio null, there is no centrifugal force"
+        yield null("contacts.hirano_ratio", "there is no centrifugal force")
     yield from _gross_slip(results)
     surface = results.case.get("surface")
     if surface is None:
-        yield (
-            "contacts.lambda_ratio: null, and lambda_ratio_formula, the case gives no [surface] "
-            "roughness"
+        yield null(
+            "contacts.lambda_ratio",
+            "and lambda_ratio_formula, the case gives no [surface] roughness",
         )
         return
     for race in RACES:
@@ -646,7 +646,7 @@ def finite_body_messages(results: BearingResults) -> Iterator[str]:
     if bodies is None:
         return
     if bodies.reason:
-        yield f"finite_bodies: null, films are those of half-spaces: {bodies.reason}"
+        yield null("finite_bodies", f"films are those of half-spaces: {bodies.reason}")
         return
     changes = []
     for race in Race:

@@ -51,6 +51,7 @@ from ..quantities import (
     STIFFNESS_ORDER,
     STIFFNESS_UNITS,
     in_hours,
+    null,
     rows_of,
     values_of,
 )
@@ -95,7 +96,7 @@ from .torque import (
     torque_messages,
 )
 
-NO_CYCLE = "duty_cycle: null, the case gives no [[load_cases]]"
+NO_CYCLE = null("duty_cycle", "the case gives no [[load_cases]]")
 CYCLE_MESSAGE = (
     "duty_cycle: each load case has its own equilibrium, clearance and oil, its torque is that "
     "of films without a solve; films, torque and pictures are those of [operation]"
@@ -201,7 +202,7 @@ def _electrical_messages(results: BearingResults) -> Iterator[str]:
     bearing = results.quasistatic.bearing
     lack = electrical_lack(bearing, results.contacts, results.instruments)
     if lack:
-        yield f"electrical: null, {lack}"
+        yield null("electrical", lack)
         return
     if not results.case.get("lubricant", {}).get("relative_permittivity"):
         yield (
@@ -526,9 +527,11 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
     if results.interrupted:
         return
     if heating is None:
-        yield "self_heating: null, the case gives no friction.heat_transfer_W_K, or nothing turns"
+        yield null(
+            "self_heating", "the case gives no friction.heat_transfer_W_K, or nothing turns"
+        )
     elif heating.balance is None or not heating.converged:
-        yield f"self_heating: null, not converged: {heating.note}; {_advice(results, heating)}"
+        yield null("self_heating", f"not converged: {heating.note}; {_advice(results, heating)}")
     else:
         balanced = from_si("temperature_C", heating.balance.temperature)
         given = from_si("temperature_C", results.quasistatic.operation.temperature)
@@ -689,7 +692,7 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
         A message.
     """
     life = results.life
-    yield from ("life: null, no rating was asked for",) if life is None else life.messages
+    yield from (null("life", "no rating was asked for"),) if life is None else life.messages
     if relubrication_time(results) is None:
         yield (
             f"life.{RELUBRICATION}: null without grease (friction.lubrication), bore_mm and "

@@ -16,7 +16,7 @@ from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.units import from_si
 
 from ..netcdf_write import DataGroup, Variables
-from ..quantities import values_of
+from ..quantities import null, values_of
 from .bearing_quantities import (
     AS_PRINTED,
     DECAY,
@@ -29,7 +29,7 @@ from .bearing_quantities import (
     TORQUE,
     torque_model,
 )
-from .results import BearingResults
+from .results import BearingResults, balls_text
 
 WITHOUT_SEALS = ", without seals"
 CHURNING_SHARE = 0.2  # of the total, from which it is said beside it [-]
@@ -244,21 +244,22 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     if not results.tractions or any(traction is None for traction in results.tractions):
         yield "contacts.traction_coefficient: null where no film was solved"
     if torque is None:
-        yield "torque_N_mm: null, there is no equilibrium"
+        yield null("torque_N_mm", "there is no equilibrium")
         return
     for name in shown_models(results):
         if torque.models[name].total is None:
-            yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
+            yield null(f"torque_N_mm.models.{name}", torque.models[name].note)
         for remark in torque.models[name].remarks:
             yield f"torque_N_mm.models.{name}: {remark}"
     for part, why in ({} if torque.shear is None else torque.shear.missing_components).items():
-        yield f"torque_N_mm.models.integrated.{part}: null, {why}"
+        yield null(f"torque_N_mm.models.integrated.{part}", why)
     if torque.total is None:
-        yield "torque_N_mm.total: null, neither the integrated model nor SKF's applies"
+        yield null("torque_N_mm.total", "neither the integrated model nor SKF's applies")
     else:
         yield f"torque_N_mm.total: the {_total_text(results, torque)}"
         yield from _lag_message(results, torque)
         yield from _inlet_messages(torque)
+        yield from _free_message(results, torque)
         yield from _seal_message(torque)
         yield from _churning_message(results, torque)
         yield from _range_message(results)
@@ -352,6 +353,24 @@ def _inlet_messages(torque: TorqueBreakdown) -> Iterator[str]:
         f"torque_N_mm.total: of the rolling moment inlet heating leaves "
         f"{torque.inlet_heating:.3g} ({source}), replenishment {inlet.replenishment:.3g} "
         f"({inlet.replenishment_source}); flooded_isothermal, without both, {bound}"
+    )
+
+
+def _free_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[str]:
+    """Name the balls that left the load zone, which may let the torque fall as the load rises."""
+    if torque.chosen != "integrated" or torque.shear is None:
+        return
+    balls = sorted({contact.ball for contact in results.contacts if contact.gap is not None})
+    each = TORQUE.in_unit(torque.shear.torque.per_ball)
+    free = [value for ball, value in enumerate(each, 1) if ball in balls]
+    loaded = [value for ball, value in enumerate(each, 1) if ball not in balls]
+    if not free or not loaded or max(free) > min(loaded):
+        return
+    yield (
+        f"torque_N_mm.total: {balls_text([str(ball) for ball in balls])} have left the load zone "
+        f"and ride between two films; they take {min(free):.3g} to {max(free):.3g} N mm each, "
+        f"loaded ones {min(loaded):.3g} to {max(loaded):.3g}, so that the torque may fall where "
+        "more load lets more balls leave"
     )
 
 
@@ -484,9 +503,9 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
         yield "contacts.rolling_moment_N_mm: null where no film was solved and converged"
     extent = results.rolling_extent
     if extent is None:
-        yield (
-            "torque_N_mm.rolling_extent: null, there is no integrated torque, or it is not of "
-            "solved films alone"
+        yield null(
+            "torque_N_mm.rolling_extent",
+            "there is no integrated torque, or it is not of solved films alone",
         )
         return
     yield from (f"torque_N_mm.rolling_extent: {note}" for note in extent.notes)
@@ -589,9 +608,9 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         yield "supply: flooded; its numbers and the starved films of contacts are null"
         return
     if torque is None or not torque.films:
-        yield (
-            "supply: null, and the starved films of contacts, since there is no equilibrium or "
-            "nothing turns"
+        yield null(
+            "supply",
+            "and the starved films of contacts, since there is no equilibrium or nothing turns",
         )
         return
     films = [film for film in torque.films if film is not None]
@@ -612,7 +631,7 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         "flooded_film_... and the other torque models are flooded"
     )
     if not any(isfinite(film.lambda_ratio) for film in films):
-        yield "supply.lambda_least: null, there is no roughness"
+        yield null("supply.lambda_least", "there is no roughness")
     yield from _band_messages(results)
     if torque.starved is None:
         yield "supply.oil_fraction: null as the model starved"
@@ -638,9 +657,9 @@ def _groove_message(results: BearingResults) -> Iterator[str]:
     """Limits of the balance on paper, or the reason why there is none."""
     oil = results.groove_oil
     if oil is None:
-        yield "supply.groove_...: null, no flow with supply_groove_s"
+        yield null("supply.groove_...", "no flow with supply_groove_s")
     elif oil.best_flow is None:
-        yield "supply.groove_best_flow_mL_min: null, there is no roughness"
+        yield null("supply.groove_best_flow_mL_min", "there is no roughness")
     else:
         yield (
             "supply.groove_...: a balance of oil on paper, whose free number is "
@@ -692,14 +711,15 @@ def _layer_messages(results: BearingResults) -> Iterator[str]:
     if supply_kind(results) == "flow":
         yield from _band_messages(results)
     if by_law:
-        yield (
-            "contacts.meniscus_position: null, the law of starvation knows none; its films stand "
-            "in the flooded pressure, of whose rolling moment rolling_moment_ratio is left"
+        yield null(
+            "contacts.meniscus_position",
+            "the law of starvation knows none; its films stand "
+            "in the flooded pressure, of whose rolling moment rolling_moment_ratio is left",
         )
         return
     ahead = [name for name, supply in behind if supply.meniscus is None]
     if ahead:
-        yield f"contacts.meniscus_position: null, the layer floods the box ({', '.join(ahead)})"
+        yield null("contacts.meniscus_position", f"the layer floods the box ({', '.join(ahead)})")
 
 
 def _outside_message(films: Films, results: BearingResults) -> Iterator[str]:
@@ -777,7 +797,7 @@ def decay_messages(results: BearingResults) -> Iterator[str]:
     if decay is None:
         asked = "supply_decay_s" in results.case.get("friction", ())
         why = "there is no film to begin with" if asked else "the case gives no supply_decay_s"
-        yield f"decay: null, {why}"
+        yield null("decay", why)
         return
     end = float(decay.time[-1])
     yield (
@@ -791,10 +811,10 @@ def decay_messages(results: BearingResults) -> Iterator[str]:
             f"it the closed forms leave {float(decay.joined[-1] / decay.film[0]):.2g} of the film"
         )
     if decay.half_time is None:
-        yield "decay.half_time_s: null, more than half is left at the end"
+        yield null("decay.half_time_s", "more than half is left at the end")
     if decay.contact_time is None:
         why = "the film is thicker all the time" if decay.roughness else "there is no roughness"
-        yield f"decay.contact_time_s: null, {why}"
+        yield null("decay.contact_time_s", why)
 
 
 def decay_group(results: BearingResults) -> DataGroup | None:

@@ -308,3 +308,15 @@ def rough_states():
         text = text.replace('film_maps = "all"', 'film_maps = "none"').replace('temperature = "self-heated"', "")
         results.append(run_case(case_from_text(text, "case.toml")))
     return summary(results[0])["torque_N_mm"], *(one.torque for one in results)
+
+
+def test_balls_that_left_the_load_zone_are_named():
+    """A 6306 C3 at 800 N radial, 150 N axial turns more easily than at 100 N: five balls ride between two films."""
+    text = case_of_designation("6306 C3", FirstOperation(speed=1500.0, radial_load=800.0, axial_load=150.0))
+    text = text.replace('film_maps = "all"', 'film_maps = "none"').replace('temperature = "self-heated"', "")
+    document = summary(run_case(case_from_text(text, "case.toml")))
+    (told,) = (message for message in document["messages"] if "have left the load zone" in message)
+    each = document["torque_N_mm"]["per_ball_N_mm"]
+    assert "balls 3–7 have left" in told
+    assert f"{min(each):.3g} to {max(each[2:7]):.3g} N mm each" in told
+    assert 3.0 * max(each[2:7]) < min(each[7], *each[:2])
