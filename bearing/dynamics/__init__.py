@@ -14,11 +14,11 @@ choices              - choices of a simulation
 friction             - friction of balls on races for the compiled equations of motion
 initial              - the state from which a simulation starts: the quasi-static equilibrium
 inputs               - inputs of a time simulation: cage, laws, loads over time, options
-integrators          - Dormand and Prince's method, and LSODA where that is stiff
 model                - inputs of a simulation from loads, drags, materials and oils of a machine
 record               - state, step control and samples of the integrators
 reduction            - the part of the state that symmetry leaves to be solved
-simulation           - the time simulation, sample by sample, and its restart file
+simulation           - the time simulation by Dormand and Prince's method, LSODA where that is
+                       stiff; restart file
 support              - supports of the rings: seat, masses that move with them, sensor
 statistics           - statistics of a simulation, and of several starts of one
 """

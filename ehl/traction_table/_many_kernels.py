@@ -9,7 +9,7 @@ have neither jumps nor calls, and but one row of the room that they write to.
 
 What is summed are rows of nodes: the few patches of a group of strips where all motions of a block
 slide much more than their sliding changes over it, else the strips one by one, in patches along x
-or with all their nodes (`vectorised_traction`).
+or with all their nodes (`film`).
 """
 
 import numpy as np

@@ -1,9 +1,9 @@
 """Three-dimensional views, files for ParaView, meshes for other programs.
 
-drawing        - the scene of results, drawn with pyvista
+drawing        - the scene of results, drawn with pyvista, controls of its window, its page for
+                 browsers
 export         - films and finite elements as meshes for other programs
 geometry       - shapes of patches, balls, cage and rings, by lengths
-overlay        - controls of a scene's window, and the page of a scene for browsers
 parts          - bodies, labels, colour bar and camera of a scene
 patch          - the shown part of one contact, read from disk
 render_process - scenes drawn in a process of their own, their controls, and as one page for

@@ -62,7 +62,6 @@ SMALL_MODULES: dict[str, tuple[str, ...]] = {
         "bearing/films/moment.py",
         "bearing/studies/stiffness.py",
         "bearing/supply/oil_balance.py",
-        "bearing/vibration/transmission.py",
         "ehl/oil/shear_stress.py",
         "ehl/solid/film_conductance.py",
         "ehl/solid/heat.py",

@@ -14,9 +14,8 @@ from oilfilm.bearing.dynamics.arrays import NORMAL_COLUMNS
 from oilfilm.bearing.dynamics.choices import LoadType, NormalLaw
 from oilfilm.bearing.dynamics.friction import RaceFriction, check_film
 from oilfilm.bearing.dynamics.inputs import NormalContact, Schedule
-from oilfilm.bearing.dynamics.integrators import advance_implicit
 from oilfilm.bearing.dynamics.reduction import derivative
-from oilfilm.bearing.dynamics.simulation import simulation
+from oilfilm.bearing.dynamics.simulation import advance_implicit, simulation
 from oilfilm.bearing.dynamics.statistics import INPUTS, RunningStatistics, simulation_statistics
 from oilfilm.bearing.geometry import contact_modulus, reduced_radii
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact

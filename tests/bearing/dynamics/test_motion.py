@@ -14,9 +14,8 @@ from oilfilm.bearing.dynamics.assembly import damping_factor
 from oilfilm.bearing.dynamics.choices import Guidance, LoadType, NormalLaw, Start
 from oilfilm.bearing.dynamics.friction import race_friction
 from oilfilm.bearing.dynamics.inputs import NormalContact, Schedule
-from oilfilm.bearing.dynamics.integrators import advance_implicit
 from oilfilm.bearing.dynamics.record import empty_record
-from oilfilm.bearing.dynamics.simulation import from_state, simulation
+from oilfilm.bearing.dynamics.simulation import advance_implicit, from_state, simulation
 from oilfilm.bearing.dynamics.statistics import INPUTS
 from oilfilm.bearing.friction.friction_sources import CoefficientTraction
 from oilfilm.ehl.traction.friction_coefficients import FourConstants, RampedCoulomb

@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 
 from oilfilm.bearing.dynamics._race_kernels import elastic_energy, elastic_force, height_at, lasting
 from oilfilm.bearing.quasistatic.solution import Frequencies
-from oilfilm.bearing.vibration.assembly import SolvedFilms, dry_law, film_law, linear_law
+from oilfilm.bearing.vibration.assembly import SolvedFilms, dry_law, dry_transmission, film_law, filtered, linear_law
 from oilfilm.bearing.vibration.form import (
     POINTS,
     Defect,
@@ -19,7 +19,6 @@ from oilfilm.bearing.vibration.form import (
     rolled,
 )
 from oilfilm.bearing.vibration.lines import is_resolved, name_of, sums_and_harmonics
-from oilfilm.bearing.vibration.transmission import dry_transmission, filtered
 
 RADIUS, REDUCED = 0.0235, 0.0048  # of a track and of ball and race [m]
 CELL = 2.0 * np.pi * RADIUS / POINTS

@@ -9,10 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import dblquad, quad
 from scipy.sparse import diags
-from verification.contacts import race_6208
 
 from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
-from oilfilm.ehl.finite_element.newton import Progress, newton, step_fraction
 from oilfilm.ehl.finite_element.reynolds import (
     coefficients,
     dual_lengths,
@@ -25,16 +23,20 @@ from oilfilm.ehl.finite_element.reynolds import (
     tabulated_laws,
 )
 from oilfilm.ehl.finite_element.solver import (
+    Progress,
     cell_along,
     graded_lines,
     hertz_start,
     lattices,
     level_on,
+    newton,
     refined,
     solve_contact_finite_element,
+    step_fraction,
 )
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solid.compliance import Lattice, compliance, near_field
+from oilfilm.verification.contacts import race_6208
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 BOX = (-4.5, 1.5, 3.0)
@@ -357,7 +359,7 @@ def test_the_spike_of_a_coarser_mesh_does_not_grow(load, points):
 
 def test_a_failure_is_said(monkeypatch):
     """Four cells along x cannot carry M 3000: flagged, not silently wrong."""
-    monkeypatch.setattr("oilfilm.ehl.finite_element.newton.STEPS", 15)
+    monkeypatch.setattr("oilfilm.ehl.finite_element.solver.STEPS", 15)
     start = solve_contact(moes(3000.0, 10.0), SolverOptions(points=65, domain=BOX, max_cycles=2))
     solution = solve_contact_finite_element(moes(3000.0, 10.0), SolverOptions(points=33, domain=BOX), start)
     assert not (solution.converged and solution.resolved)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from oilfilm.cases.batch.samples import morris_design, saltelli_design
-from oilfilm.postprocess.batch.indices import elementary_effects, sobol_indices
+from oilfilm.postprocess.batch.summary import elementary_effects, sobol_indices
 
 SEED = 58_201
 

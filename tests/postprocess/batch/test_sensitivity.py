@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from oilfilm.postprocess.batch.indices import bands, sensitivities
 from oilfilm.postprocess.batch.packed_columns import InMemory, columns_of
 from oilfilm.postprocess.batch.results import BatchPoint, BatchResults
-from oilfilm.postprocess.batch.summary import batch_summary
+from oilfilm.postprocess.batch.summary import bands, batch_summary, sensitivities
 
 CASE = {"lubricant.viscosity_mPa_s": 20.0, "operation.axial_load_N": -50.0}
 STEP = 0.02

@@ -120,7 +120,7 @@ def test_wrong_names_and_missing_packages_are_reported(tmp_path, monkeypatch):
 
 def test_the_colour_scale_of_the_page():
     """Logarithmic where the scene's colours are: equal ratios take equal heights."""
-    from oilfilm.postprocess.scene.overlay import overlay_html
+    from oilfilm.postprocess.scene.drawing import overlay_html
     from oilfilm.postprocess.scene.parts import ColourScale
 
     bar = ColourScale(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
@@ -138,7 +138,7 @@ def test_letters_face_the_camera():
     """Flat, across x, upright where the picture's top is; read from the side of +x."""
     import numpy as np
 
-    from oilfilm.postprocess.scene.overlay import flat_text
+    from oilfilm.postprocess.scene.drawing import flat_text
 
     up = np.array([0.0, 1.0, 0.0])
     body = flat_text("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)

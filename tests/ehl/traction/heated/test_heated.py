@@ -21,10 +21,9 @@ from oilfilm.ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
 from oilfilm.ehl.traction.heated_film import heated_film, heated_forces, line_history
 from oilfilm.ehl.traction.shear import integrate_traction
 from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
-from oilfilm.ehl.traction_table.film import table_film
+from oilfilm.ehl.traction_table.film import table_film, vectorised_heated_forces
 from oilfilm.ehl.traction_table.full_solves import full_solves
 from oilfilm.ehl.traction_table.table import TableContact, TableRange
-from oilfilm.ehl.traction_table.vectorised_traction import vectorised_heated_forces
 
 from ....reference.ehl import heated as reference
 from ....reference.ehl.traction import largest_force

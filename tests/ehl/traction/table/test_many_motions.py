@@ -8,7 +8,7 @@ from scipy.integrate import quad
 from oilfilm.ehl.oil._kernels import shear_stress
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 from oilfilm.ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
-from oilfilm.ehl.traction_table.vectorised_traction import vectorised_sliding_forces
+from oilfilm.ehl.traction_table.film import vectorised_sliding_forces
 
 from ....reference.ehl.traction import over_strip
 

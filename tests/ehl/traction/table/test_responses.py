@@ -14,8 +14,8 @@ from oilfilm.ehl.atlas.films import atlas_load
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.traction.linear_response import NormalResponse, ResponseValue, dry_stiffness
+from oilfilm.ehl.traction_table.build import log_responses, response_nodes
 from oilfilm.ehl.traction_table.film import FilmSample
-from oilfilm.ehl.traction_table.responses import log_responses, response_nodes
 from oilfilm.ehl.traction_table.table import TableContact
 
 CONTACT = TableContact(
