@@ -20,7 +20,7 @@ from oilfilm.ehl.solver import solve_attempts
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
 
-from oilfilm.verification.contacts import OIL, SKEWED, TURNING, moes
+from verification.contacts import OIL, SKEWED, TURNING, moes
 
 CONTACTS = {
     "M 20, L 10": moes(20.0, 10.0, oil=OIL),

@@ -36,7 +36,7 @@ from oilfilm.ehl.finite_element.solver import (
 )
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solid.compliance import Lattice, compliance, near_field
-from oilfilm.verification.contacts import race_6208
+from verification.contacts import race_6208
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 BOX = (-4.5, 1.5, 3.0)
