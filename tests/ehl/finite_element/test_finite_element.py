@@ -9,6 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import dblquad, quad
 from scipy.sparse import diags
+from verification.contacts import race_6208
 
 from oilfilm.ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
 from oilfilm.ehl.finite_element.reynolds import (
@@ -36,7 +37,6 @@ from oilfilm.ehl.finite_element.solver import (
 )
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solid.compliance import Lattice, compliance, near_field
-from verification.contacts import race_6208
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 BOX = (-4.5, 1.5, 3.0)
