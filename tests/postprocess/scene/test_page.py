@@ -155,15 +155,15 @@ MOTION = """
 import json, sys
 from pathlib import Path
 import numpy as np
-from oilfilm.postprocess.scene import drawing, overlay, parts
+from oilfilm.postprocess.scene import drawing, parts
 scene = drawing.build_scene(Path(sys.argv[1]), drawing.SceneOptions(size=(320, 240)), off_screen=True)
 plotter = scene.plotter
-overlay.add_controls(plotter)
-films = overlay.shown_films(plotter)
-overlay.show_numbers(plotter, films[0])
+drawing.add_controls(plotter)
+films = drawing.shown_films(plotter)
+drawing.show_numbers(plotter, films[0])
 plotter.slider_widgets[0].GetRepresentation().SetValue(90.0)
 parts.look_at(plotter, np.pi / 2)
-numbers, up = overlay.numbers_of(films[0]), list(plotter.camera.up)
+numbers, up = drawing.numbers_of(films[0]), list(plotter.camera.up)
 print(json.dumps({"numbers": numbers, "up": up, "shown": "numbers" in plotter.actors}))
 """
 
