@@ -29,6 +29,7 @@ def changes(tmp_path, code):
         ("y = a + b\n", "sign", "y = (a - b)\n"),
         ("y = a + b\n", "term", "y = b\n"),
         ("y = -a\n", "sign", "y = a\n"),
+        ("y += a\n", "sign", "y -= a\n"),
         ("y = a * b\n", "factor", "y = (0.5 * (a * b))\n"),
         ("y = 'π' + 2.0 * a**2\n", "factor", "y = 'π' + 4.0 * a**2\n"),
         ("y = a**2\n", "exponent", "y = (a ** 3)\n"),

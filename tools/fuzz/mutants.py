@@ -116,6 +116,8 @@ class Judge:
         if code == PASSED:
             return "survived", ""
         by = failed[:1] if failed else tests
+        if code not in (PASSED, FAILED, LOST, None):
+            by = tests[:1]  # none was read: an import fails
         if not self._pass(by):
             self.sound.update(dict.fromkeys(by, False))
             rest = [test for test in tests if self.sound.get(test, True)]

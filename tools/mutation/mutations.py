@@ -44,6 +44,7 @@ PAIRS = (
     ("width", "height"), ("any", "all"), ("before", "after"), ("load", "force"), ("below", "above"),
 )  # fmt: skip
 OTHER = {one: [b if a == one else a for a, b in PAIRS if one in (a, b)] for pair in PAIRS for one in pair}
+OPPOSITE = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult}
 REVERSED = {ast.Lt: ast.Gt, ast.Gt: ast.Lt, ast.LtE: ast.Gt, ast.GtE: ast.Lt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
             ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In}  # fmt: skip
 
@@ -169,6 +170,11 @@ def _changes(node: ast.AST, module: _Module) -> Iterator[tuple[str, ast.AST]]:
             yield "sign", ast.Return(ast.UnaryOp(ast.USub(), value))
         case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in REVERSED:
             yield "comparison", ast.Compare(left, [REVERSED[type(op)]()], [right])
+        case ast.AugAssign(target=target, op=op, value=value) if type(op) in OPPOSITE and not _is_text(value):
+            yield (
+                "sign" if isinstance(op, ast.Add | ast.Sub) else "operator",
+                ast.AugAssign(target, OPPOSITE[type(op)](), value),
+            )
         case ast.BoolOp(op=op, values=values):
             yield "branch", ast.BoolOp(ast.Or() if isinstance(op, ast.And) else ast.And(), values)
             for n in range(len(values)):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_bvp
 
-from oilfilm.bearing import load_material
+from oilfilm.bearing import load_lubricant, load_material
 from oilfilm.bearing.heating.network import (
     AIR_CONDUCTIVITY,
     AIR_PRANDTL,
@@ -18,6 +18,7 @@ from oilfilm.bearing.heating.network import (
     AMBIENT,
     NODES,
     PLATE,
+    ROTATING,
     Conductance,
     HeatNetwork,
     HeatPath,
@@ -27,8 +28,10 @@ from oilfilm.bearing.heating.network import (
     plate_coefficients,
     radiation_coefficient,
     ring_halves_conductance,
+    rotating_coefficient,
 )
-from oilfilm.bearing.heating.paths import oil_path
+from oilfilm.bearing.heating.over_time import CAGE_CAPACITY, CAGE_SHARE, heat_capacities, solid_thermal
+from oilfilm.bearing.heating.paths import Surroundings, dimensions, oil_path
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution, _balance
 from oilfilm.bearing.rating.load_rating import reference_speed
 
@@ -97,6 +100,38 @@ def test_cylinder_series_and_plate():
     reynolds = 2.0 * 0.1 / AIR_VISCOSITY
     assert air.high == pytest.approx(PLATE * AIR_PRANDTL ** (1 / 3) * reynolds**0.5 * AIR_CONDUCTIVITY / 0.1)
     assert air.high / air.low == pytest.approx(10.0)
+
+
+def test_a_shaft_in_air_by_its_reynolds_number():
+    """Nu = 0.133 Re^(2/3) Pr^(1/3) of a cylinder, Re = w D^2/nu with the diameter; both senses alike."""
+    speed, diameter = 300.0, 0.05
+    nusselt = ROTATING * (speed * diameter**2 / AIR_VISCOSITY) ** (2.0 / 3.0) * AIR_PRANDTL ** (1.0 / 3.0)
+    assert rotating_coefficient(speed, diameter) == pytest.approx(nusselt * AIR_CONDUCTIVITY / diameter)
+    assert rotating_coefficient(-speed, diameter) == rotating_coefficient(speed, diameter)
+    assert 0.13 < ROTATING < 0.14
+
+
+def test_bodies_store_heat_by_their_mass(bearings):
+    """rho c V of each node by hand: pi/6 D^3 of the balls, hollow cylinders of rings, shaft and housing."""
+    bearing = replace(bearings.b6208, bore=0.04, outside_diameter=0.08, width=0.018)
+    bearing = replace(bearing, **{f"{part}_material": STEEL for part in ("ball", "inner_ring", "outer_ring")})
+    around = Surroundings(ambient=293.15, shaft_material=STEEL, housing_material=STEEL)
+    size = dimensions(bearing, around)
+    found = dict(zip(NODES, heat_capacities(bearing, around, load_lubricant("iso vg 68", 40.0 + 273.15)), strict=True))
+    steel = STEEL.density * solid_thermal(STEEL).specific_heat
+
+    def tube(inner, outer, length):
+        return steel * 0.25 * pi * (outer**2 - inner**2) * length
+
+    assert found["balls"] == pytest.approx(steel * 9 * pi / 6.0 * 0.012**3)
+    assert found["inner_ring"] == pytest.approx(tube(0.04, 0.048, 0.018))
+    assert found["outer_ring_loaded"] == found["outer_ring_unloaded"] == pytest.approx(0.5 * tube(0.072, 0.08, 0.018))
+    assert found["shaft"] == pytest.approx(tube(0.0, 0.04, 0.018 + 2.0 * size.shaft_length))
+    assert found["housing"] == pytest.approx(tube(0.08, size.housing, size.housing_width))
+    assert found["cage"] == pytest.approx(CAGE_CAPACITY * CAGE_SHARE * found["balls"] / steel)
+    twice = dict(zip(NODES, heat_capacities(bearing, around, load_lubricant("iso vg 68", 313.15), rows=2), strict=True))
+    assert twice["balls"] == pytest.approx(2.0 * found["balls"])
+    assert twice["inner_ring"] == pytest.approx(2.0 * found["inner_ring"])
 
 
 def test_against_ht_and_fluids():

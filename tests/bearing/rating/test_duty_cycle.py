@@ -87,6 +87,18 @@ def test_by_hand(bearings):
     assert cycle.static_safety_factor == pytest.approx(5.0)
 
 
+def test_power_is_by_the_speed_of_the_rings_against_each_other(bearings):
+    """1000 r/min inner and -500 outer, the outer ring alone, or both the other way round."""
+    case = state(bearings.b6208, 1.0, 1500.0, 2e3)
+    for inner, outer, relative in ((1000.0, -500.0, 1500.0), (0.0, 1500.0, 1500.0), (-700.0, 800.0, 1500.0)):
+        turning = replace(case, operation=replace(case.operation, inner_speed=inner * RPM, outer_speed=outer * RPM))
+        assert turning.power == pytest.approx(0.1 * relative * RPM)
+        cycle = duty_cycle(bearings.b6208, [turning])
+        assert cycle.mean_power == pytest.approx(0.1 * relative * RPM)
+        assert cycle.mean_speed == pytest.approx(relative * RPM)
+        assert cycle.mean_torque == pytest.approx(0.1)
+
+
 def test_the_two_modified_lives_differ(bearings):
     """a_ISO at the equivalent load flatters a cycle whose heavy part does the damage."""
     cycle = duty_cycle(

@@ -119,6 +119,15 @@ def test_laws_of_contacts():
     assert_allclose(forces(law, 5e-6)[2] - forces(law, 1e-8)[2], work, rtol=1e-6)
 
 
+def test_a_defect_of_a_ball_shows_twice_a_turn():
+    """It meets both races: multiples of twice the spin with the cage beside; rings by the passing balls."""
+    passes = Frequencies(cage=9.59, ball_pass_outer=76.7, ball_pass_inner=123.3, ball_spin=49.7)
+    named = {one.name: one.frequency for one in sums_and_harmonics(passes, 25.0)}
+    assert named["2BSF"] == pytest.approx(99.4) and named["2 2BSF"] == pytest.approx(198.8)
+    assert named["2BSF - FTF"] == pytest.approx(99.4 - 9.59) and named["BPFI + f_r"] == pytest.approx(148.3)
+    assert named["BPFO"] == pytest.approx(76.7)
+
+
 def test_names_of_peaks():
     """A 6310 at 1500 r/min: 2 f_r at 50 Hz and 2 BSF/2 at 49.7 are not told apart in half a second; a peak between
     the sidebands of BPFI has its name, one beside all is none of the bearing's.

@@ -12,7 +12,7 @@ from oilfilm.bearing.dynamics.support import Support
 from oilfilm.bearing.operation import Operation
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.bearing.vibration.assembly import assembled
-from oilfilm.bearing.vibration.form import FormBody, SurfaceForm, Wave
+from oilfilm.bearing.vibration.form import Defect, DefectKind, FormBody, SurfaceForm, Wave
 from oilfilm.bearing.vibration.inputs import ContactLaw, VibrationModel, VibrationOptions, WaveFilter
 from oilfilm.bearing.vibration.lines import expected_lines, passing
 from oilfilm.bearing.vibration.simulation import computed, vibration_run
@@ -194,3 +194,17 @@ def test_balls_of_different_size_show_with_the_cage():
     one = amplitude_at(found.motion[:, 1], time, passes.cage)
     assert one > 1e-8
     assert amplitude_at(found.motion[:, 1], time, 4.0 * passes.cage) < 0.05 * one
+
+
+@pytest.mark.parametrize("place", list(FormBody))
+def test_lines_of_a_defect_are_those_of_its_body(place):
+    """Passing balls of a ring, twice the spin of a ball, which meets both races in a turn."""
+    geometry = bearing()
+    state = solve_quasistatic(geometry, Operation(inner_speed=600.0, outer_speed=-90.0))
+    form = SurfaceForm(defects=(Defect(place=place, kind=DefectKind.SPALL, width=1e-3, depth=1e-5, azimuth=0.3),))
+    model = VibrationModel(form=form, options=VibrationOptions(duration=0.04, settling=0.0, sample_rate=20480.0))
+    equations = assembled(state, contact_conditions(state, case().lubricant), model)
+    inner, outer, cage, spin = np.asarray(equations.speeds) / (2.0 * np.pi)
+    wanted = {FormBody.INNER: 9 * (inner - cage), FormBody.OUTER: 9 * (cage - outer), FormBody.BALL: 2.0 * abs(spin)}
+    lines = [line.frequency for line in expected_lines(state, equations, form) if "defect" in line.source]
+    assert_allclose(lines[:3], wanted[place] * np.array([1.0, 2.0, 3.0]), rtol=1e-12)

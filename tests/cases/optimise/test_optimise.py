@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from typer.testing import CliRunner
@@ -9,6 +11,7 @@ from typer.testing import CliRunner
 from oilfilm.cases import CaseError
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.cli.optimise import optimisation_table
+from oilfilm.cases.optimise import study as study_module
 from oilfilm.cases.optimise.results import write_optimisation
 from oilfilm.cases.optimise.search import (
     Observations,
@@ -118,9 +121,9 @@ def test_a_search_is_the_same_in_one_piece_and_resumed(tmp_path):
     assert len(optimisation_table(whole).renderables) >= 4
 
 
-def proof_of(tmp_path, fine, coarse=None, error=0.0):
+def proof_of(tmp_path, fine, coarse=None, error=0.0, study=STUDY):
     """A study of one goal whose proof has these torques [N mm] of the case and design 2."""
-    (tmp_path / "study.toml").write_text(STUDY)
+    (tmp_path / "study.toml").write_text(study)
     study = read_study(tmp_path / "study.toml")
 
     def designs(torques):
@@ -151,6 +154,15 @@ def test_a_gain_is_proved_where_half_the_nodes_change_it_less(tmp_path):
     assert improvement(proof_of(tmp_path, (103.0, 93.0), (99.0, 90.0), error=3.0))["error"] == pytest.approx(18.0**0.5)
 
 
+def test_a_goal_that_is_to_be_large_gains_by_what_it_grows(tmp_path):
+    """The same numbers exchanged: share and error as of a goal that is to be small."""
+    large = STUDY.replace("minimise", "maximise")
+    gain = improvement(proof_of(tmp_path, (93.0, 103.0), (90.0, 99.0), study=large))
+    assert gain["share"] == pytest.approx(10.0 / 93.0) and gain["error"] == pytest.approx(1.0) and gain["proved"]
+    loss = improvement(proof_of(tmp_path, (103.0, 93.0), (99.0, 90.0), study=large))
+    assert loss["share"] == pytest.approx(-10.0 / 103.0) and not loss["proved"]
+
+
 def test_why_there_is_no_gain_is_told(tmp_path):
     found = proof_of(tmp_path, (103.0, None))
     assert improvement(found) is None
@@ -179,6 +191,25 @@ def test_a_robust_goal_is_a_quantile_over_the_scatter(tmp_path):
     clearances = [point.given["bearing.diametral_clearance_um"] for point in points]
     assert len(set(clearances)) == 3 and np.mean(clearances) == pytest.approx(13.0, abs=1.0)
     assert len(plain.sweep([[13.0, 26.1]]).points) == 1
+
+
+@pytest.mark.parametrize(("goal", "share"), [("minimise", 0.9), ("maximise", 0.1)])
+def test_a_robust_number_is_that_of_the_bad_side(goal, share, tmp_path, monkeypatch):
+    """Large of what is to be small, small of what is to be large; a limit at the side where it is broken."""
+    text = STUDY.replace("minimise", goal).replace("[goal]\n", "[goal]\nscatter_samples = 3\nquantile = 0.9\n")
+    path = tmp_path / "study.toml"
+    path.write_text(text + '[scatter]\n"bearing.diametral_clearance_um" = { normal = [0.0, 2.0] }\n')
+    torques, films = [90.0, 100.0, 130.0], [0.3, 0.5, 0.8]
+    rows = [{"torque_N_mm": torque, "film_minimum_um": film} for torque, film in zip(torques, films, strict=True)]
+    given = dict.fromkeys(("bearing.diametral_clearance_um", "lubricant.viscosity_mPa_s"), 13.0)
+    points = [SimpleNamespace(converged=True, values=given, row=row, message="") for row in rows]
+    monkeypatch.setattr(study_module, "point_numbers", lambda point: point.row)
+    monkeypatch.setattr(study_module, "point_error", lambda row, head, unit: None)
+    study = read_study(path)
+    (design,) = study_module.designs_of(study, points, 0)
+    assert design.numbers["torque_N_mm"] == pytest.approx(np.quantile(torques, share))
+    assert design.numbers["film_minimum_um"] == pytest.approx(np.quantile(films, 0.1))
+    assert not design.feasible  # 0.34 um of at least 0.35
 
 
 WRONG = {

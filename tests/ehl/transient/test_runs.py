@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import hypot, pi
+from math import cos, exp, hypot, pi, sin
 
 import numpy as np
 import pytest
@@ -207,6 +207,26 @@ def test_a_dent_off_the_middle_and_an_oblique_ridge_are_solved_on_both_sides():
     middle = run.stepper.level.H.shape[0] // 2
     assert np.abs(run.stepper.level.H - run.stepper.level.H[::-1]).max() > 0.01 * FILM
     assert run.stepper.level.H.shape[0] == 2 * middle + 1
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_a_dent_lies_at_its_place_across_and_is_as_wide_as_it_says(side):
+    """Depth at the middle, 1/e of it at the radii; on the other side nothing."""
+    dent = Dent(body=1, depth=2e-6, radius=30e-6, radius_across=50e-6, place_across=side * 400e-6)
+    x = np.array([0.0, 30e-6, 0.0, 0.0])
+    y = side * np.array([400e-6, 400e-6, 450e-6, -400e-6])
+    assert_allclose(dent.height(x, y), -2e-6 * np.array([1.0, exp(-1.0), exp(-1.0), 0.0]), atol=1e-18)
+
+
+@pytest.mark.parametrize("angle", [-0.5, 0.3])
+def test_the_crest_of_a_ridge_turns_from_y_towards_the_negative_x(angle):
+    """Its height everywhere on the crest, 1/e of it one width off to either side."""
+    ridge = Ridge(body=1, ridge_height=1e-6, width=20e-6, angle=angle)
+    along = np.linspace(-1e-3, 1e-3, 9)
+    x, y = -along * sin(angle), along * cos(angle)
+    assert_allclose(ridge.height(x, y), 1e-6, rtol=1e-12)
+    for side in (-20e-6, 20e-6):
+        assert_allclose(ridge.height(x + side * cos(angle), y + side * sin(angle)), 1e-6 * exp(-1.0), rtol=1e-9)
 
 
 def test_a_symmetric_dent_gives_the_same_film_on_half_and_whole_grids(monkeypatch):

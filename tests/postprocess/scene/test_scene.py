@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 
@@ -188,3 +189,28 @@ def test_a_drawing_process_ends_with_the_one_that_asked():
         assert process.poll() is None
         process.stdin.close()
         assert process.wait(20) == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "drawing"),
+    [(["--screenshot", "a.png"], "screenshot"), (["--html", "a.html"], "export_html"), (["--movie", "a.gif"], "movie")],
+)
+def test_what_cannot_be_drawn_is_a_failure(words, drawing, bearing_folder, tmp_path, monkeypatch):
+    """One line and the exit code of a failure, not 0."""
+    from typer.testing import CliRunner
+
+    from oilfilm.cases.cli.main import app
+    from oilfilm.cases.runs.output_directory import write_digests
+    from oilfilm.postprocess.scene import scene as module
+
+    def fails(*_):
+        raise module.RenderingError("no picture: the driver of the screen is missing")
+
+    folder = shutil.copytree(bearing_folder, tmp_path / "results")
+    write_digests(folder, [])
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(module, drawing, fails)
+    result = CliRunner().invoke(app, ["view", str(folder), *words])
+    assert result.exit_code == 4, result.output
+    assert "no picture: the driver of the screen is missing" in result.output
+    assert not list(tmp_path.glob("a.*"))
