@@ -145,7 +145,7 @@ class Plugin:
             return function(*arguments, **named)
         except PluginError:
             raise
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise PluginError(f"{self}: failed: {_words(error)}") from error
 
     def wrong(self, what: str) -> PluginError:

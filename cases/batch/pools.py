@@ -4,7 +4,7 @@ an executor that a function of the user makes.
 
 import importlib
 from collections.abc import Callable
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, Executor, Future
 from multiprocessing import active_children
 from pathlib import Path
 from time import monotonic
@@ -15,7 +15,7 @@ from oilfilm.postprocess.batch.store import DONE
 
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
-from ..runs.processes import POINTS, end_workers, prepare_worker, start_fork_server, worker_context
+from ..runs.processes import POINTS, end_workers, start_fork_server, worker_pool
 from .compute import compute_block
 from .points import PointResult, Task
 
@@ -149,8 +149,7 @@ class LocalPool(Pool):
 
     def _processes(self) -> Executor:
         start_fork_server(POINTS)
-        context = worker_context()
-        return ProcessPoolExecutor(self.workers, mp_context=context, initializer=prepare_worker)
+        return worker_pool(self.workers)
 
     def capacity(self) -> int:
         """Blocks to submit at a time [-]."""

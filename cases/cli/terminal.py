@@ -42,6 +42,7 @@ NOT_CONVERGED = 1
 BAD_INPUT = 2
 INTERRUPTED = 3
 FAILED = 4
+KEPT_LOGS = 20  # of failures, in the temporary directory
 MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -235,8 +236,15 @@ def _machine_failure(error: Exception) -> str:
 
 
 def _log(error: Exception) -> str:
-    """Write the traceback to a file and name it."""
+    """Write the traceback to a file and name it; the oldest of those before go."""
     try:
+        with suppress(OSError):  # another process may sweep, too
+            logs = sorted(
+                Path(tempfile.gettempdir()).glob("oilfilm-????????.log"),
+                key=lambda log: log.lstat().st_mtime,
+            )
+            for log in logs[: 1 - KEPT_LOGS]:
+                log.unlink()
         with tempfile.NamedTemporaryFile(
             "w", prefix="oilfilm-", suffix=".log", delete=False, encoding="utf-8"
         ) as log:

@@ -2,7 +2,7 @@
 
 import pickle
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor, wait
+from concurrent.futures import Executor, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ from oilfilm.ehl.multigrid.threads import cores
 from oilfilm.postprocess.files import attempt
 from oilfilm.postprocess.quantities import FILMS, OTHERS, PARAVIEW
 
-from .processes import end_workers, prepare_worker, start_fork_server, worker_context
+from .processes import end_workers, start_fork_server, worker_pool
 
 # each holds all fields; the dozen pictures of a bearing, of 0.3 s each, gain little by more
 MOST_PROCESSES = 4
@@ -42,7 +42,7 @@ class _Begun:
 class Drawing:
     """Processes that draw; none is started before there is something to draw."""
 
-    def __init__(self, pool: ProcessPoolExecutor) -> None:
+    def __init__(self, pool: Executor) -> None:
         self._pool = pool
         self._before = set(active_children())
         self._stopped = False
@@ -166,7 +166,7 @@ def drawing_processes(*, ahead: bool) -> Iterator[Drawing]:
     if ahead:
         start_fork_server(LOADED)
     workers = min(cores(), MOST_PROCESSES)
-    pool = ProcessPoolExecutor(workers, mp_context=worker_context(), initializer=prepare_worker)
+    pool = worker_pool(workers)
     drawing = Drawing(pool)
     try:
         yield drawing

@@ -30,9 +30,14 @@ def ensure_kernel_cache() -> None:
     A folder that the user has set is left alone. matplotlib gets one, too, without which it
     complains.
     """
+    chosen = os.environ.get("MPLCONFIGDIR")
+    if chosen and not _writable(_existing(Path(chosen))):
+        del os.environ["MPLCONFIGDIR"]  # matplotlib would leave a folder behind in every process
+        chosen = None
     if _in_the_home_directory():
         return
-    os.environ.setdefault("MPLCONFIGDIR", str(_private_folder()))
+    if not chosen:
+        os.environ["MPLCONFIGDIR"] = str(_private_folder())
     if not _beside_the_package():
         os.environ.setdefault(VARIABLE, str(_private_folder()))
 
@@ -128,9 +133,14 @@ def _in_the_home_directory() -> bool:
         folder = _user_cache()
     except RuntimeError:  # no home directory
         return False
+    return _writable(_existing(folder))
+
+
+def _existing(folder: Path) -> Path:
+    """The folder, or the nearest above it that exists."""
     while not folder.exists() and folder != folder.parent:
         folder = folder.parent
-    return _writable(folder)
+    return folder
 
 
 def _user_cache() -> Path:

@@ -1,11 +1,13 @@
 """Worker processes of all commands: how they begin, what they do first, how they end."""
 
 import gc
+import logging
 import os
 import signal
 import sys
 import threading
 from collections.abc import Iterator, Sequence, Set
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from multiprocessing import (
     active_children,
@@ -53,6 +55,30 @@ def has_fork_server() -> bool:
 def worker_context() -> BaseContext:
     """How worker processes are begun: copied from a prepared one, or anew."""
     return get_context(FORK_SERVER if has_fork_server() else "spawn")
+
+
+def worker_pool(workers: int) -> Executor:
+    """Processes that compute or draw; one thread of this process where the system has no
+    semaphores, as containers without `/dev/shm`.
+
+    Parameters
+    ----------
+    workers : int
+        Number of processes [-].
+
+    Returns
+    -------
+    Executor
+        The processes, none of them begun yet.
+    """
+    try:
+        return ProcessPoolExecutor(
+            workers, mp_context=worker_context(), initializer=prepare_worker
+        )
+    except (ImportError, NotImplementedError, OSError) as error:
+        text = "no processes beside this one (%s: %s); all is done here, one after the other"
+        logging.getLogger(__name__).warning(text, "semaphores, /dev/shm", error)
+        return ThreadPoolExecutor(1)
 
 
 def own_packages() -> dict[str, str]:

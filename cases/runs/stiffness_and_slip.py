@@ -1,7 +1,6 @@
 """Run the stiffness of a case over the speed of its inner ring, and its slip maps."""
 
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
 from multiprocessing import active_children
@@ -33,7 +32,7 @@ from ..format.rules import CaseError
 from ..version import version
 from .equilibrium import equilibrium_solver
 from .films import Progress
-from .processes import end_workers, prepare_worker, start_fork_server, worker_context
+from .processes import end_workers, start_fork_server, worker_pool
 
 # centrifugal force a source evidently used, over the true one [-]
 PRINTED_FORCE = {"half centrifugal force": 0.5}
@@ -163,8 +162,7 @@ def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Map
     others = set(active_children())
     if workers > 1:
         start_fork_server([__name__])
-        context = worker_context()
-        pool = ProcessPoolExecutor(workers, mp_context=context, initializer=prepare_worker)
+        pool = worker_pool(workers)
 
     def stage(state: str, total: int) -> Mapper:
         def mapped(function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:

@@ -3,19 +3,26 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 NAMES = (
     *("postprocess", "bearing", "ehl", "cases", "numpy", "scipy", "numba", "h5py", "matplotlib", "vtk", "pyvista"),
     *("typer", "rich", "pydantic", "xarray", "xlsxwriter", "jinja2", "random", "signal", "socket", "pickle"),
+    *("json", "tomllib", "logging", "sqlite3", "oilfilm", "zipfile", "xml", "meshio", "sklearn", "distributed"),
 )
 COMMANDS = ("--version", "validate 6208_full_ceramic")
 SLOW = (  # in an order in which the earlier ones make what the later ones read
     "schema",
     "list cases",
+    "hertz 6306 --radial 900",
+    "frequencies 6306 --speed 1500",
+    "shaft spindle_two_bearings -q -o shaft_results",
+    "import drive.rexs --shaft 1 -o imported.toml",
     "init new.toml --bearing 6306",
     "film ball_on_disc",
     "run 6208_full_ceramic -q -o bearing_results",
@@ -38,6 +45,7 @@ SLOW = (  # in an order in which the earlier ones make what the later ones read
     "optimise 6208_torque -q -o optimise_results",
     "verify --quick",
 )
+DRIVE = Path(__file__).parents[2] / "data" / "rexs" / "SEW_3-stage_cylindrical_gearbox_1.0.rexs"
 SWEEP = 'case = "209_radial_8900N"\n[sweep]\n"operation.radial_load_N" = [100.0, 200.0]\n'
 
 
@@ -47,6 +55,7 @@ def hostile(tmp_path_factory):
     for name in NAMES:
         (folder / f"{name}.py").write_text(f"open({str(folder / 'ran')!r}, 'a').write({name!r} + ' ')\n")
     (folder / "sweep.toml").write_text(SWEEP)
+    shutil.copy(DRIVE, folder / "drive.rexs")
     return folder
 
 
@@ -74,6 +83,14 @@ def test_no_file_of_the_folder_is_run(hostile, words):
 @pytest.mark.parametrize("words", SLOW)
 def test_no_file_of_the_folder_is_run_by_long_commands(hostile, words):
     check(words, hostile, "-P")
+
+
+def test_every_command_is_tried():
+    from typer.main import get_command
+
+    from oilfilm.cases.cli.main import app
+
+    assert {words.split()[0] for words in (*COMMANDS, *SLOW)} - {"--version"} == set(get_command(app).commands)
 
 
 def test_python_m_leaves_the_folder_too(tmp_path):

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -154,6 +155,39 @@ def test_a_signal_before_the_commands_are_loaded():
     code += "signal.signal = late\nstart.main()"
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert (answer.returncode, answer.stderr) == (3, "oilfilm: interrupted\n")
+
+
+def test_a_signal_to_all_processes_of_a_command_is_told_once(tmp_path):
+    """As a service manager sends it: neither the server of processes nor a worker prints a traceback."""
+    path = tmp_path / "sweep.toml"
+    loads = [1e3 + number for number in range(400)]
+    path.write_text(f'case = "209_radial_8900N"\n[sweep]\n"operation.radial_load_N" = {loads}\n')
+    words = [*OILFILM, "batch", str(path), "-o", str(tmp_path / "out"), "--workers", "2", "--quiet"]
+    with subprocess.Popen(
+        words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True
+    ) as process:
+        started = time.monotonic()
+        while not list(tmp_path.glob("**/points.sqlite*")) and time.monotonic() - started < 60.0:
+            time.sleep(0.05)
+        os.killpg(process.pid, signal.SIGTERM)
+        printed, _ = process.communicate(timeout=60)
+    assert process.returncode == 3
+    assert printed.splitlines()[-1] == "oilfilm: interrupted"
+    assert all("points are kept" in line for line in printed.splitlines()[:-1])
+
+
+def test_logs_of_failures_are_few(tmp_path, monkeypatch):
+    """The oldest go when another is written; files of others stay."""
+    monkeypatch.setattr(terminal.tempfile, "tempdir", str(tmp_path))
+    (tmp_path / "oilfilm-of_others.log").touch()
+    logs = [terminal._log(ValueError(str(number))) for number in range(terminal.KEPT_LOGS + 3)]
+    for age, log in enumerate(reversed(logs)):
+        os.utime(log, (1e9 - age, 1e9 - age)) if os.path.exists(log) else None
+    last = terminal._log(ValueError("last"))
+    kept = {path.name for path in tmp_path.glob("*.log")}
+    assert len(kept) == terminal.KEPT_LOGS + 1
+    assert {"oilfilm-of_others.log", os.path.basename(last), os.path.basename(logs[-1])} <= kept
+    assert "ValueError: last" in Path(last).read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(

@@ -63,6 +63,17 @@ def test_the_folder_beside_the_package_is_enough_for_numba(nothing_writable, mon
     assert Path(os.environ["MPLCONFIGDIR"]).parent == nothing_writable
 
 
+def test_a_folder_of_matplotlib_that_cannot_be_written_leaves_no_litter(nothing_writable, monkeypatch):
+    """It would make one of its own in every process; one that can be made is left alone."""
+    monkeypatch.setenv("MPLCONFIGDIR", "/proc/nowhere/matplotlib")
+    ensure_kernel_cache()
+    assert Path(os.environ["MPLCONFIGDIR"]).parent == nothing_writable
+    chosen = str(nothing_writable / "new" / "matplotlib")
+    monkeypatch.setenv("MPLCONFIGDIR", chosen)
+    ensure_kernel_cache()
+    assert os.environ["MPLCONFIGDIR"] == chosen
+
+
 def test_the_stamp_knows_the_kind_of_work_and_the_place(monkeypatch, tmp_path):
     monkeypatch.setenv(VARIABLE, str(tmp_path))
     run, other = compiled_stamp("run"), compiled_stamp("dynamics")

@@ -43,6 +43,10 @@ def half_oil():
     return {key: value for key, value in maker_oil().items() if key != "density"}
 
 
+def leaving_oil():
+    raise SystemExit(0)
+
+
 def failing_oil():
     raise ZeroDivisionError("no such oil")
 """
@@ -50,6 +54,7 @@ POINTS = """[oilfilm.oils]
 Maker 32 = oilfilm_dummy:maker_oil
 half = oilfilm_dummy:half_oil
 failing = oilfilm_dummy:failing_oil
+leaving = oilfilm_dummy:leaving_oil
 absent = oilfilm_dummy:absent_oil
 number = oilfilm_dummy:POINTS
 broken = oilfilm_absent:oil
@@ -101,7 +106,7 @@ film_maps = "none"
 
 
 def test_nothing_is_imported_before_it_is_used(installed):
-    assert plugins.plugin_names("oils") == ("Maker 32", "absent", "broken", "failing", "half", "number")
+    assert plugins.plugin_names("oils") == ("Maker 32", "absent", "broken", "failing", "half", "leaving", "number")
     case_from_text(case_text(oil='name = "ISO VG 32"'), "case.toml")
     assert "oilfilm_dummy" not in sys.modules
 
@@ -123,6 +128,7 @@ def test_an_oil_by_name_at_the_temperature_of_the_case(installed):
          r"loaded: AttributeError"),
         ("broken", r"plug-in 'broken' .*: cannot be loaded: ModuleNotFoundError: No module named 'oilfilm_absent'"),
         ("failing", r"plug-in 'failing' .*: failed: ZeroDivisionError: no such oil"),
+        ("leaving", r"plug-in 'leaving' .*: failed: SystemExit: 0"),
         ("number", r"plug-in 'number' .*: gives int, and a dictionary is needed"),
         ("Maker 33", r"unknown name .Maker 33.; did you mean 'Maker 32'"),
     ],

@@ -1,7 +1,8 @@
-"""Nothing to write to but the folder of the results: an installation and a home directory that are read-only."""
+"""Small and odd machines: read-only installation and home, no semaphores, results that cannot be written."""
 
 from __future__ import annotations
 
+import multiprocessing.synchronize
 import os
 import subprocess
 import sys
@@ -43,3 +44,51 @@ def test_no_home_directory_and_no_cache(words, tmp_path):
     assert run.returncode == 0, run.stderr
     assert not [line for line in run.stderr.splitlines() if not line.startswith("results in")]
     assert (tmp_path / "out" / "summary.json").exists()
+
+
+def test_no_semaphores(tmp_path, monkeypatch):
+    """A container without /dev/shm: no processes, the same points."""
+    from typer.testing import CliRunner
+
+    from oilfilm.cases.cli.main import app
+
+    def refused(*_):
+        raise FileNotFoundError(2, "No such file or directory")
+
+    path = tmp_path / "sweep.toml"
+    path.write_text('case = "209_radial_8900N"\n[sweep]\n"operation.radial_load_N" = [1e3, 2e3]\n')
+    words = ["batch", str(path), "-q", "--workers", "2", "-o"]
+    assert CliRunner().invoke(app, [*words, str(tmp_path / "plain")]).exit_code == 0
+    monkeypatch.setattr(multiprocessing.synchronize._multiprocessing, "SemLock", refused)
+    for command in ([*words, str(tmp_path / "bare")], ["run", "209_radial_8900N", "-q", "-o", str(tmp_path / "run")]):
+        result = CliRunner().invoke(app, command)
+        assert result.exit_code == 0, result.output
+    one, other = ((tmp_path / name / "batch.csv").read_text() for name in ("plain", "bare"))
+    assert one == other
+    assert list((tmp_path / "run" / "plots").iterdir())
+
+
+@pytest.mark.skipif(not os.path.isdir("/proc/self"), reason="needs a place where nobody can write")
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (["run", "209_radial_8900N", "-q", "-o", SHUT], SHUT),
+        (["run", "209_radial_8900N", "-q", "-o", "file/sub"], "file/sub"),
+        (["run", "/proc/self/mem", "-q"], "/proc/self/mem"),
+        (["init", f"{SHUT}/new", "--bearing", "6205"], f"{SHUT}/new.toml"),
+        (["table", "209_radial_8900N", "-o", f"{SHUT}/t.npz"], f"{SHUT}/t.npz"),
+        (["report", "file"], "file"),
+    ],
+)
+def test_an_error_names_its_file(words, named, tmp_path, monkeypatch):
+    """One line, exit code 2."""
+    from typer.testing import CliRunner
+
+    from oilfilm.cases.cli.main import app
+
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").write_text("x")
+    result = CliRunner().invoke(app, words)
+    assert result.exit_code == 2, result.output
+    assert named in result.output and len(result.output.splitlines()) == 1
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]
