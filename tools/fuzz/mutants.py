@@ -136,20 +136,22 @@ class Judge:
     @contextmanager
     def _applied(self, mutant: Mutant, readers: tuple[str, ...]) -> Iterator[None]:
         """The tree with the mutant, and without the compiled code of kernels that read it."""
-        original, path = ROOT / mutant.file, self.tree / mutant.file
+        path = self.tree / mutant.file
+        original = path.with_name(f"{path.name}.original")
         with tempfile.TemporaryDirectory(prefix="kernels-") as name:
             kept = Path(name)
             folders = sorted({(self.tree / reader).parent / "__pycache__" for reader in readers})
             for number, folder in enumerate(folders):
                 if folder.exists():
                     shutil.copytree(folder, kept / str(number))
+            path.rename(original)
             path.write_text(mutant.applied(original.read_text(encoding="utf-8")), encoding="utf-8")
             if readers:
                 self._forget(readers)
             try:
                 yield
             finally:
-                shutil.copy2(original, path)
+                original.replace(path)
                 for number, folder in enumerate(folders):
                     shutil.rmtree(folder, ignore_errors=True)
                     if (kept / str(number)).exists():
