@@ -127,7 +127,7 @@ def stepped_beam(
     stiffness, mass, gyroscopic = (np.zeros((size, size)) for _ in range(3))
     weight = np.zeros((size, 3))
     for k, (left, right) in enumerate(zip(positions[:-1], positions[1:], strict=True)):
-        section = next(s for s in sections if left < s.end)
+        section = next(s for s in sections if 0.5 * (left + right) < s.end)
         element = slice(FREEDOMS * k, FREEDOMS * (k + 2))
         length = float(right - left)
         stiffness[element, element] += element_stiffness(section, length)
@@ -147,7 +147,8 @@ def _refined(places: list[float], longest: float | None) -> list[float]:
     refined = places[:1]
     for left, right in zip(places[:-1], places[1:], strict=True):
         pieces = max(1, ceil((right - left) / longest))
-        refined += [left + (right - left) * k / pieces for k in range(1, pieces + 1)]
+        refined += [left + (right - left) * k / pieces for k in range(1, pieces)]
+        refined.append(right)  # exactly: a section ends here
     return refined
 
 
