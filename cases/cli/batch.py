@@ -67,8 +67,7 @@ class _Wanted:
     csv: bool
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def batch(
     sweep: Annotated[
         str, typer.Argument(metavar="SWEEP", help="A sweep file, or the name of a shipped one.")

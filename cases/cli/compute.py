@@ -47,8 +47,7 @@ class Method(StrEnum):
     FINITE_ELEMENT = "finite-element"
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def run(
     case: terminal.CaseName,
     output: terminal.Output = None,
@@ -91,8 +90,7 @@ def run(
     )
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def contact(
     case: terminal.CaseName,
     output: terminal.Output = None,
@@ -129,8 +127,7 @@ def contact(
     )
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def film(
     case: terminal.CaseName,
     as_json: terminal.Json = False,
@@ -155,8 +152,7 @@ def film(
     return report(document, lambda: atlas_bearing_table(found), None, as_json, quiet, notes)
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def slip(
     case: terminal.CaseName,
     output: terminal.Output = None,
@@ -189,8 +185,7 @@ def slip(
     return report(document, lambda: slip_table(results), directory, as_json, quiet, notes)
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def stiffness(
     case: terminal.CaseName,
     output: terminal.Output = None,
@@ -229,8 +224,7 @@ def stiffness(
     return report(document, lambda: stiffness_table(results), directory, as_json, quiet, notes)
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def shaft(
     case: terminal.CaseName,
     output: terminal.Output = None,
@@ -257,8 +251,7 @@ def shaft(
     return report(document, lambda: shaft_table(results), directory, as_json, quiet, notes)
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def temperatures(
     case: terminal.CaseName,
     output: terminal.Output = None,
@@ -294,8 +287,7 @@ def temperatures(
     return report(document, lambda: temperatures_table(document), directory, as_json, quiet, notes)
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def table(
     case: terminal.CaseName,
     output: TableFile = None,

@@ -30,8 +30,7 @@ class Axis(StrEnum):
     Y = "y"
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def report(directory: Directory, quiet: Errors = False) -> None:
     """Write one self-contained HTML page of results."""
     from oilfilm.postprocess.report.page import write_report
@@ -45,8 +44,7 @@ def report(directory: Directory, quiet: Errors = False) -> None:
         print_message(f"report in {path}")
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def compare(
     first: Directory,
     second: Annotated[Path, typer.Argument(metavar="DIR", help="Another one.")],
@@ -81,8 +79,7 @@ def compare(
     return terminal.NOT_CONVERGED if differs or not all(comparison.converged) else 0
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def cut(
     directory: Directory,
     output: Annotated[
@@ -103,8 +100,7 @@ def cut(
         print_message(f"table in {write_line_cut(directory, file, contact, axis.value, at)}")
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def interferogram(
     directory: Directory,
     output: Annotated[
@@ -133,8 +129,7 @@ def interferogram(
         print_message(f"picture in {write_interferogram(directory, file, contact, optics)}")
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def diagram(
     directory: Annotated[
         Path, typer.Argument(metavar="DIR", help="A directory of results of 'oilfilm batch'.")
@@ -168,8 +163,7 @@ def diagram(
         )
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def export(
     directory: Directory,
     file_format: Annotated[
@@ -254,8 +248,7 @@ class Quantity(StrEnum):
     DISPLACEMENT = "displacement"
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def view(
     directory: Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")],
     screenshot: Annotated[

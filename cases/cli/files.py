@@ -17,7 +17,7 @@ from oilfilm.ehl.units import from_si, to_si
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
 from .output import print_notes
-from .terminal import BAD_INPUT, app, guarded, print_json, print_lines
+from .terminal import BAD_INPUT, command, print_json, print_lines
 
 if TYPE_CHECKING:
     from oilfilm.bearing.material import Material
@@ -36,8 +36,7 @@ class Listing(StrEnum):
     PLUGINS = "plugins"
 
 
-@app.command("list")
-@guarded
+@command("list")
 def list_names(
     what: Annotated[Listing | None, typer.Argument(help="What to list; all if left out.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
@@ -56,8 +55,7 @@ def list_names(
             print_lines(f"{indent}{name:{width}}  {remark}".rstrip())
 
 
-@app.command()
-@guarded
+@command()
 def validate(
     cases: Annotated[
         list[str], typer.Argument(metavar="CASE...", help="Case files or names of shipped cases.")
@@ -114,8 +112,7 @@ def _check(name: str) -> tuple[str, ...]:
     return file.notes
 
 
-@app.command("import")
-@guarded
+@command("import")
 def import_drive(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A drive in REXS: XML, JSON, ZIP.")],
     bearing: Annotated[
@@ -144,8 +141,7 @@ def import_drive(
     _write_new(output if output.suffix == ".toml" else Path(f"{output}.toml"), text)
 
 
-@app.command()
-@guarded
+@command()
 def init(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the new case file.")],
     suffixes: Annotated[
@@ -295,8 +291,7 @@ def _write_new(path: Path, text: str) -> None:
     print_lines(f"{path} written; change it, then: oilfilm validate {quote(str(path))}")
 
 
-@app.command()
-@guarded
+@command()
 def schema() -> None:
     """Print the JSON Schema of case files, for editors."""
     from ..format.document import json_schema

@@ -11,7 +11,7 @@ from ..format.rules import CaseError
 from ..runs.interrupt import finish_first
 from .batch import Workers
 from .output import lock_output_directory, report
-from .terminal import Json, Notes, Output, Quiet, app, enter_context, guarded, progress_bar
+from .terminal import Json, Notes, Output, Quiet, command, enter_context, progress_bar
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,8 +24,7 @@ if TYPE_CHECKING:
 MOST_SHOWN = 4  # designs of a front in the terminal
 
 
-@app.command()
-@guarded
+@command()
 def optimise(
     file: Annotated[
         str,

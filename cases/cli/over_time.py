@@ -63,8 +63,7 @@ Window = Annotated[
 ]
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def vibration(
     case: terminal.CaseName,
     output: terminal.Output = None,
@@ -123,8 +122,7 @@ def run_and_report(
     return report(document, lambda: vibration_table(document), directory, as_json, quiet, notes)
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def dynamics(
     case: terminal.CaseName,
     output: terminal.Output = None,
@@ -251,8 +249,7 @@ def _keep(
     print_message(f"history so far in {directory}; go on with --restart {path}")
 
 
-@terminal.app.command()
-@terminal.guarded
+@terminal.command()
 def transient(
     case: terminal.CaseName,
     output: terminal.Output = None,

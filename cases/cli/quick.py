@@ -9,7 +9,7 @@ import typer
 
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
-from .terminal import app, guarded, print_json, print_lines
+from .terminal import command, print_json, print_lines
 
 Answer = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Silent = Annotated[bool, typer.Option("--quiet", "-q", help="Numbers only, no notes.")]
@@ -23,8 +23,7 @@ NAMES = {
 }
 
 
-@app.command()
-@guarded
+@command()
 def hertz(
     bearing: Annotated[
         str | None,
@@ -116,8 +115,7 @@ def _contact_by_numbers(
     return {"oilfilm": version(), "contacts": [contact_answer(contact)], "messages": []}
 
 
-@app.command()
-@guarded
+@command()
 def frequencies(
     bearing: Annotated[
         str, typer.Argument(metavar="DESIGNATION|CASE", help="A bearing, as 6306-2Z/C3.")

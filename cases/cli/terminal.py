@@ -150,6 +150,22 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
     return run
 
 
+def command(name: str | None = None) -> Callable[[Callable[P, int | None]], Callable[P, None]]:
+    """Register a function as a command of `oilfilm`, guarded.
+
+    Parameters
+    ----------
+    name : str | None, optional
+        Name of the command; that of the function if left out.
+
+    Returns
+    -------
+    Callable[[Callable[P, int | None]], Callable[P, None]]
+        The decorator.
+    """
+    return lambda function: app.command(name)(guarded(function))
+
+
 def enter_context(manager: AbstractContextManager[T]) -> T:
     """Enter a context that ends with the command.
 

@@ -8,7 +8,7 @@ import typer
 
 from ..runs.interrupt import print_message
 from .output import report_cost
-from .terminal import NOT_CONVERGED, Json, Quiet, app, guarded, print_json, print_table
+from .terminal import NOT_CONVERGED, Json, Quiet, command, print_json, print_table
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,8 +20,7 @@ if TYPE_CHECKING:
 SECONDS = {False: 10.0, True: 2.0}  # on two cores; with --quick
 
 
-@app.command()
-@guarded
+@command()
 def verify(
     quick: Annotated[
         bool, typer.Option("--quick", help="Coarse grids and wider bounds: seconds.")

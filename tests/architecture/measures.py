@@ -74,7 +74,7 @@ def decorators(node):
 
 def is_command(node):
     """A command of the command line: its help is its options."""
-    return any(name.endswith((".command", ".callback")) for name in decorators(node))
+    return any(name.rpartition(".")[2] in ("command", "callback") for name in decorators(node))
 
 
 def argument_names(node, *, method):
