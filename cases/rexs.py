@@ -59,6 +59,12 @@ HELD = {  # axial_force_absorption: shoulders of a support
 }
 # source of a case: the model, its version, the part of it
 SOURCE = re.compile(r"(?P<file>.+): REXS (?P<version>[\d.]*), (?P<part>shaft|bearing) (?P<id>.+)")
+OIL = {  # key of a case: attribute of a lubricant
+    "kinematic_viscosity_40C_mm2_s": "viscosity_at_40_degree_celsius",
+    "kinematic_viscosity_100C_mm2_s": "viscosity_at_100_degree_celsius",
+    "density_15C_kg_m3": "density_at_15_degree_celsius",
+}
+DENSITY = {"kg / dm^3": 1e3}  # unit of it: kg/m^3
 PRESSURE_ANGLE = 20.0  # normal, where the model has none [deg]
 
 
@@ -565,14 +571,15 @@ def _case_text(
     operation: Iterable[str] = (),
 ) -> str:
     """Case file of a part of a drive: oil and temperature assumed, the speed that of its shaft."""
+    oil, source = _oil_lines(found.model)
     lines = [
         "schema_version = 1",
         f"title = {_quoted(title)}",
         f"source = {_quoted(f'{found.model.file}: REXS {found.model.version}, {part}')}",
-        f'assumed = ["lubricant.name", "operation.temperature_C", "{assumed}"]',
+        f'assumed = [{source}"operation.temperature_C", "{assumed}"]',
         *tables,
         "[lubricant]",
-        'name = "iso vg 100"  # assumed',
+        *oil,
         "",
         "[operation]",
         f"inner_speed_rpm = {found.speeds.get(shaft.id, 0.0):.8g}",
@@ -582,6 +589,17 @@ def _case_text(
         '[friction]\nlubrication = "oil bath"',
     ]
     return "\n".join(lines) + "\n"
+
+
+def _oil_lines(model: Model) -> tuple[list[str], str]:
+    """Oil of a model that has two viscosities, else an assumed one; and what is assumed."""
+    for oil in model.of_type("lubricant"):
+        values = {key: oil.attributes.get(name) for key, name in OIL.items()}
+        if values["kinematic_viscosity_40C_mm2_s"] and values["kinematic_viscosity_100C_mm2_s"]:
+            numbers = {key: float(v[0]) * DENSITY.get(v[1], 1.0) for key, v in values.items() if v}
+            lines = [f"{key} = {value:.8g}" for key, value in numbers.items()]
+            return [f"# {oil.name}", *lines], ""
+    return ['name = "iso vg 100"  # assumed'], '"lubricant.name", '
 
 
 def _quoted(text: str) -> str:

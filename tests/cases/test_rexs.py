@@ -117,6 +117,29 @@ def test_a_file_that_is_no_model_is_told_in_one_line(content, message, tmp_path)
     assert not (tmp_path / "out.toml").exists()
 
 
+OIL = b"""<component id="99" name="gear oil" type="lubricant">
+      <attribute id="viscosity_at_40_degree_celsius" unit="mm^2 / s">220.0</attribute>
+      <attribute id="viscosity_at_100_degree_celsius" unit="mm^2 / s">19.0</attribute>
+      <attribute id="density_at_15_degree_celsius" unit="kg / dm^3">0.89</attribute>
+    </component>
+    """
+
+
+def test_the_oil_of_the_model_is_that_of_the_case(tmp_path):
+    first = GEARBOX.read_bytes().index(b"<component ")
+    data = GEARBOX.read_bytes()
+    (tmp_path / "oil.rexs").write_bytes(data[:first] + OIL + data[first:])
+    (tmp_path / "shaft.toml").write_text(shaft_text(drive(read_rexs(tmp_path / "oil.rexs")), 1), encoding="utf-8")
+    assert "lubricant.name" not in (tmp_path / "shaft.toml").read_text(encoding="utf-8")
+    document = load_shaft(tmp_path / "shaft.toml").documents[0]["lubricant"]
+    expected = {
+        "kinematic_viscosity_40C_mm2_s": 220.0,
+        "kinematic_viscosity_100C_mm2_s": 19.0,
+        "density_15C_kg_m3": 890.0,
+    }
+    assert {key: document.get(key) for key in expected} == pytest.approx(expected)
+
+
 def result_folder(folder, source, converged=(True, True)):
     """Results of a shaft with two bearings, as much of them as the drive takes."""
     bearings = [
