@@ -38,7 +38,8 @@ from ..contacts.motion import BearingContacts
 from ..operation import BallKinematics
 from ..quasistatic.ring import Ring, ring_of
 from ..quasistatic.solution import QuasistaticSolution
-from .operating_film import OilAtInlets, operating_films, with_formulas
+from ..supply.supply import OilAtInlets
+from .operating_film import operating_films, with_formulas
 
 # load of the inner race over the centrifugal force under which it counts as none [-]
 LEAST_LOAD = 1.0e-3

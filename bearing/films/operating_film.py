@@ -6,7 +6,7 @@ on the rolling moment, asperities on the load that the oil carries.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import inf
 
 import numpy as np
@@ -25,7 +25,7 @@ from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import InletOil, ReplenishedInlet, most_replenished, supplied_shares
+from ..supply.supply import OilAtInlets, ReplenishedInlet, most_replenished, supplied_shares
 from .asperities import Asperities
 from .film import (
     FLOODED,
@@ -39,16 +39,6 @@ from .film import (
 )
 from .heavy_moment import elastic_moment
 from .unsolved_films import formula_films, formula_values, hertz_size
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class OilAtInlets:
-    """Oil that the contacts of a bearing get."""
-
-    oil: InletOil
-    balls: int  # in one row [-]
-    # films that were solved behind layers are those of this oil, and stay as they were solved
-    as_solved: bool = True
 
 
 def film_heats(contacts: Sequence[BearingContact], films: Films) -> list[InletHeat]:

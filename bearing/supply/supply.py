@@ -213,6 +213,16 @@ class ReplenishedInlet:
 InletOil = Supply | PrescribedInlet | ReplenishedInlet
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OilAtInlets:
+    """Oil that the contacts of a bearing get."""
+
+    oil: InletOil
+    balls: int  # in one row [-]
+    # films that were solved behind layers are those of this oil, and stay as they were solved
+    as_solved: bool = True
+
+
 def supplied_shares(
     contact: BearingContact, flooded_film: float, supply: InletOil, balls: int
 ) -> StarvationFactors:

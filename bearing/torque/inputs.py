@@ -7,7 +7,6 @@ from typing import NamedTuple
 from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..films.asperities import Asperities, LoadSharing, Spectrum
-from ..films.operating_film import OilAtInlets
 from ..friction.resistance import (
     HYSTERESIS,
     HYSTERESIS_RANGE,
@@ -21,7 +20,7 @@ from ..friction.resistance import (
 )
 from ..geometry import Bearing
 from ..library.plugins import library_data
-from ..supply.supply import InletOil, Supply, cavity_volume, oil_fraction
+from ..supply.supply import InletOil, OilAtInlets, Supply, cavity_volume, oil_fraction
 from . import skf
 
 

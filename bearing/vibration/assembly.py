@@ -30,9 +30,10 @@ from ..dynamics.bodies import outer_ring_mass, ring_body
 from ..dynamics.inputs import Surfaces
 from ..dynamics.support import Support
 from ..films.asperities import Asperities
-from ..films.operating_film import OilAtInlets, supplied_films
+from ..films.operating_film import supplied_films
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
+from ..supply.supply import OilAtInlets
 from .form import FormBody, SurfaceForm, heights, hollow, rolled
 from .inputs import ContactLaw, VibrationModel, WaveFilter
 

@@ -17,7 +17,7 @@ from oilfilm.bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, 
 from oilfilm.bearing.films.between_races import contacts_between_films
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.film import ContactFilm, Films
-from oilfilm.bearing.films.operating_film import OilAtInlets, solved_films, supplied_films
+from oilfilm.bearing.films.operating_film import solved_films, supplied_films
 from oilfilm.bearing.films.unsolved_films import formula_film
 from oilfilm.bearing.friction.friction_sources import FilmTraction, LawTraction
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution, with_refined
@@ -27,7 +27,7 @@ from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from oilfilm.bearing.rating.life import bearing_life
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
 from oilfilm.bearing.supply.oil_balance import GrooveOil, groove_oil
-from oilfilm.bearing.supply.supply import AMPLE, InletOil, ReplenishedInlet, Supply
+from oilfilm.bearing.supply.supply import AMPLE, InletOil, OilAtInlets, ReplenishedInlet, Supply
 from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, friction_torque
 from oilfilm.bearing.torque.integrated import (
     SolvedShear,

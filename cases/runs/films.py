@@ -10,7 +10,6 @@ from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.motion import ContactTraction
 from oilfilm.bearing.contacts.stress import SurfaceTension, surface_tensions
 from oilfilm.bearing.films.film import ContactFilm
-from oilfilm.bearing.films.operating_film import OilAtInlets
 from oilfilm.bearing.films.unsolved_films import (
     CELLS_BY_POINTS,
     CELLS_BY_TOLERANCE,
@@ -20,7 +19,7 @@ from oilfilm.bearing.films.unsolved_films import (
 )
 from oilfilm.bearing.fits.ring_strength import Strength, ring_strengths, strength_map
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.bearing.supply.supply import Supply, inlet_layer
+from oilfilm.bearing.supply.supply import OilAtInlets, Supply, inlet_layer
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from oilfilm.ehl.atlas.field_maps import field_maps

@@ -30,9 +30,9 @@ from validation_002_torque import (
 )
 
 from oilfilm.bearing.films.decay import film_decay
-from oilfilm.bearing.films.operating_film import OilAtInlets, supplied_films
+from oilfilm.bearing.films.operating_film import supplied_films
 from oilfilm.bearing.supply.oil_balance import groove_area, retained_time
-from oilfilm.bearing.supply.supply import AMPLE, PrescribedInlet, Supply, cavity_volume, oil_fraction
+from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet, Supply, cavity_volume, oil_fraction
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.runs.bearing import run_case
 from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save

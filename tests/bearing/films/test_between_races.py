@@ -11,9 +11,9 @@ import pytest
 from oilfilm.bearing import Operation, load_bearing, load_lubricant, solve_quasistatic
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.films.between_races import UNFILLED, contacts_between_films
-from oilfilm.bearing.films.operating_film import OilAtInlets, operating_films, with_formulas
+from oilfilm.bearing.films.operating_film import operating_films, with_formulas
 from oilfilm.bearing.geometry import Race
-from oilfilm.bearing.supply.supply import PrescribedInlet
+from oilfilm.bearing.supply.supply import OilAtInlets, PrescribedInlet
 
 RPM = np.pi / 30.0
 FITS = 1e-3  # of the film: what the rounds leave, at most 1e-4 in 150 draws

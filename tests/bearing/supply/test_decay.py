@@ -11,9 +11,9 @@ import pytest
 from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.decay import film_decay
-from oilfilm.bearing.films.operating_film import OilAtInlets, supplied_films
+from oilfilm.bearing.films.operating_film import supplied_films
 from oilfilm.bearing.supply.oil_balance import OilBalance, groove_area, retained_time
-from oilfilm.bearing.supply.supply import AMPLE, PrescribedInlet, Supply, side_flow_integral
+from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet, Supply, side_flow_integral
 from oilfilm.ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
