@@ -207,7 +207,7 @@ def _range_message(results: BearingResults) -> Iterator[str]:
         return
     least = NAMED_SHARE * total
     texts = [f"{name} ({own.text})" for name, own in ranges if max(-own.low, own.high) > least]
-    yield f"torque_N_mm.total: {ends[0]:.3g} to {ends[1]:.3g} N mm by {', '.join(texts)}"
+    yield f"torque_N_mm.total: {ends[0]:.4g} to {ends[1]:.4g} N mm by {', '.join(texts)}"
 
 
 def _parts(torque: TorqueBreakdown | None) -> dict[str, float | None] | None:
@@ -454,7 +454,7 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
     ]
     chosen = torque_model(torque.chosen).title
     ends = _total_range(results)
-    reach = "" if ends is None else f"; {ends[0]:.3g} to {ends[1]:.3g}"
+    reach = "" if ends is None else f"; {ends[0]:.4g} to {ends[1]:.4g}"
     rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({chosen}{reach})"}
     if share := _churning_share(torque):
         rows["friction torque"] += f", {share:.0%} of it churning"
