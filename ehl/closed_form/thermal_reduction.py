@@ -142,10 +142,12 @@ def table() -> Table:
     """The law, read once [-]."""
     file = read_arrays(FILE)
     names = ("scales", "trends", "weights", "shares", "errors", "spacings")
-    functions = (Function(*(file[name][row].astype(float) for name in names)) for row in range(3))
+    central, minimum, moment = (
+        Function(*(file[name][row].astype(float) for name in names)) for row in range(3)
+    )
     ends = ("centres", "lower", "upper", "losses", "loads")
     whole = {name: file[name].astype(float) for name in ends}
-    return Table(**whole, **dict(zip(InletHeat._fields, functions, strict=True)))
+    return Table(**whole, central=central, minimum=minimum, moment=moment)
 
 
 def inlet_groups(
