@@ -359,11 +359,12 @@ def run_cost(case: Case, workers: int) -> tuple[str, float]:
         points = (points + 1) // 2
     seconds = films * FILM_SECONDS * (points / FILM_POINTS) ** 2 / min(workers, max(films, 1))
     text = f"about {films} films on {points} nodes, {workers} at a time"
-    return text, seconds + TORQUE_SECONDS
+    return text if films else "films of the atlas", seconds + TORQUE_SECONDS
 
 
 def run_films(case: Case) -> int:
-    """Films of a run, about: of balls that loads in one plane press alike one.
+    """Films that a run solves, about: of balls that loads in one plane press alike one; of films
+    that the atlas has the heaviest of each race, or none.
 
     Parameters
     ----------
@@ -386,7 +387,15 @@ def run_films(case: Case) -> int:
     if not any(own[-1] for own in directions) and not any(own[0] for own in turns):
         radial = any(own[1] for own in (*directions, *turns))
         balls = rows * (case.bearing.balls // 2 + 1 if radial else 1)
-    return 0 if maps == "none" else 2 * balls
+    if maps == "none":
+        return 0
+    from ..format.contact import FilmModel, FilmSource
+
+    if case.inlet_layer is not None or case.films.model is not FilmModel.NEWTONIAN:
+        return 2 * balls
+    return {FilmSource.SOLVED: 2 * balls, FilmSource.AUTO: 2, FilmSource.ATLAS: 0}[
+        case.film_source
+    ]
 
 
 def table_cost(

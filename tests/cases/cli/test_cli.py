@@ -25,6 +25,7 @@ from oilfilm.bearing.torque.skf import viscous_factor
 from oilfilm.cases import load_case
 from oilfilm.cases.cli import compute, output, terminal
 from oilfilm.cases.cli.main import app
+from oilfilm.cases.format.contact import FilmSource
 from oilfilm.cases.format.shipped import find_case, shipped_cases
 from oilfilm.cases.runs import interrupt
 
@@ -130,8 +131,15 @@ def test_more_than_three_warnings_are_counted(capsys):
 def test_the_cost_counts_contacts_that_differ():
     """All balls of an axially loaded bearing are alike, those on both sides of a radial load in pairs."""
     axial, radial = load_case("7008_axial"), load_case("6208_full_ceramic")
-    assert output.run_films(replace(axial, film_maps="all")) == 2
-    assert output.run_films(radial) == 10
+    solved = {"film_source": FilmSource.SOLVED}
+    assert output.run_films(replace(axial, film_maps="all", **solved)) == 2
+    assert output.run_films(replace(radial, **solved)) == 10
+
+
+def test_the_cost_counts_solved_films_only():
+    case = load_case("6208_full_ceramic")
+    assert output.run_films(case) == 2  # the heaviest of each race
+    assert output.run_films(replace(case, film_source=FilmSource.ATLAS)) == 0
 
 
 def test_the_case_of_a_result_is_a_case(tmp_path):
