@@ -39,6 +39,7 @@ FORMATS = (
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 NOTHING = ("", "-", "--", "na", "n/a", "nan", "null", "none")  # entries that are left out
 CLOCK = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ])?(\d{1,2}):(\d\d):(\d\d(?:\.\d*)?)")
+WORD = re.compile(r"[^\W\d_]{2}")  # of an instrument's own lines
 TEXT_SHARE = 0.2  # of entries that are numbers, below which a column holds words [-]
 COMMENT = "#%!"
 BRACKETS = re.compile(r"^(.*?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]\s*$")
@@ -213,25 +214,32 @@ def table_of_text(text: str, name: str) -> DataTable:
     words = _word_columns(numbers, width)
     valid = [_is_data(row, width, words) for row in numbers]
     columns = [index for index in range(width) if index not in words]
-    first = _end(valid, numbers)
-    last = len(rows) - _end(valid[::-1], numbers[::-1])
+    entries = [row.fields for row in rows]
+    first = _end(valid, entries, decimal)
+    last = len(rows) - _end(valid[::-1], entries[::-1], decimal)
     header = _header(lines, rows[first].line, width, separator)
     for row, good in zip(rows[first:last], valid[first:last], strict=True):
         if not good:
             raise DamagedFileError(f"{name}: {_fault(row, width, columns, decimal, header)}")
-    entries = [[row[index] for index in columns] for row in numbers[first:last]]
-    values = np.array(entries, dtype=np.float64)
+    known = [[row[index] for index in columns] for row in numbers[first:last]]
+    values = np.array(known, dtype=np.float64)
     kept = [k for k in range(len(columns)) if not np.isnan(values[:, k]).all()]
     found = tuple(Column(*_name_and_unit(header[columns[k]]), values[:, k]) for k in kept)
     return DataTable(name, found, tuple(row.line for row in rows[first:last]))
 
 
-def _end(valid: Sequence[bool], numbers: Sequence[Sequence[float | None]]) -> int:
-    """First row of the table; one that begins with a number belongs to it, if only by mistake."""
+def _end(valid: Sequence[bool], rows: Sequence[Sequence[str]], decimal: str) -> int:
+    """First row of the table; one of numbers and no words belongs to it, if only by mistake."""
     first = valid.index(True) if True in valid else len(valid)
-    while first and numbers[first - 1] and _known(numbers[first - 1][0]):
+    while first and _means_numbers(rows[first - 1], decimal):
         first -= 1
     return min(first, len(valid) - 1)
+
+
+def _means_numbers(fields: Sequence[str], decimal: str) -> bool:
+    """Tell whether a row has a number and no word of an instrument."""
+    some = any(_known(_number(field, decimal)) for field in fields)
+    return some and not any(WORD.search(field) for field in fields)
 
 
 def _format(lines: Sequence[str]) -> tuple[str | None, str]:
@@ -449,9 +457,11 @@ def columns_of(table: DataTable, wanted: Sequence[Quantity]) -> dict[str, Array]
         pairs = zip((one for one in wanted if one not in spare), table.columns, strict=True)
         return {one.key: _in_si(column, one, table.file) for one, column in pairs}
     found: dict[str, Column] = {}
-    for choose in (_by_word, _by_unit):
+    for choose in (_exact, _by_word, _without_unit, _by_unit, _of_wrong_unit):
         for one in wanted:
             free = [column for column in table.columns if column not in found.values()]
+            if choose is _by_unit:  # a column of another name is none of this quantity
+                free = [c for c in free if not any(_named(c, other) for other in wanted)]
             column = None if one.key in found else choose(one, free)
             if column is not None:
                 found[one.key] = column
@@ -466,13 +476,35 @@ def _title(column: Column) -> str:
     return f"{column.name} [{column.unit}]" if column.unit else column.name or "(no name)"
 
 
-def _by_word(one: Quantity, columns: Sequence[Column]) -> Column | None:
-    """First column whose name is that of the key, else holds a word; its unit fits first."""
+def _exact(one: Quantity, columns: Sequence[Column]) -> Column | None:
+    """First column whose name is that of the key, in a unit that fits."""
     name = without_unit(one.key)
-    exact = [c for c in columns if c.name.lower().replace("_", " ") == name]
-    near = [c for c in columns if any(word in c.name.lower() for word in one.words)]
-    fitting = [c for c in near if c.unit and _fits(c, one)]
-    return next(iter((*exact, *fitting, *(c for c in near if not c.unit), *near)), None)
+    return next(
+        (c for c in columns if c.name.lower().replace("_", " ") == name and _may_be(c, one)), None
+    )
+
+
+def _by_word(one: Quantity, columns: Sequence[Column]) -> Column | None:
+    """First column whose name holds a word and whose unit fits."""
+    return next((c for c in columns if _named(c, one) and c.unit and _fits(c, one)), None)
+
+
+def _without_unit(one: Quantity, columns: Sequence[Column]) -> Column | None:
+    """First column without a unit whose name holds a word."""
+    return next((c for c in columns if _named(c, one) and not c.unit), None)
+
+
+def _of_wrong_unit(one: Quantity, columns: Sequence[Column]) -> Column | None:
+    """First column whose name holds a word, which is told of its unit."""
+    return next((c for c in columns if _named(c, one)), None)
+
+
+def _named(column: Column, one: Quantity) -> bool:
+    return any(word in column.name.lower() for word in one.words)
+
+
+def _may_be(column: Column, one: Quantity) -> bool:
+    return not column.unit or _fits(column, one)
 
 
 def _by_unit(one: Quantity, columns: Sequence[Column]) -> Column | None:

@@ -66,6 +66,7 @@ INPUT_FILES = (  # table and key of files that a case reads
     ("form", "ball_profile"),
     ("support", "frequency_response"),
     (None, "load_spectrum"),
+    (None, "measured"),
 )
 SIMPLE = frozenset((float, int, str))  # a truth value equals a number
 BITS = 256  # of the sum of hashes

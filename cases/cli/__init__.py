@@ -10,7 +10,7 @@
 | compute | run, contact, film, slip, stiffness, temperatures, table |
 | over_time | dynamics, vibration, transient |
 | batch | batch |
-| optimise | optimise |
+| optimise | optimise, calibrate |
 | documents | report, compare, cut, interferogram, diagram, export, view |
 | quick | hertz, frequencies |
 | answers | dry contacts after Hertz, frequencies of a bearing's parts |

@@ -70,6 +70,7 @@ def run(
         from oilfilm.postprocess.bearing.write import bearing_table
 
         from ..runs.bearing import Interrupted, run_case
+        from ..runs.measured import with_measured
 
         report_cost(run_cost(loaded, workers or cores()), quiet=quiet)
         try:
@@ -77,6 +78,7 @@ def run(
                 results = run_case(
                     loaded, workers, progress, on_films_solved=drawing.films if directory else None
                 )
+                results = with_measured(results, loaded, progress)
                 save(results, directory, drawing, progress)
         except Interrupted as stop:
             if stop.results is not None and directory is not None:

@@ -46,18 +46,30 @@ def report(directory: Directory, quiet: Errors = False) -> None:
 
 @terminal.command()
 def compare(
-    first: Directory,
-    second: Annotated[Path, typer.Argument(metavar="DIR", help="Another one.")],
+    first: Annotated[
+        Path, typer.Argument(metavar="DIR", help="A directory of results; with a table, a case.")
+    ],
+    second: Annotated[
+        Path, typer.Argument(metavar="DIR|FILE", help="Another one, or a measured table.")
+    ],
     within: Annotated[
         float | None,
         typer.Option(
             min=0.0, metavar="X", help="Exit code 1 if a result differs by more, relative."
         ),
     ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE.png", help="Picture, of a measured table."),
+    ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
     quiet: Errors = False,
 ) -> int:
-    """Compare two results: differences of input and numbers."""
+    """Compare two results, or results or a case with a measured table."""
+    if second.is_file():
+        return _compare_measured(first, second, within, output, as_json=as_json, quiet=quiet)
+    if output is not None:
+        raise CaseError("--output: allowed with a measured table")
     from oilfilm.postprocess.compare import compare as compared
 
     with terminal.reading(first, second):
@@ -77,6 +89,42 @@ def compare(
             f"oilfilm: a result differs by more than {within:g}: {comparison.largest:.3g}"
         )
     return terminal.NOT_CONVERGED if differs or not all(comparison.converged) else 0
+
+
+def _compare_measured(
+    source: Path,
+    file: Path,
+    within: float | None,
+    output: Path | None,
+    *,
+    as_json: bool,
+    quiet: bool,
+) -> int:
+    """Measured beside computed: of a case in the measured states, or of `oilfilm temperatures`."""
+    from ..runs.measured import compare_with
+
+    picture = None if output is None else lock_output_file(output)
+    with terminal.progress_bar(quiet=quiet) as progress:
+        comparison = compare_with(source, file, progress)
+    from oilfilm.postprocess.measured import draw_measured, measured_table
+    from oilfilm.postprocess.plot_style import write_figure
+
+    if as_json:
+        terminal.print_json(comparison.document())
+    elif not quiet:
+        terminal.print_table(measured_table(comparison))
+    for message in () if quiet else comparison.messages:
+        print_message(message)
+    if picture is not None:
+        write_figure(picture, lambda figure: draw_measured(figure, comparison))
+        print_message(f"picture in {picture}")
+    wide = within is not None and comparison.largest_relative > within
+    if wide:
+        print_message(
+            f"oilfilm: the rms residual is more than {within:g} of what is measured: "
+            f"{comparison.largest_relative:.3g}"
+        )
+    return terminal.NOT_CONVERGED if wide or not comparison.converged else 0
 
 
 @terminal.command()

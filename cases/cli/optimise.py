@@ -1,4 +1,4 @@
-"""Commands that search: optimise."""
+"""Commands that search: optimise, calibrate."""
 
 from __future__ import annotations
 
@@ -8,10 +8,22 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from ..format.rules import CaseError
-from ..runs.interrupt import finish_first
+from ..runs.interrupt import finish_first, print_message
 from .batch import Workers
-from .output import lock_output_directory, report
-from .terminal import Json, Notes, Output, Quiet, command, enter_context, progress_bar
+from .output import lock_output_directory, lock_output_file, report
+from .terminal import (
+    NOT_CONVERGED,
+    CaseName,
+    Json,
+    Notes,
+    Output,
+    Quiet,
+    command,
+    enter_context,
+    print_json,
+    print_table,
+    progress_bar,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,6 +32,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from ..optimise.study import Design, OptimisationResult, Study
+    from ..runs.measured import Calibration
 
 MOST_SHOWN = 4  # designs of a front in the terminal
 
@@ -60,6 +73,78 @@ def optimise(
         document = write_optimisation(found, directory)
     table = lambda: optimisation_table(found)  # noqa: E731
     return report(document, table, directory if keep else None, as_json, quiet, notes)
+
+
+@command()
+def calibrate(
+    case: CaseName,
+    measured: Annotated[
+        Path, typer.Argument(metavar="MEASURED", help="Table over speed, load, temperature.")
+    ],
+    keys: Annotated[
+        str, typer.Option(metavar="K1,K2", help="Keys to fit; KEY=LOW:HIGH sets an interval.")
+    ],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="A .toml of the fit, or a picture."),
+    ] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Fit keys of a case to measured torque, film or temperature, each within its interval."""
+    from oilfilm.postprocess.measured import draw_measured
+    from oilfilm.postprocess.plot_style import write_figure
+
+    from ..format.shipped import find_case
+    from ..runs.measured import calibrate as fitted
+    from ..runs.measured import calibration_document
+
+    file = None if output is None else lock_output_file(output)
+    names = [key.strip() for key in keys.split(",") if key.strip()]
+    with progress_bar(quiet=quiet) as progress:
+        found = fitted(find_case(case), measured, names, progress)
+    if as_json:
+        print_json(calibration_document(found))
+    elif not quiet:
+        print_table(calibration_table(found))
+    if file is not None and file.suffix == ".toml":
+        file.write_text(found.text, encoding="utf-8", newline="\n")
+        print_message(f"fitted case in {file}")
+    elif file is not None:
+        write_figure(file, lambda figure: draw_measured(figure, found.after))
+        print_message(f"picture in {file}")
+    return 0 if found.converged else NOT_CONVERGED
+
+
+def calibration_table(found: Calibration) -> Group:
+    """The fitted keys, what is left of the residuals, and what the fit leaves open.
+
+    Parameters
+    ----------
+    found : Calibration
+        The fit.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
+    from rich.console import Group
+    from rich.text import Text
+
+    from oilfilm.postprocess.measured import residual_lines
+
+    parts: list[Any] = [Text("fit, each key within its interval", style="bold")]
+    for one, value, deviation in zip(found.keys, found.values, found.deviations, strict=True):
+        error = "" if deviation is None else f" +- {deviation:.2g} (standard deviation)"
+        parts.append(Text(f"{one.key}: {one.start:.4g} before, {value:.4g}{error}"))
+        parts.append(Text(f"  interval {one.low:.4g} to {one.high:.4g}, {one.origin}"))
+    parts.append(
+        Text(f"relative rms residual {found.start_error:.2%} before, {found.fit_error:.2%} after")
+    )
+    parts += [Text(line) for line in residual_lines(found.after.residuals())]
+    parts += [Text(line) for line in found.messages]
+    return Group(*parts)
 
 
 def _scratch() -> Path:

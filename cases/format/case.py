@@ -26,6 +26,7 @@ from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
+from .data_tables import case_table
 from .document import BearingFile, ContactFile, ShaftFile, check_document, read_text, validate_text
 from .dynamics import cage_friction, guiding_land
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_frequencies
@@ -344,6 +345,8 @@ def _bearing_case(file: BearingFile) -> Case:
     if file.form is not None:  # its files are judged before a run
         surface_form(file.form)
     frequency_response(file.support)
+    if file.measured is not None:
+        case_table(("measured",), file.measured)
     # 1. the oil and the operation
     oil = oil_of_file(file)
     at = operation(file.operation)

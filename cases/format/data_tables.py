@@ -11,7 +11,7 @@ import numpy as np
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.foreign_files import DamagedFileError
-from oilfilm.ehl.table_files import Quantity, columns_of, read_table
+from oilfilm.ehl.table_files import DataTable, Quantity, columns_of, read_table
 
 from .rules import InvalidKeyError, KeyPath
 
@@ -36,6 +36,38 @@ LEAST_ROWS = 8  # of a profile
 EVEN = 4096  # points over a turn at least
 TOLD_SHARE = 0.02  # of the height, from which a removed order 1 is told [-]
 STEP = 0.25  # of the height where the turn closes, from which that is told [-]
+
+
+def case_table(key: KeyPath, file: str, allowed: str = "allowed: a table of numbers") -> DataTable:
+    """Table of a file that a key of a case names.
+
+    Parameters
+    ----------
+    key : tuple of (str or int)
+        Path of the key.
+    file : str
+        The file, a path from the working directory.
+    allowed : str, optional
+        Text for messages: the content that is allowed.
+
+    Returns
+    -------
+    DataTable
+        The table, in the units of the file.
+
+    Raises
+    ------
+    InvalidKeyError
+        If the file cannot be read, or holds something else.
+    """
+    try:
+        return read_table(Path(file))
+    except OSError as error:
+        finding = f"{file} cannot be read: {error.strerror or error}"
+        allowed += "; a path from the working directory"
+        raise InvalidKeyError(key, finding, allowed) from None
+    except DamagedFileError as error:
+        raise InvalidKeyError(key, str(error), allowed) from None
 
 
 def case_columns(
@@ -64,16 +96,11 @@ def case_columns(
     InvalidKeyError
         If the file cannot be read, or holds something else.
     """
+    table = case_table(key, file, allowed)
     try:
-        table = read_table(Path(file))
         if len(table.columns) == 1 and sum(one.needed for one in wanted) > 1:
             raise DamagedFileError(f"{file}: one column")
         columns = columns_of(table, wanted)
-    except OSError as error:
-        finding = f"{file} cannot be read: {error.strerror or error}"
-        raise InvalidKeyError(
-            key, finding, f"{allowed}; a path from the working directory"
-        ) from None
     except DamagedFileError as error:
         raise InvalidKeyError(key, str(error), allowed) from None
     for name, values in columns.items():
@@ -146,11 +173,7 @@ def _orders(angle: Array, height: Array, points: int) -> Array:
 
 def _angles_and_heights(key: KeyPath, file: str, allowed: str) -> tuple[Array, Array]:
     """Angles [deg] and heights [m] in the order of the file."""
-    try:
-        table = read_table(Path(file))
-    except (OSError, DamagedFileError):
-        table = None  # told below
-    if table is not None and len(table.columns) == 1:
+    if len(case_table(key, file, allowed).columns) == 1:
         height = case_columns(key, file, [HEIGHT], allowed)[HEIGHT.key]
         return np.arange(height.size) * (TURN / height.size), height
     columns = case_columns(key, file, [ANGLE, HEIGHT], allowed)

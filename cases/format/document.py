@@ -121,6 +121,10 @@ class BearingFile(CaseFile):
     load_cases: tuple[LoadCaseTable, ...] | None = described(
         "states of a duty cycle", strict=False, min_length=1, max_length=1000
     )
+    measured: str | None = described(
+        "file of torque, film or temperature over speed, load or temperature, beside the results",
+        min_length=1,
+    )
     load_spectrum: str | None = described(
         "file of loads and speeds by share, duration or time instead of [[load_cases]]",
         min_length=1,

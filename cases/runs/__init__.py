@@ -13,6 +13,7 @@ heating            - temperature of a case by its own friction
 interrupt          - messages on standard error, work that an interrupt gives up at once, and work
                      that it lets finish
 kernel_cache       - folders for compiled kernels when installation and home cannot be written
+measured           - a case in measured states, and the fit of its keys to them
 output_directory   - the folder of a result
 processes          - worker processes of all commands
 shaft              - run a shaft case: its equilibrium, its bearings, its vibrations

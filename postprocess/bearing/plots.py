@@ -30,6 +30,7 @@ from oilfilm.ehl.units import from_si, value_with_error
 from .. import plot_style
 from ..contact.plots import draw_contact, draw_map, film_text
 from ..contact.shown_part import ContactView, contact_view
+from ..measured import draw_measured
 from ..quantities import FILMS, OTHERS, Quantity, by_key, evenly_chosen
 from .bearing_quantities import BALL_QUANTITY, DECAY_COURSE, TORQUE, TORQUE_MODELS
 from .results import BearingResults, azimuths_text, distinct_contacts
@@ -596,6 +597,8 @@ def other_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figu
         yield "plots/ring_strength", partial(draw_strength, results=results)
     if results.decay is not None:
         yield "plots/decay", partial(draw_decay, results=results)
+    if results.measured is not None:
+        yield "plots/measured", partial(draw_measured, comparison=results.measured)
 
 
 def draw_torque(figure: Figure, results: BearingResults) -> None:

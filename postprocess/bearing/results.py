@@ -38,6 +38,7 @@ from oilfilm.ehl.traction.rolling_moment import RollingMoment
 from oilfilm.ehl.units import from_si, notebook_html
 
 from ..contact.summary import oil_permittivity
+from ..measured import MeasuredComparison
 from ..quantities import FILMS, OTHERS, Results, in_ranges
 
 
@@ -75,6 +76,7 @@ class BearingResults(Results):
     # heat conductances of the contacts, (3, balls, 2): value, low and high end [W/K]; None where
     # heat properties are not known
     conductances: Array | None = None
+    measured: MeasuredComparison | None = None  # None where the case names no table
     reference_speed: float | None = None  # ISO 15312 [rad/s]; None: not known
 
     @cached_property

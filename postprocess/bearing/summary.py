@@ -174,6 +174,8 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "finite_bodies": finite_body_block(results),
         "timing_s": dict(results.timing),
     }
+    if results.measured is not None:
+        document["measured"] = results.measured.document()
     head = results.head(results.converged, _bearing_messages(results))
     return plain_document(head | document)
 

@@ -18,6 +18,7 @@ from oilfilm.ehl.units import from_si, unit_of, unit_symbol, value_with_error
 from .. import quantities
 from ..contact.write import field_group
 from ..files import contact_name, write_csv
+from ..measured import residual_lines
 from ..netcdf_write import DataGroup, Variables, root_attributes, write_groups
 from .bearing_quantities import BALL_QUANTITY, RING
 from .contact_quantities import (
@@ -169,9 +170,9 @@ def bearing_table(results: BearingResults) -> Group:
     Group
         The table.
     """
-    return quantities.titled(
-        results.title, _bearing_table(results), _contacts_table(results), *_legend(results)
-    )
+    beside = () if results.measured is None else residual_lines(results.measured.residuals())
+    tables = (_bearing_table(results), _contacts_table(results))
+    return quantities.titled(results.title, *tables, *_legend(results), *beside)
 
 
 def _bearing_table(results: BearingResults) -> Table:
