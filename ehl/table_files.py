@@ -25,7 +25,7 @@ from .units import unit as unit_of_key
 LARGEST_TABLE = 2**26  # of a text [bytes]
 SAMPLE = 2000  # lines that tell separator and decimal sign
 # separator, None: spaces and tabs; decimal sign; in the order of preference
-FORMATS = (
+FORMATS: tuple[tuple[str | None, str], ...] = (
     ("\t", "."),
     (";", "."),
     (",", "."),
@@ -253,8 +253,7 @@ def _format(lines: Sequence[str]) -> tuple[str | None, str]:
         of_width = [row for row in rows if len(row) == width]
         return sum(sum(value is not None for value in row) / width for row in of_width)
 
-    scores = {form: score(*form) for form in FORMATS}
-    return max(FORMATS, key=lambda form: scores[form])
+    return max(FORMATS, key=lambda form: score(*form))
 
 
 def _fields(line: str, separator: str | None) -> list[str]:
@@ -451,8 +450,8 @@ def columns_of(table: DataTable, wanted: Sequence[Quantity]) -> dict[str, Array]
         needed = sum(one.needed for one in wanted)
         if not needed <= len(table.columns) <= len(wanted):
             names = ", ".join(one.key for one in wanted)
-            found = f"{len(table.columns)} columns without header"
-            raise DamagedFileError(f"{table.file}: {found}; allowed: {names}")
+            have = f"{len(table.columns)} columns without header"
+            raise DamagedFileError(f"{table.file}: {have}; allowed: {names}")
         spare = [one for one in wanted if not one.needed][len(table.columns) - needed :]
         pairs = zip((one for one in wanted if one not in spare), table.columns, strict=True)
         return {one.key: _in_si(column, one, table.file) for one, column in pairs}

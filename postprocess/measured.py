@@ -1,6 +1,6 @@
 """Measured numbers beside computed ones: residuals, table, picture."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -190,7 +190,7 @@ def draw_measured(figure: Figure, comparison: MeasuredComparison) -> None:
     figure.set_size_inches(0.75 * PAGE_WIDTH, 0.5 + HEIGHT * len(keys))
     over, label = _abscissa(comparison)
     order = np.argsort(over, kind="stable")
-    panels: Sequence[Any] = np.atleast_1d(figure.subplots(len(keys), 1, sharex=True))
+    panels = np.atleast_1d(figure.subplots(len(keys), 1, sharex=True)).tolist()
     for axes, key in zip(panels, keys, strict=True):
         line = "-" if np.unique(over).size == over.size else "none"
         computed = comparison.computed[key][order]
@@ -211,4 +211,4 @@ def _abscissa(comparison: MeasuredComparison) -> tuple[Array, str]:
     if varied:
         return comparison.states[varied[0]], _title(varied[0])
     count = next(iter(comparison.measured.values())).size
-    return np.arange(1, count + 1), "row"
+    return np.arange(1.0, count + 1.0), "row"

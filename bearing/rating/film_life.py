@@ -121,9 +121,10 @@ def film_life(
     least, life, most = (contact_life(solution, rated, k) for k in (low, kappa, high))
     if life is None:
         return replace(found, note=f"ISO 281 has no factor below kappa {SMALLEST_KAPPA}")
-    factors = (None if one is None else one * a_1 for one in (life, least, most))
-    scaled = dict(zip(("life", "low", "high"), factors, strict=True))
-    return replace(found, life_factor=life / basic, **scaled)
+    low_life = None if least is None else least * a_1
+    high_life = None if most is None else most * a_1
+    factor = life / basic
+    return replace(found, life_factor=factor, life=life * a_1, low=low_life, high=high_life)
 
 
 def stress_limit(rated: LifeRating) -> float | None:

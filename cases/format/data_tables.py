@@ -6,6 +6,7 @@
 import warnings
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -157,7 +158,7 @@ def turn_profile(key: KeyPath, file: str, *, eccentric: bool) -> Array:
     return np.asarray(np.fft.irfft(orders, points))
 
 
-def _orders(angle: Array, height: Array, points: int) -> Array:
+def _orders(angle: Array, height: Array, points: int) -> Any:
     """Fourier orders of heights over a turn, as of so many points; at uneven angles [deg] the
     heights are linear between.
     """
@@ -175,9 +176,9 @@ def _angles_and_heights(key: KeyPath, file: str, allowed: str) -> tuple[Array, A
     """Angles [deg] and heights [m] in the order of the file."""
     if len(case_table(key, file, allowed).columns) == 1:
         height = case_columns(key, file, [HEIGHT], allowed)[HEIGHT.key]
-        return np.arange(height.size) * (TURN / height.size), height
+        return np.arange(height.size, dtype=np.float64) * (TURN / height.size), height
     columns = case_columns(key, file, [ANGLE, HEIGHT], allowed)
-    return np.degrees(columns[ANGLE.key]), columns[HEIGHT.key]
+    return columns[ANGLE.key] * (180.0 / np.pi), columns[HEIGHT.key]
 
 
 def _one_turn(

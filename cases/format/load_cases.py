@@ -291,8 +291,8 @@ def _counted(states: dict[str, Array], share: Array) -> tuple[dict[str, Array], 
     levels = np.column_stack([_level(states[name], LEVELS[name]) for name in states])
     _, of_row = np.unique(levels, axis=0, return_inverse=True)
     of_row = of_row.ravel()
-    shares = np.bincount(of_row, share)
-    counted = {}
+    shares = np.bincount(of_row, share).astype(np.float64)
+    counted: dict[str, Array] = {}
     for name, values in states.items():
         power = LIFE_POWER if name.endswith("load_N") else 1.0
         weight = weights if name.endswith("load_N") else share
@@ -300,7 +300,7 @@ def _counted(states: dict[str, Array], share: Array) -> tuple[dict[str, Array], 
         weight = np.where(total[of_row] > 0.0, weight, share)
         mean = np.bincount(of_row, weight * abs(values) ** power) / np.bincount(of_row, weight)
         sign = np.sign(np.bincount(of_row, weight * values))
-        counted[name] = sign * mean ** (1.0 / power)
+        counted[name] = np.asarray(sign * mean ** (1.0 / power))
     return counted, shares
 
 

@@ -959,9 +959,9 @@ def _warn_of_range(keys: dict[str, Any], line: WaltherLine, oil: Lubricant) -> N
                 "ASTM D341"
             )
             warnings.warn(Caution(text), stacklevel=2)
-        found = line.index
-        index = keys.get(INDEX, found)
-        if found is not None and abs(index - found) > INDEX_TOLERANCE:
+        found = line.viscosity_index
+        index = keys.get(INDEX)
+        if index is not None and found is not None and abs(index - found) > INDEX_TOLERANCE:
             text = (
                 f"lubricant.{INDEX}: {index:g} is given, {found:.0f} is that of the two "
                 "viscosities (ASTM D2270); these are taken"

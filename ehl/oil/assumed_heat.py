@@ -197,7 +197,7 @@ class WaltherLine(NamedTuple):
         return self.slope * (1.0 + WALTHER / nu) * log(nu + WALTHER) / temperature
 
     @property
-    def index(self) -> float | None:
+    def viscosity_index(self) -> float | None:
         """Viscosity index after ASTM D2270 [-]; None of an oil too thin for one."""
         hot = self.at(HOT) / MM2_S
         if hot < THINNEST:
@@ -227,7 +227,7 @@ def line_through(temperatures: Sequence[float], viscosities: Sequence[float]) ->
     Examples
     --------
     >>> line = line_through((313.15, 373.15), (32e-6, 5.4e-6))
-    >>> f"{1e6 * line.at(353.15):.3f} mm2/s, index {line.index:.0f}"
+    >>> f"{1e6 * line.at(353.15):.3f} mm2/s, index {line.viscosity_index:.0f}"
     '8.533 mm2/s, index 101'
     """
     cold, hot = (_walther(viscosity / MM2_S) for viscosity in viscosities)

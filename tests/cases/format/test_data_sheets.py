@@ -51,8 +51,8 @@ def test_one_viscosity_and_the_index():
     line = line_of_index(46e-6, 313.15, 100.0)
     assert 1e6 * line.at(373.15) == pytest.approx(6.77, abs=0.01)
     for index in (50.0, 99.0, 150.0, 250.0):
-        assert line_of_index(46e-6, 313.15, index).index == pytest.approx(index, abs=0.1)
-    assert line_through((313.15, 373.15), (22.83e-6, 5.05e-6)).index == pytest.approx(156.37, abs=0.3)
+        assert line_of_index(46e-6, 313.15, index).viscosity_index == pytest.approx(index, abs=0.1)
+    assert line_through((313.15, 373.15), (22.83e-6, 5.05e-6)).viscosity_index == pytest.approx(156.37, abs=0.3)
     by_index = kinematic("kinematic_viscosity_40C_mm2_s = 46.0\nviscosity_index = 100\n")
     assert by_index == pytest.approx(1e6 * line.at(353.15), rel=1e-9)
 
