@@ -9,7 +9,6 @@ contact      - results of one lubricated contact
 dynamics     - results of a time simulation
 files        - JSON and CSV files of results
 fmu          - tables of batches as functional mock-up units
-measured     - measured numbers beside computed ones
 netcdf_write - netCDF-4 files of results, written as `reader` reads them, without xarray
 open_results - one loader for the folders of all commands
 plot_style   - common to all plots: type sizes, colours, colour maps, the part of a contact shown

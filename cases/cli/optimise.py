@@ -92,7 +92,7 @@ def calibrate(
     quiet: Quiet = False,
 ) -> int:
     """Fit keys of a case to measured torque, film or temperature, each within its interval."""
-    from oilfilm.postprocess.measured import draw_measured
+    from oilfilm.postprocess.bearing.measured import draw_measured
     from oilfilm.postprocess.plot_style import write_figure
 
     from ..format.shipped import find_case
@@ -132,7 +132,7 @@ def calibration_table(found: Calibration) -> Group:
     from rich.console import Group
     from rich.text import Text
 
-    from oilfilm.postprocess.measured import residual_lines
+    from oilfilm.postprocess.bearing.measured import residual_lines
 
     parts: list[Any] = [Text("fit, each key within its interval", style="bold")]
     for one, value, deviation in zip(found.keys, found.values, found.deviations, strict=True):

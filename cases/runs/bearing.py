@@ -154,7 +154,7 @@ def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilib
 
 def _without_load(solution: QuasistaticSolution) -> bool:
     """Tell whether nothing loads the ring, nor a ball by a preload."""
-    loads = (*solution.operation.force, *(solution.operation.moment or ()))
+    loads = (*solution.operation.force, *solution.operation.moment)
     return not any(loads) and not (solution.inner_load > 0.0).any()
 
 

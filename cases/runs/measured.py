@@ -22,8 +22,8 @@ from oilfilm.ehl.foreign_files import DamagedFileError
 from oilfilm.ehl.table_files import Quantity, columns_of, read_table
 from oilfilm.ehl.units import from_si
 from oilfilm.postprocess import BearingResults, summary
+from oilfilm.postprocess.bearing.measured import MeasuredComparison
 from oilfilm.postprocess.files import read_summary
-from oilfilm.postprocess.measured import MeasuredComparison
 
 from ..format.case import Case, case_from_text, case_of_document, case_of_file, load_case
 from ..format.document import read_text
@@ -255,9 +255,10 @@ def compare_temperatures(document: dict[str, Any], name: str, file: Path) -> Mea
         If the table has nothing of these.
     """
     columns = read_measured(file, NODES)
-    over, own, rows = "inner_speed_rpm", "speed_rpm", document["balances"]
-    if "time_s" in columns:
-        over, own, rows = "time_s", "time_s", document["warm_up"]["course"]
+    timed = "time_s" in columns
+    over = "time_s" if timed else "inner_speed_rpm"
+    own = "time_s" if timed else "speed_rpm"
+    rows = document["warm_up"]["course"] if timed else document["balances"]
     if over not in columns:
         raise CaseError(f"{file}: no column of time or speed; {ALLOWED}")
     keys = [key for key in (*NODES, "torque_N_mm") if key in columns]
@@ -435,7 +436,7 @@ def calibrate(
             0.01, 0.99
         ),
         bounds=(0.0, 1.0),
-        diff_step=STEP,
+        diff_step=np.full(len(fitted), STEP),
         ftol=FIT_TOLERANCE,
         xtol=FIT_TOLERANCE,
         max_nfev=MOST_EVALUATIONS,
@@ -443,18 +444,22 @@ def calibrate(
     best = problem.values(found.x)
     start = [one.start for one in fitted]
     at_start = problem.computed(start)
-    deviations, correlation = _covariance(found.jac, found.fun, fitted)
-    parts = {"file": str(measured), "states": states, "measured": values}
+    deviations, correlation = _covariance(np.asarray(found.jac), found.fun, fitted)
+    as_it_is = MeasuredComparison(
+        file=str(measured),
+        source=f"{file}, as it is",
+        states=states,
+        measured=values,
+        computed=at_start,
+    )
     after = text_with(text, dict(zip((one.key for one in fitted), best, strict=True)), deviations)
     return Calibration(
         keys=fitted,
         values=tuple(best),
         deviations=deviations,
         correlation=correlation,
-        before=MeasuredComparison(source=f"{file}, as it is", computed=at_start, **parts),
-        after=MeasuredComparison(
-            source=f"{file}, fitted", computed=problem.computed(best), **parts
-        ),
+        before=as_it_is,
+        after=replace(as_it_is, source=f"{file}, fitted", computed=problem.computed(best)),
         fit_error=float(np.sqrt(np.mean(found.fun**2))),
         start_error=float(np.sqrt(np.mean(problem.relative(at_start) ** 2))),
         converged=bool(found.success),
@@ -566,7 +571,7 @@ def _interval(text: str, key: str, start: float, given: str) -> tuple[float, flo
     line = key_lines(text).get(tuple(key.split(".")))
     comment = COMMENT.search(text.splitlines()[line - 1]) if line else None
     if comment:
-        return float(comment[1]), float(comment[2]), "of the comment in the case"
+        return float(comment[1]), float(comment[2]), "by the comment in the case"
     if key in INTERVALS:
         return (*INTERVALS[key], "of the program")
     if key in TYPICAL:
@@ -590,7 +595,7 @@ def _covariance(
     deviation = np.sqrt(np.diag(covariance))
     own: list[float | None] = [None] * len(keys)
     for place, value in zip(told, deviation, strict=True):
-        own[place] = float(value * (keys[place].high - keys[place].low))
+        own[int(place)] = float(value * (keys[int(place)].high - keys[int(place)].low))
     correlation = np.eye(len(keys))
     correlation[np.ix_(told, told)] = covariance / np.outer(deviation, deviation)
     return tuple(own), correlation
@@ -603,7 +608,7 @@ def _left_open(
     correlation: Array | None,
     found: Any,
 ) -> list[str]:
-    """What a fit leaves open, in sentences."""
+    """Say what a fit leaves open."""
     notes = ["a fit: the values are those with which this model meets these points best"]
     if not found.success:
         notes.append(f"the fit did not converge: {found.message}")

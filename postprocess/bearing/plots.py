@@ -30,9 +30,9 @@ from oilfilm.ehl.units import from_si, value_with_error
 from .. import plot_style
 from ..contact.plots import draw_contact, draw_map, film_text
 from ..contact.shown_part import ContactView, contact_view
-from ..measured import draw_measured
 from ..quantities import FILMS, OTHERS, Quantity, by_key, evenly_chosen
 from .bearing_quantities import BALL_QUANTITY, DECAY_COURSE, TORQUE, TORQUE_MODELS
+from .measured import draw_measured
 from .results import BearingResults, azimuths_text, distinct_contacts
 from .torque import shown_titles, shown_torques
 

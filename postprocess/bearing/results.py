@@ -38,8 +38,8 @@ from oilfilm.ehl.traction.rolling_moment import RollingMoment
 from oilfilm.ehl.units import from_si, notebook_html
 
 from ..contact.summary import oil_permittivity
-from ..measured import MeasuredComparison
 from ..quantities import FILMS, OTHERS, Results, in_ranges
+from .measured import MeasuredComparison
 
 
 @dataclass(frozen=True, kw_only=True)  # without slots, which would keep no cached property

@@ -18,7 +18,6 @@ from oilfilm.ehl.units import from_si, unit_of, unit_symbol, value_with_error
 from .. import quantities
 from ..contact.write import field_group
 from ..files import contact_name, write_csv
-from ..measured import residual_lines
 from ..netcdf_write import DataGroup, Variables, root_attributes, write_groups
 from .bearing_quantities import BALL_QUANTITY, RING
 from .contact_quantities import (
@@ -29,6 +28,7 @@ from .contact_quantities import (
     contact_records,
     contact_values,
 )
+from .measured import residual_lines
 from .results import BearingResults
 from .summary import (
     duty_cycle_rows,

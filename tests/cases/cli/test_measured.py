@@ -122,7 +122,7 @@ def test_a_fit_meets_the_points_within_the_interval(rig, tmp_path):
     assert found.exit_code == 0, found.output
     document = json.loads(found.stdout)
     (one,) = document["keys"]
-    assert (one["low"], one["high"], one["interval"]) == (14.0, 23.0, "of the comment in the case")
+    assert (one["low"], one["high"], one["interval"]) == (14.0, 23.0, "by the comment in the case")
     assert one["low"] <= one["value"] <= one["high"]
     assert document["relative_error"] < document["relative_error_before"]
     assert document["messages"][1].startswith("a fit: ")

@@ -12,9 +12,9 @@ from rich.text import Text
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import unit_symbol, without_unit
 
-from .files import plain_document
-from .plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH
-from .quantities import number, number_table
+from ..files import plain_document
+from ..plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH
+from ..quantities import number, number_table
 
 ORDER = ("time_s", "inner_speed_rpm", "radial_load_N", "axial_load_N", "temperature_C")
 MOST_ROWS = 30  # in the terminal
