@@ -36,7 +36,6 @@ FORMATS: tuple[tuple[str | None, str], ...] = (
     (None, ","),
     ("|", ","),
 )
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 NOTHING = ("", "-", "--", "na", "n/a", "nan", "null", "none")  # entries that are left out
 CLOCK = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ])?(\d{1,2}):(\d\d):(\d\d(?:\.\d*)?)")
 WORD = re.compile(r"[^\W\d_]{2}")  # of an instrument's own lines
@@ -211,9 +210,13 @@ def table_of_text(text: str, name: str) -> DataTable:
     width = _width(numbers)
     if width == 0:
         raise DamagedFileError(f"{name}: no rows of numbers")
-    words = _word_columns(numbers, width)
+    words = _word_columns(rows, numbers, width)
     valid = [_is_data(row, width, words) for row in numbers]
     columns = [index for index in range(width) if index not in words]
+    if True not in valid:  # a column of what is no number
+        some = next(n for n, row in enumerate(numbers) if any(map(_known, row)))
+        fault = _fault(rows[some], width, columns, decimal, [""] * width)
+        raise DamagedFileError(f"{name}: {fault}")
     entries = [row.fields for row in rows]
     first = _end(valid, entries, decimal)
     last = len(rows) - _end(valid[::-1], entries[::-1], decimal)
@@ -230,10 +233,10 @@ def table_of_text(text: str, name: str) -> DataTable:
 
 def _end(valid: Sequence[bool], rows: Sequence[Sequence[str]], decimal: str) -> int:
     """First row of the table; one of numbers and no words belongs to it, if only by mistake."""
-    first = valid.index(True) if True in valid else len(valid)
+    first = valid.index(True)
     while first and _means_numbers(rows[first - 1], decimal):
         first -= 1
-    return min(first, len(valid) - 1)
+    return first
 
 
 def _means_numbers(fields: Sequence[str], decimal: str) -> bool:
@@ -263,8 +266,11 @@ def _fields(line: str, separator: str | None) -> list[str]:
 def _number(field: str, decimal: str) -> float | None:
     """A number, seconds of a time of day or date; nan if left out, None of anything else."""
     text = field.replace(",", ".") if decimal == "," else field
-    if NUMBER.fullmatch(text):
-        return float(text)
+    try:
+        if "_" not in text and not math.isnan(value := float(text)):
+            return value
+    except ValueError:
+        pass
     if field.lower() in NOTHING:
         return math.nan
     clock = CLOCK.fullmatch(text)
@@ -284,13 +290,18 @@ def _known(value: float | None) -> bool:
     return value is not None and not math.isnan(value)
 
 
-def _word_columns(rows: Sequence[Sequence[float | None]], width: int) -> set[int]:
+def _word_columns(
+    rows: Sequence[_Row], numbers: Sequence[Sequence[float | None]], width: int
+) -> set[int]:
     """Columns that hold words, as a remark on each row."""
-    of_width = [row for row in rows if len(row) == width]
-    shares = [
-        sum(row[index] is not None for row in of_width) / len(of_width) for index in range(width)
-    ]
-    return {index for index, share in enumerate(shares) if share < TEXT_SHARE}
+    of_width = [row for row in zip(rows, numbers, strict=True) if len(row[1]) == width]
+
+    def is_word(row: _Row, values: Sequence[float | None], index: int) -> bool:
+        return values[index] is None and bool(WORD.search(row.fields[index]))
+
+    shares = [sum(is_word(*row, index) for row in of_width) for index in range(width)]
+    least = (1.0 - TEXT_SHARE) * len(of_width)
+    return {index for index, share in enumerate(shares) if share > least}
 
 
 def _is_data(row: Sequence[float | None], width: int, words: set[int]) -> bool:
@@ -380,6 +391,8 @@ def _of_document(document: Any, name: str) -> DataTable:
         names = document.get("columns") or document.get("header")
         rows = document["data"]
         if isinstance(names, list) and isinstance(rows, list):
+            if not all(isinstance(row, list) for row in rows):
+                raise DamagedFileError(f"{name}: data are no rows")
             rows = [dict(zip(map(str, names), row, strict=False)) for row in rows]
         document = rows
     elif isinstance(document, dict):

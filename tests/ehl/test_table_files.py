@@ -107,3 +107,8 @@ def test_times_of_day_are_seconds_and_left_out_entries_nan():
 def test_a_damaged_row_at_an_end_is_none_of_the_instrument(text, line):
     with pytest.raises(DamagedFileError, match=f"line {line}"):
         table_of_text(text, "a.csv")
+
+
+def test_thousands_are_told_not_taken_for_words():
+    with pytest.raises(DamagedFileError, match=r"line 2, column 1: found '1\.000,5'"):
+        table_of_text("a;b\n1.000,5;2\n2.000,5;3\n", "a.csv")
