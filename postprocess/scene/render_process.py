@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import re
 import subprocess
 import sys
 import threading
@@ -15,7 +16,7 @@ from typing import Any, BinaryIO
 
 from PIL import Image
 
-from oilfilm.bearing.files import atomic_path
+from oilfilm.bearing.files import DISK_ERRORS, atomic_path
 
 WINDOW_VARIABLE = "VTK_DEFAULT_OPENGL_WINDOW"
 WINDOW_WITHOUT_DISPLAY = "vtkEGLRenderWindow"
@@ -173,6 +174,8 @@ def run_python(arguments: list[str], patience: float | None) -> None:
     ------
     RenderingError
         If the process fails or takes too long.
+    OSError
+        If the disk takes nothing more.
     """
     home = str(Path(sys.modules["oilfilm"].__file__ or "").resolve().parents[1])
     paths = [home, *filter(None, [os.environ.get("PYTHONPATH")])]
@@ -198,6 +201,9 @@ def run_python(arguments: list[str], patience: float | None) -> None:
         lines = [line.strip() for line in process.stderr.splitlines() if line.strip()]
         crashed = process.returncode < 0 or process.returncode > 128
         ended = f"the drawing process ended with code {process.returncode}"
+        number = re.match(r"OSError: \[Errno (\d+)\]", lines[-1]) if lines else None
+        if number and int(number[1]) in DISK_ERRORS:
+            raise OSError(int(number[1]), os.strerror(int(number[1])))
         raise RenderingError(advice(ended if crashed or not lines else lines[-1]))
 
 

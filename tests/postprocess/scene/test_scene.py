@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import shutil
 import subprocess
 import sys
@@ -137,6 +138,13 @@ def test_dying_process_becomes_an_error():
         run_python(["-c", "import os; os.abort()"], 60.0)
     with pytest.raises(RenderingError, match="no display server"):
         run_python(["-c", "raise OSError('no display server')"], 60.0)
+
+
+def test_a_full_disk_is_no_missing_library():
+    with pytest.raises(OSError, match=r"File too large") as full:
+        run_python(["-c", "import errno; raise OSError(errno.EFBIG, 'File too large')"], 60.0)
+    assert full.value.errno == errno.EFBIG
+    assert "OpenGL" not in str(full.value)
 
 
 @pytest.mark.skipif(not LINUX, reason="Linux only")
