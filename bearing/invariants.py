@@ -21,6 +21,7 @@ from .torque.breakdown import TorqueBreakdown
 from .torque.integrated import SolvedShear
 
 FORCE_TOLERANCE = 1.0e-6  # of forces and moments in balance, over the largest [-]
+CONTACT_TOLERANCE = 1.0e-8  # of forces of contacts, over the largest load [-]
 POWER_TOLERANCE = 1.0e-3  # of rings' power against torque times speed, balls in balance [-]
 FILM_TOLERANCE = 1.0e-6  # of films that must be the same, and of the minimum over the centre [-]
 GAP_TOLERANCE = 1.0e-3  # of films against the gap that they fill [-]
@@ -36,6 +37,7 @@ class CheckedState:
     """Results of one bearing that the laws connect."""
 
     quasistatic: QuasistaticSolution
+    pour_point: float | None  # of the oil [K]; None: not known
     contacts: Sequence[BearingContact]
     films: Sequence[ContactFilm | None]  # operating ones of the contacts, as results show them
     frequencies: Frequencies
@@ -64,6 +66,18 @@ def broken_laws(results: CheckedState) -> tuple[str, ...]:
     if not results.quasistatic.converged:
         return ()
     return tuple(f"check failed: {fault}" for check in CHECKS for fault in check(results))
+
+
+def _flow(results: CheckedState) -> Iterator[str]:
+    """Check that the oil flows: films, torque and life are those of an oil that does."""
+    operation = results.quasistatic.operation
+    least = results.pour_point
+    if least is not None and operation.temperature < least and operation.shaft_speed > 0.0:
+        at, end = (from_si("temperature_C", t) for t in (operation.temperature, least))
+        yield (
+            f"at {at:.0f} C the oil lies below its pour point, {end:.0f} C, and does not flow: "
+            "film, torque and life are extrapolated"
+        )
 
 
 def _minimum_films(results: CheckedState) -> Iterator[str]:
@@ -126,10 +140,52 @@ def _sheared_films(results: CheckedState) -> Iterator[str]:
 
 
 def _forces(results: CheckedState) -> Iterator[str]:
-    """Check forces and moments of ring and balls."""
+    """Check forces and moments of ring and balls in the equilibrium, and forces of the contacts.
+
+    The contacts of balls between two films carry other loads than the dry equilibrium has.
+    """
     residual = results.quasistatic.residual
     if not residual <= FORCE_TOLERANCE:
         yield f"forces and moments balance to {residual:.1e} only ({FORCE_TOLERANCE:g} allowed)"
+    for name, left in forces_left(results.quasistatic, results.contacts).items():
+        if not left <= CONTACT_TOLERANCE:
+            yield f"the loads of the contacts leave {left:.1e} of the largest one on {name}"
+
+
+def forces_left(s: QuasistaticSolution, contacts: Sequence[BearingContact]) -> dict[str, float]:
+    """Force that contacts, friction and body forces leave on balls and inner ring.
+
+    Parameters
+    ----------
+    s : QuasistaticSolution
+        Equilibrium of the bearing, which has friction and body forces.
+    contacts : sequence of BearingContact
+        Its contacts, which have the loads.
+
+    Returns
+    -------
+    dict of str to float
+        Over the largest load [-], by what it acts on.
+    """
+    load = np.array([contact.load for contact in contacts])
+    normal = np.array([contact.normal for contact in contacts])
+    azimuth = np.array([contact.azimuth for contact in contacts])
+    radial = np.stack([np.zeros_like(azimuth), np.cos(azimuth), np.sin(azimuth)], axis=1)
+    around = np.stack([np.zeros_like(azimuth), -np.sin(azimuth), np.cos(azimuth)], axis=1)
+    # the race pushes the ball against n, friction acts across it, in the plane of the axis
+    friction = -np.stack([s.inner_friction, s.outer_friction], axis=1).ravel()
+    drive = np.stack([s.inner_drive, -s.inner_drive], axis=1).ravel()
+    force = -load[:, None] * normal + friction[:, None] * np.cross(normal, around)
+    inner = force[::2]
+    on_balls = inner + force[1::2] + s.centrifugal_force[:, None] * radial[::2]
+    held = np.array([force is None for force in s.operation.force])
+    on_ring = s.ring_force - (inner + drive[::2, None] * around[::2]).sum(axis=0)
+    on_ring[held] = 0.0
+    largest = max(float(load.max(initial=0.0)), 1e-300)
+    return {
+        "a ball": float(np.abs(on_balls).max(initial=0.0)) / largest,
+        "the inner ring": float(np.abs(on_ring).max(initial=0.0)) / largest,
+    }
 
 
 def _powers(results: CheckedState) -> Iterator[str]:
@@ -199,6 +255,7 @@ def _frequencies(results: CheckedState) -> Iterator[str]:
 
 
 CHECKS: tuple[Callable[[CheckedState], Iterator[str]], ...] = (
+    _flow,
     _minimum_films,
     _gaps,
     _sheared_films,

@@ -180,7 +180,8 @@ def finite_bodies(bearing: Bearing, contacts: Sequence[BearingContact]) -> Finit
 def with_finite_bodies(
     contacts: Sequence[BearingContact], differences: FiniteBodies
 ) -> tuple[BearingContact, ...]:
-    """Contacts whose films have the reduced radii of finite bodies; the dry contacts stay.
+    """Contacts whose films have the reduced radii of finite bodies; the dry contacts stay, and
+    those of light balls, whose films fill gaps between half-spaces.
 
     Parameters
     ----------
@@ -197,7 +198,7 @@ def with_finite_bodies(
 
     def adjusted(contact: BearingContact) -> BearingContact:
         difference = differences.at(contact.race)
-        if difference is None or contact.conditions is None:
+        if difference is None or contact.conditions is None or contact.gap is not None:
             return contact
         return replace(contact, conditions=difference.conditions(contact.conditions))
 

@@ -6,20 +6,21 @@ groove's centre lies x beyond the ball's surface pushes with Q,
 
 .. math:: d(Q) - h(Q) = x
 
-and the ball is in balance in the axial plane, u and w to the grooves' centres, u + w = V:
+and the ball is in balance in the axial plane, u and w to the grooves' centres, u + w = V, with
+the friction T of the gyroscopic couple across the rolling direction, t:
 
-.. math:: Q_i w/|w| - Q_o u/|u| + F_c e_r = 0
+.. math:: Q_i w/|w| + T_i t_i - Q_o u/|u| - T_o t_o + F_c e_r = 0
 
 In a radial bearing this is h_i - d_i + h_o - d_o = P_d/2 - delta cos psi at Q_o = Q_i + F_c. The
 films are the operating ones, which supply and heat limit: where the layers do not fill the gap,
-Q_i = 0 and the outer film carries F_c. The ring moves by what the films of the heavier balls take
-of the clearance, and by the push of the light ones,
+Q_i = 0 and the outer film carries F_c. The heavier balls have the same law, and the ring is in
+balance with all of them,
 
-.. math:: K dq = -\sum_j (dV/dq)^T \Delta Q_j w_j/|w_j|
+.. math:: F - \sum_j (dV/dq)^T (Q_i w/|w| + T_i t_i)_j = 0
 
-with the stiffness K of the dry equilibrium; loads of the heavier balls stay those of that, which
-they exceed by up to 5 %. The weight of a ball, 2 % of F_c in a 6205 at 3800 r/min and as much as
-it at 530, is left out, and so are the couple of the ball and squeeze as it goes round.
+Where no ball is light, nothing changes. Friction, motion and the shape of elastic rings are those
+of the dry equilibrium. The weight of a ball, 2 % of F_c in a 6205 at 3800 r/min and as much as it
+at 530, is left out, and so is squeeze as it goes round.
 """
 
 from collections.abc import Sequence
@@ -39,24 +40,25 @@ from ..operation import BallKinematics
 from ..quasistatic.ring import Ring, ring_of
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import OilAtInlets
-from .operating_film import operating_films, with_formulas
+from .operating_film import on_tracks, operating_films, with_formulas
 
 # load of the inner race over the centrifugal force under which it counts as none [-]
 LEAST_LOAD = 1.0e-3
 SMALLEST = 1.0e-9  # load that is told from none [N]
 LARGEST = 1.0e6  # [N]
 STEEPEST = 3.0  # slope of a film over its load, logarithms [-]
-STEP = 1.1  # factor of the loads over which the slope of a film is taken [-]
+STEP = 1.01  # factor of the loads over which the slope of a film is taken [-]
 SLOPED = 0.1  # change of the logarithms of loads below which the slopes of films stay
 ROUNDS = 40
-LEAST_PART = 0.1  # of a step of the ring [-]
+SETS = 20  # sets of light balls that are tried
 BISECTIONS = 60
 TOLERANCE = 1.0e-4  # change of the logarithms of loads, of which films miss its square [-]
 SINGULAR = 1.0e-9  # stiffness over the largest below which a direction has none [-]
 NEWTON_STEPS = 40
 HALVINGS = 12
-BALANCED = 1.0e-10  # force left on a ball over the larger of its loads [-]
+BALANCED = 1.0e-9  # force left on the ring over the largest load [-]
 LONGEST = 2.0  # step of the logarithm of a load
+LONGER = 1.5  # factor of a step that does not turn [-]
 UNFILLED = "the oil does not fill the gap between ball and race"
 
 
@@ -100,19 +102,14 @@ class _Springs:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _LightBalls:
-    """Light balls of a bearing and the ring that they push."""
+class _Balls:
+    """Balls between two films, light ones and the heavier, and the ring that they hold."""
 
     solution: QuasistaticSolution
-    contacts: Sequence[BearingContact]
     oil: Lubricant
     supply: OilAtInlets | None
     ring: Ring
-    light: NDArray[np.int64]  # numbers of the balls, from 0
-    V: Array  # between the grooves' centres of all balls in the dry equilibrium, (2, N) [m]
-    # sums over both races of each ball in the dry equilibrium, (N,) [m]
-    approach: Array
-    film: Array
+    numbers: NDArray[np.int64]  # of the balls, from 0
 
     @property
     def lengths(self) -> Array:
@@ -123,12 +120,32 @@ class _LightBalls:
 
     @property
     def force(self) -> Array:
-        """Centrifugal force of the light balls [N]."""
-        return self.solution.centrifugal_force[self.light]
+        """Centrifugal force [N]."""
+        return self.solution.centrifugal_force[self.numbers]
+
+    @property
+    def friction(self) -> Array:
+        """Friction across the rolling direction, (2, n) [N]."""
+        s = self.solution
+        return np.stack([s.inner_friction, s.outer_friction])[:, self.numbers]
+
+    @property
+    def dry(self) -> Array:
+        """Position of the ring in the dry equilibrium, (5,) [m]."""
+        s = self.solution
+        return np.concatenate([s.displacement, s.tilt]) * self.ring.scale
+
+    def between(self, q: Array) -> Array:
+        """V of the balls with the ring at q (5,), (2, n) [m]."""
+        s = self.solution
+        V = self.ring.position(q)
+        V[0] += s.inner_ring_axial - s.outer_ring_axial
+        V[1] += s.inner_ring_radial - s.outer_ring_radial
+        return V[:, self.numbers]
 
     def contacts_at(self, load: Array, u: Array, V: Array) -> list[BearingContact]:
-        """Contacts of the light balls, inner and outer in turn, at loads (2, n) [N], with the
-        balls at u and the grooves' centres V apart, (2, n) [m].
+        """Contacts of the balls, inner and outer in turn, at loads (2, n) [N], with the balls at u
+        and the grooves' centres V apart, (2, n) [m].
         """
         w = V - u
         changes = {
@@ -140,39 +157,29 @@ class _LightBalls:
         arrays = {}
         for name, values in changes.items():
             arrays[name] = getattr(self.solution, name).copy()
-            arrays[name][self.light] = values
+            arrays[name][self.numbers] = values
         at = contact_conditions(replace(self.solution, **arrays), self.oil, thick=True)
-        return [at[n] for n in _numbers(self.light)]
+        return [at[n] for n in _numbers(self.numbers)]
 
-    def films_at(self, load: Array, u: Array, V: Array) -> Array:
-        """Operating central films there, (2, n) [m]."""
-        return _films(self.contacts_at(load, u, V), self.supply).reshape(-1, 2).T
-
-    def moved_ring(self, dq: Array, push: Array, stiffness: Array, w: Array) -> Array:
-        """A Newton step on of the ring's movement dq, (5,) [m], under the pushes of the light
-        balls along w, (n,) [N], (2, n) [m], with their stiffness, (n,) [N/m].
+    def filled(self, V: Array, contacts: Sequence[BearingContact]) -> NDArray[np.bool_]:
+        """Balls whose gap the films fill under next to no load at the inner race, behind the
+        layers of contacts.
         """
-        s = self.solution
-        before = np.stack([np.sin(s.inner_contact_angle), np.cos(s.inner_contact_angle)])
-        V = self.V + np.einsum("vqz,q->vz", self.ring.movement, dq)
-        length = np.hypot(*V)
-        normal = before + V / length - self.V / np.hypot(*self.V)
-        normal[:, self.light] = w / np.hypot(*w)
-        compressed = self.approach + length - np.hypot(*self.V) + self.film
-        compressed = np.maximum(compressed, 0.0) / self.approach
-        load = s.inner_load * compressed**1.5
-        load[self.light] = push
-        stiffer = 1.5 * s.inner_load / self.approach * (np.sqrt(compressed) - 1.0)
-        stiffer[self.light] = stiffness
-        along = np.einsum("vqz,vz->qz", self.ring.movement, normal)
-        tangent = s.stiffness / np.outer(self.ring.scale, self.ring.scale)
-        tangent = tangent + np.einsum("qz,pz,z->qp", along, along, stiffer)
-        change = load * normal - s.inner_load * before
-        free = np.flatnonzero(self.ring.free)
-        step = np.zeros(5)
-        inverse = np.linalg.pinv(tangent[np.ix_(free, free)], SINGULAR)
-        step[free] = inverse @ -np.einsum("vqz,vz->q", self.ring.movement, change)[free]
-        return dq + step
+        u = V * (self.lengths[1] / np.hypot(*V))
+        least = np.stack([LEAST_LOAD * self.force, (1.0 + LEAST_LOAD) * self.force])
+        supply = self.supply and on_tracks(self.supply, contacts)
+        thickest = _films(self.contacts_at(least, u, V), supply).reshape(-1, 2)
+        return np.asarray(thickest.sum(axis=1) > self.lengths.sum() - np.hypot(*V))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Balance:
+    """Balls and ring in balance."""
+
+    q: Array  # of the ring, (5,) [m]
+    V: Array  # (2, n) [m]
+    u: Array  # (2, n) [m]
+    load: Array  # (2, n) [N]
 
 
 def contacts_between_films(
@@ -200,10 +207,14 @@ def contacts_between_films(
         Those of light balls with the loads of their films and their `gap`; the same object where
         there are none.
     """
-    balls = _light_balls(solution, contacts, oil, supply)
-    if balls is None:
+    light = _light(solution, contacts)
+    if not light.any():
         return contacts if isinstance(contacts, tuple) else tuple(contacts)
-    found = _balanced(balls)
+    ring = ring_of(solution.bearing, solution.operation, solution.rows, solution.model.rings)
+    every = _Balls(
+        solution=solution, oil=oil, supply=supply, ring=ring, numbers=np.arange(light.size)
+    )
+    found = _with_films(every, light, contacts)
     return BearingContacts.of(
         solution, (found.get(n, contact) for n, contact in enumerate(contacts))
     )
@@ -214,43 +225,14 @@ def _numbers(balls: NDArray[np.int64]) -> list[int]:
     return [int(2 * ball + race) for ball in balls for race in range(2)]
 
 
-def _light_balls(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    oil: Lubricant,
-    supply: OilAtInlets | None,
-) -> _LightBalls | None:
-    """The light balls; None where there are none, nothing turns, or they are balanced already."""
+def _light(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> NDArray[np.bool_]:
+    """Light balls; none where nothing turns, or they are balanced already."""
     s = solution
-    light = np.flatnonzero(s.inner_load < NEGLIGIBLE_LOAD * s.inner_load.max(initial=0.0))
-    if s.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        return None
+    light = s.inner_load < NEGLIGIBLE_LOAD * s.inner_load.max(initial=0.0)
+    by_traction = s.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     turning = s.operation.shaft_speed > 0.0 and bool((s.centrifugal_force > 0.0).all())
     known = any(contact.gap is not None for contact in contacts)
-    if not (s.converged and turning and light.size) or known:
-        return None
-    ring = ring_of(s.bearing, s.operation, s.rows, s.model.rings)
-    V = ring.position(np.concatenate([s.displacement, s.tilt]) * ring.scale)
-    V[0] += s.inner_ring_axial - s.outer_ring_axial
-    V[1] += s.inner_ring_radial - s.outer_ring_radial
-    heavy = np.setdiff1d(np.arange(s.azimuth.size), light)
-    films = np.zeros(s.azimuth.size)
-    approaches = np.ones(s.azimuth.size)
-    pairs = [contacts[n] for n in _numbers(heavy)]
-    films[heavy] = _films(pairs, supply).reshape(-1, 2).sum(axis=1)
-    approach = np.array([0.0 if c.hertz is None else c.hertz.approach for c in pairs])
-    approaches[heavy] = approach.reshape(-1, 2).sum(axis=1)
-    return _LightBalls(
-        solution=s,
-        contacts=contacts,
-        oil=oil,
-        supply=supply,
-        ring=ring,
-        light=light,
-        V=V,
-        approach=approaches,
-        film=films,
-    )
+    return np.asarray(light & (s.converged and turning and not by_traction and not known))
 
 
 def _films(contacts: Sequence[BearingContact], supply: OilAtInlets | None) -> Array:
@@ -261,88 +243,95 @@ def _films(contacts: Sequence[BearingContact], supply: OilAtInlets | None) -> Ar
     return np.array([0.0 if film is None else film.central.value for film in films])
 
 
-def _balanced(balls: _LightBalls) -> dict[int, BearingContact]:
-    """Contacts of the light balls in balance, by their numbers."""
-    # 1. balls whose gap the layers fill: the thickest films leave no room
-    filled = _filled(balls)
-    rest = balls.light[~filled]
-    balls = replace(balls, light=balls.light[filled])
+def _with_films(
+    every: _Balls, light: NDArray[np.bool_], contacts: Sequence[BearingContact]
+) -> dict[int, BearingContact]:
+    """Contacts that films change, by their numbers."""
+    free = light & (every.solution.inner_load == 0.0)
+    filled = free & every.filled(every.between(every.dry), contacts)
     changed: dict[int, BearingContact] = {}
-    if filled.any():
-        # 2. balance with the ring that yields, else with the ring where it is
-        found = _rounds(balls, ring_yields=True) or _rounds(balls, ring_yields=False)
-        if found is None:
-            return {}
-        # 3. where they are; balls that the ring has left are as those with too little oil
-        u, V, load = found
-        left = load[0] < LEAST_LOAD * balls.force
-        rest = np.concatenate([rest, balls.light[left]])
-        gap = balls.lengths[:, None] - np.stack([np.hypot(*(V - u)), np.hypot(*u)])
-        places = zip(balls.contacts_at(load, u, V), gap.T.ravel().tolist(), strict=True)
-        between = [replace(contact, gap=room) for contact, room in places]
-        changed = dict(zip(_numbers(balls.light), between, strict=True))
-    for n in _numbers(rest):
-        note = UNFILLED if n % 2 == 0 else balls.contacts[n].note
-        changed[n] = replace(balls.contacts[n], note=note)
+    for _ in range(SETS):
+        # 1. balls and ring in balance
+        balls = replace(every, numbers=np.flatnonzero(~free | filled))
+        balance = _rounds(balls) if (light & ~free | filled).any() else None
+        if balance is None:
+            break
+        # 2. balls that the ring has left are as those with too little oil
+        left = np.zeros_like(light)
+        left[balls.numbers] = balance.load[0] < LEAST_LOAD * balls.force
+        if not (left & filled).any():
+            changed = _changed(balls, balance, light)
+            break
+        filled &= ~left
+    for n in _numbers(np.flatnonzero(free & ~filled)):
+        note = UNFILLED if n % 2 == 0 else contacts[n].note
+        changed[n] = replace(contacts[n], note=note)
     return changed
 
 
-def _rounds(balls: _LightBalls, *, ring_yields: bool) -> tuple[Array, Array, Array] | None:
-    """Films, loads and the ring in turn: u, V [m] and loads [N], each (2, n); None where they do
-    not settle.
+def _changed(
+    balls: _Balls, balance: _Balance, light: NDArray[np.bool_]
+) -> dict[int, BearingContact]:
+    """Contacts in balance by their numbers, those of light balls with their gaps."""
+    u, V = balance.u, balance.V
+    gap = balls.lengths[:, None] - np.stack([np.hypot(*(V - u)), np.hypot(*u)])
+    at = balls.contacts_at(balance.load, u, V)
+    places = zip(_numbers(balls.numbers), at, gap.T.ravel().tolist(), strict=True)
+    return {
+        n: replace(contact, gap=room if light[n // 2] else None) for n, contact, room in places
+    }
 
-    The way of a load is halved where it turns, the ring's where the changes grow.
+
+def _rounds(balls: _Balls) -> _Balance | None:
+    """Films and the balance of balls and ring in turn; None where they do not settle.
+
+    The way of a load at which a film is taken is halved where it turns.
     """
-    V = balls.V[:, balls.light]
+    q = balls.dry
+    V = balls.between(q)
+    s = balls.solution
+    dry = np.stack([s.inner_load, s.outer_load])[:, balls.numbers]
+    # from above, where films are as thin as of heavy balls
+    start = np.maximum(balls.force, NEGLIGIBLE_LOAD * s.inner_load.max())
+    load = np.maximum(dry, np.stack([start, start + balls.force]))
     u = V * (balls.lengths[1] / np.hypot(*V))
-    load = np.stack([balls.force, 2.0 * balls.force])
     way = np.zeros_like(load)
     longest = np.full_like(load, LONGEST)
     slope = None
-    dq = np.zeros(5)
-    part = 1.0
     last = np.inf
     for _ in range(ROUNDS):
         springs = _springs(balls, load, u, V, slope)
         at = u
-        u, found = _in_balance(springs, V, balls.force)
+        found = _in_balance(balls, springs, q)
+        if found is None:
+            return None
+        q, V, u = found.q, found.V, found.u
         turn = float((np.hypot(*(u - at)) / np.hypot(*u)).max())
-        ahead = np.log(found / load)
+        ahead = np.log(found.load / load)
         change = float(np.abs(ahead).max())
+        if max(change, turn) < TOLERANCE:
+            return found
         turned = (way * ahead < 0.0) & (np.abs(ahead) > SLOPED)
-        longest = np.where(turned, 0.5 * np.abs(way), longest)
+        longest = np.where(turned, 0.5 * np.abs(way), np.minimum(LONGER * longest, LONGEST))
         way = np.clip(ahead, -longest, longest)
         load = load * np.exp(way)
-        if max(change, turn) < TOLERANCE:
-            return u, V, load
-        slope = springs.slope if max(change, turn) < SLOPED else None
-        if ring_yields:
-            part = part if change < last else max(0.5 * part, LEAST_PART)
-            last = change
-            soft = springs.softness(load).sum(axis=0)
-            dq = dq + part * (balls.moved_ring(dq, load[0], 1.0 / soft, V - u) - dq)
-            movement = np.einsum("vqz,q->vz", balls.ring.movement, dq)
-            V = balls.V[:, balls.light] + movement[:, balls.light]
+        slope = springs.slope if max(change, turn) < min(SLOPED, 0.5 * last) else None
+        last = change
     return None
 
 
-def _filled(balls: _LightBalls) -> NDArray[np.bool_]:
-    """Balls whose gap the films fill under next to no load at the inner race."""
-    V = balls.V[:, balls.light]
-    u = V * (balls.lengths[1] / np.hypot(*V))
-    least = np.stack([LEAST_LOAD * balls.force, (1.0 + LEAST_LOAD) * balls.force])
-    return np.asarray(balls.films_at(least, u, V).sum(axis=0) > balls.lengths.sum() - np.hypot(*V))
-
-
-def _springs(balls: _LightBalls, load: Array, u: Array, V: Array, slope: Array | None) -> _Springs:
+def _springs(balls: _Balls, load: Array, u: Array, V: Array, slope: Array | None) -> _Springs:
     """Laws of the films at loads (2, n) [N]; slopes are taken anew where there are none."""
     contacts = balls.contacts_at(load, u, V)
     hertz = [contact.hertz for contact in contacts]
     approach = np.array([0.0 if one is None else one.approach for one in hertz])
-    film = _films(contacts, balls.supply).reshape(-1, 2).T
+    supply = balls.supply and on_tracks(balls.supply, contacts)
+    film = _films(contacts, supply).reshape(-1, 2).T
     if slope is None:
-        other = balls.films_at(STEP * load, u, V)
-        slope = np.clip(np.log(film / other) / log(STEP), 0.0, STEEPEST)
+        other = _films(balls.contacts_at(STEP * load, u, V), supply).reshape(-1, 2).T
+        thin = film <= 0.0  # without a film
+        ratio = np.where(thin, 1.0, film) / np.where(thin, 1.0, other)
+        slope = np.clip(np.log(ratio) / log(STEP), 0.0, STEEPEST)
     return _Springs(
         stiffness=load / approach.reshape(-1, 2).T ** 1.5,
         film=film,
@@ -352,30 +341,73 @@ def _springs(balls: _LightBalls, load: Array, u: Array, V: Array, slope: Array |
     )
 
 
-def _in_balance(springs: _Springs, V: Array, force: Array) -> tuple[Array, Array]:
-    """Balls in balance: u (2, n) [m] and loads (2, n) [N].
+def _in_balance(balls: _Balls, springs: _Springs, q: Array) -> _Balance | None:
+    """Ring and balls in balance, begun with the ring at q (5,) [m]; None where it is not found.
+
+    Newton's method with the stiffness of balls in balance.
+    """
+    free = np.flatnonzero(balls.ring.free)
+    movement = balls.ring.movement[:, :, balls.numbers]
+    gather = balls.ring.gather[:, :, balls.numbers]
+    radius = balls.solution.bearing.inner_groove_radius
+    couple = -radius * balls.friction[0]
+
+    def at(q: Array) -> tuple[_Balance, Array, Array]:
+        V = balls.between(q)
+        u, load, push, stiffness = _balls_in_balance(balls, springs, V)
+        force = np.concatenate([-push, couple[None]])
+        left = np.einsum("qfz,fz->q", gather, force) + balls.ring.load
+        tangent = np.einsum("iqz,ijz,jpz->qp", movement, stiffness, movement)
+        return _Balance(q=q, V=V, u=u, load=load), left[free], tangent[np.ix_(free, free)]
+
+    found, left, tangent = at(q)
+    for _ in range(NEWTON_STEPS):
+        if np.abs(left).max(initial=0.0) < BALANCED * found.load.max():
+            return found
+        step = np.zeros(5)
+        step[free] = np.linalg.pinv(tangent, SINGULAR, hermitian=True) @ left
+        for _ in range(HALVINGS):
+            trial, ahead, stiffer = at(found.q + step)
+            if np.linalg.norm(ahead) < np.linalg.norm(left) or ahead @ step[free] > 0.0:
+                break
+            step *= 0.5
+        found, left, tangent = trial, ahead, stiffer
+    return None
+
+
+def _balls_in_balance(
+    balls: _Balls, springs: _Springs, V: Array
+) -> tuple[Array, Array, Array, Array]:
+    """Balls in balance at V: u (2, n) [m], loads and force on the inner ring (2, n) [N], and its
+    stiffness by V (2, 2, n) [N/m].
 
     Newton's method with the exact stiffness of the springs, whose energy is convex, begun on the
     line between the grooves' centres.
     """
-    u = V * ((springs.length[1] + _split(springs, V, force)) / np.hypot(*V))
-    load, left, stiffness = _forces(springs, u, V, force)
+    u = V * ((springs.length[1] + _split(springs, V, balls.force)) / np.hypot(*V))
+    load, left, push, stiffness = _forces(balls, springs, u, V)
+    both = stiffness.sum(axis=0)
     for _ in range(NEWTON_STEPS):
-        moving = np.hypot(*left) > BALANCED * load.max(axis=0)
+        moving = np.hypot(*left) > 0.1 * BALANCED * load.max(axis=0)
         if not moving.any():
             break
-        step = np.linalg.solve(stiffness.T, left.T[..., None])[..., 0].T * moving
-        factor = np.ones(force.size)
+        step = np.linalg.solve(both.T, left.T[..., None])[..., 0].T * moving
+        factor = np.ones(balls.numbers.size)
         for _ in range(HALVINGS):
             at = u + factor * step
-            load, ahead, stiffness = _forces(springs, at, V, force)
+            load, ahead, push, stiffness = _forces(balls, springs, at, V)
             shorter = np.hypot(*ahead) < np.hypot(*left)
             good = shorter | ((ahead * step).sum(axis=0) > 0.0) | ~moving
             if good.all():
                 break
             factor = np.where(good, factor, 0.5 * factor)
-        u, left = at, ahead
-    return u, load
+        u = at
+        left = ahead
+        both = stiffness.sum(axis=0)
+    # K_i (K_i + K_o)^-1 K_o: the ball follows
+    inner, outer = stiffness.transpose(0, 3, 1, 2)
+    follows = inner @ np.linalg.solve(inner + outer, outer)
+    return u, load, push, follows.transpose(1, 2, 0)
 
 
 def _split(springs: _Springs, V: Array, force: Array) -> Array:
@@ -392,17 +424,22 @@ def _split(springs: _Springs, V: Array, force: Array) -> Array:
     return springs.room(np.stack([inner, inner + force]))[1]
 
 
-def _forces(springs: _Springs, u: Array, V: Array, force: Array) -> tuple[Array, Array, Array]:
-    """Loads (2, n), force left on the balls (2, n) [N] and its stiffness (2, 2, n) [N/m]."""
+def _forces(
+    balls: _Balls, springs: _Springs, u: Array, V: Array
+) -> tuple[Array, Array, Array, Array]:
+    """Loads (2, n), force left on the balls and that of the inner race (2, n) [N], stiffness of
+    both races (2, 2, 2, n) [N/m].
+    """
     arms = np.stack([V - u, u])
     distance = np.hypot(arms[:, 0], arms[:, 1])
     normal = arms / distance[:, None]
     load = springs.loads(distance - springs.length[:, None])
-    pull = load[:, None] * normal
+    across = np.stack([normal[:, 1], -normal[:, 0]], axis=1)
+    pull = load[:, None] * normal + balls.friction[:, None] * across
     left = pull[0] - pull[1]
-    left[1] += force
+    left[1] += balls.force
     along = np.einsum("cin,cjn->cijn", normal, normal)
-    across = np.eye(2)[None, :, :, None] - along
+    crosswise = np.eye(2)[None, :, :, None] - along
     stiff = (1.0 / springs.softness(load))[:, None, None] * along
-    stiff += (load / distance)[:, None, None] * across
-    return load, left, stiff.sum(axis=0)
+    stiff += (load / distance)[:, None, None] * crosswise
+    return load, left, pull[0], stiff

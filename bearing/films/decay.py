@@ -138,7 +138,7 @@ def film_decay(
     start = START
     if supply is not None:
         given = inlet_layer(contact, film.flooded_central, supply, bearing.balls)
-        start = min(given / unit, START)
+        start = min(given.thickness / unit, START)
     if start * unit <= THINNEST:
         return None
     layer = _layers(passing, length, start * unit, time)

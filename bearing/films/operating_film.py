@@ -25,7 +25,7 @@ from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import OilAtInlets, ReplenishedInlet, most_replenished, supplied_shares
+from ..supply.supply import OilAtInlets, ReplenishedInlet, inlet_layer, shares_behind
 from .asperities import Asperities
 from .film import (
     FLOODED,
@@ -39,6 +39,35 @@ from .film import (
 )
 from .heavy_moment import elastic_moment
 from .unsolved_films import formula_films, formula_values, hertz_size
+
+
+def on_tracks(supply: OilAtInlets, contacts: Sequence[BearingContact]) -> OilAtInlets:
+    """The oil with one layer for each race: that of its heaviest contact, by the flooded film of
+    the film atlas or formulas, which all balls of the track find.
+
+    Parameters
+    ----------
+    supply : OilAtInlets
+        The oil.
+    contacts : sequence of BearingContact
+        All contacts of a bearing.
+
+    Returns
+    -------
+    OilAtInlets
+        The same where the layers are known.
+    """
+    if supply.layers is not None:
+        return supply
+    loaded = sorted(filter(lambda one: one.loaded, contacts), key=lambda one: one.load)
+    heaviest = {(one.row, one.race): one for one in loaded}
+    films = formula_films(list(heaviest.values()))
+    layers = {
+        place: inlet_layer(contact, film.flooded_central, supply.oil, supply.balls)
+        for (place, contact), film in zip(heaviest.items(), films, strict=True)
+        if film is not None
+    }
+    return replace(supply, layers=layers)
 
 
 def film_heats(contacts: Sequence[BearingContact], films: Films) -> list[InletHeat]:
@@ -242,6 +271,7 @@ def operating_films(
     tuple of ContactFilm or None
         None where there is no film.
     """
+    supply = supply and on_tracks(supply, contacts)
     running = (
         None if film is None else _operating(film, contact, heat, supply, asperities)
         for contact, film, heat in zip(contacts, films, film_heats(contacts, films), strict=True)
@@ -377,7 +407,8 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
     layered = film.with_inlet_film_by_law
     if layered and (supply.as_solved or not before.rolling_moment > 0.0):
         return film
-    shares = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
+    layer = supply.layer_of(contact)
+    shares = shares_behind(contact, film.flooded_central, layer.thickness)
     if shares == starvation.FLOODED and layered:
         return _without_layer(film)
     left = SupplyFractions(
@@ -395,8 +426,8 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
     smallest = film.isothermal_minimum and fractions[1] * film.isothermal_minimum
     if isothermal and smallest:
         smallest = min(smallest, isothermal)
-    if isinstance(supply.oil, ReplenishedInlet):
-        most = most_replenished(contact, film.flooded_central, supply.oil)
+    if layer.most > layer.thickness and contact.gap is None:  # a gap decides its film
+        most = shares_behind(contact, film.flooded_central, layer.most)
         central = _to_most(central, most.central.value / left.central)
         minimum = minimum and _to_most(minimum, most.minimum.value / left.minimum)
     return replace(

@@ -51,10 +51,11 @@ what is predicted is that the optimum does not depend on the load. That the laye
 has six roughnesses is an assumption.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, isfinite, pi
+from typing import NamedTuple
 
 import numpy as np
 
@@ -70,7 +71,7 @@ from oilfilm.ehl.oil.lubricant import Lubricant, density, log_viscosity_ratio
 from oilfilm.ehl.scaling import contact_inlet_ratio, contact_starvation_factors, scale_contact
 
 from ..contacts.contact import BearingContact
-from ..geometry import Bearing
+from ..geometry import Bearing, Race
 from .track import Track, added_layer, steady_layer
 
 NODES = 200  # of the quadrature [-]
@@ -213,6 +214,15 @@ class ReplenishedInlet:
 InletOil = Supply | PrescribedInlet | ReplenishedInlet
 
 
+class TrackLayer(NamedTuple):
+    """Layer of oil that every contact of a race finds."""
+
+    thickness: float  # [m]
+    # upper end of a replenishment, by the formula of Biboulet and Houpert, 3 to 18 times that of
+    # the solved law; else the same [m]
+    most: float
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OilAtInlets:
     """Oil that the contacts of a bearing get."""
@@ -221,12 +231,28 @@ class OilAtInlets:
     balls: int  # in one row [-]
     # films that were solved behind layers are those of this oil, and stay as they were solved
     as_solved: bool = True
+    # on the tracks, by row and race; None: of the contacts at hand, all of a bearing
+    layers: Mapping[tuple[int, Race], TrackLayer] | None = None
+
+    def layer_of(self, contact: BearingContact) -> TrackLayer:
+        """The layer that a contact finds.
+
+        Parameters
+        ----------
+        contact : BearingContact
+            contact of the bearing whose layers these are
+
+        Returns
+        -------
+        TrackLayer
+            thickness [m]
+        """
+        assert self.layers is not None
+        return self.layers[contact.row, contact.race]
 
 
-def supplied_shares(
-    contact: BearingContact, flooded_film: float, supply: InletOil, balls: int
-) -> StarvationFactors:
-    """Fractions of the flooded films and of the rolling moment of a contact that a supply leaves.
+def shares_behind(contact: BearingContact, flooded_film: float, layer: float) -> StarvationFactors:
+    """Fractions of the flooded films and of the rolling moment of a contact behind a layer.
 
     Parameters
     ----------
@@ -234,10 +260,8 @@ def supplied_shares(
         contact of a bearing
     flooded_film : float
         central, solved or from a formula [m]
-    supply : InletOil
-        a layer that is ample leaves the film as it was, to the last digit
-    balls : int
-        in one row [-]
+    layer : float
+        at its inlet; one that is ample leaves the film as it was, to the last digit [m]
 
     Returns
     -------
@@ -247,40 +271,13 @@ def supplied_shares(
     if contact.conditions is None or contact.hertz is None:
         return FLOODED
     unit = _unit(contact, flooded_film)
-    layer = inlet_layer(contact, flooded_film, supply, balls)
     return starvation_law(contact.conditions, unit)(layer / unit)
-
-
-def most_replenished(
-    contact: BearingContact, flooded_film: float, supply: ReplenishedInlet
-) -> StarvationFactors:
-    """The fractions behind the layer that the formula of Biboulet and Houpert has for the moment,
-    3 to 18 times that of the solved law: the upper end of the films.
-
-    Parameters
-    ----------
-    contact : BearingContact
-        contact of a bearing
-    flooded_film : float
-        central, solved or from a formula [m]
-    supply : ReplenishedInlet
-        oil at the inlets
-
-    Returns
-    -------
-    StarvationFactors
-        fractions [-]; all where no oil is entrained
-    """
-    if contact.conditions is None or contact.hertz is None:
-        return FLOODED
-    ratio = rolling_moment_inlet_biboulet_houpert(supply.rolling_moment)
-    return starvation_law(contact.conditions, _unit(contact, flooded_film))(ratio)
 
 
 def inlet_layer(
     contact: BearingContact, flooded_film: float, supply: InletOil, balls: int
-) -> float:
-    """Layer of oil at the inlet of a contact in the steady state.
+) -> TrackLayer:
+    """Layer of oil in the steady state of a race whose contacts are all like one.
 
     Parameters
     ----------
@@ -295,20 +292,23 @@ def inlet_layer(
 
     Returns
     -------
-    float
+    TrackLayer
         thickness [m]; zero of a flow where no oil is entrained
     """
     if isinstance(supply, PrescribedInlet):
-        return supply.layer
+        return TrackLayer(supply.layer, supply.layer)
     if contact.conditions is None or contact.hertz is None:
-        return 0.0
+        return TrackLayer(0.0, 0.0)
     if isinstance(supply, ReplenishedInlet):
         unit = _unit(contact, flooded_film)
         scaled = scale_contact(contact.conditions, along_entrainment=True)
         ample = contact.conditions.lubricant.flooded_layer / unit
-        return unit * contact_inlet_ratio(scaled, supply.rolling_moment, ample)
+        ratio = contact_inlet_ratio(scaled, supply.rolling_moment, ample)
+        most = rolling_moment_inlet_biboulet_houpert(supply.rolling_moment)
+        return TrackLayer(unit * ratio, unit * most)
     track, unit = contact_track(contact, flooded_film, supply)
-    return unit * steady_layer(track, _added(contact, supply, balls) / unit)
+    layer = unit * steady_layer(track, _added(contact, supply, balls) / unit)
+    return TrackLayer(layer, layer)
 
 
 def contact_track(

@@ -75,6 +75,8 @@ class FrictionInput:
     spectrum: Spectrum | None = None  # of the roughness [m]; None: no wave is flattened
     # flow of oil and what is assumed of it, or the layer at the inlets
     supply: InletOil | None = None
+    # oil jet of a known flow, whose layer is that of the flow; None: by its replenishment
+    jet: Supply | None = None
     flooded: bool = False  # the total stays that of flooded films although a supply is given
     # supply of films that were solved behind layers; None: `supply`
     solved_supply: InletOil | None = None
@@ -277,9 +279,15 @@ class FrictionInput:
         OilAtInlets or None
             The oil; None where it is ample.
         """
-        oil = inlet.oil if self.scarce is None else self.scarce
+        known = self.scarce or self.jet
+        oil = inlet.oil if known is None else known
         as_solved = self.solved_supply in (None, self.scarce)
         return None if oil is None else OilAtInlets(oil=oil, balls=balls, as_solved=as_solved)
+
+    @property
+    def layered(self) -> bool:
+        """The oil at the inlets is known without its replenishment."""
+        return self.scarce is not None or self.jet is not None
 
 
 def _assumption(text: str, value: float, ends: tuple[float, float]) -> Assumption:

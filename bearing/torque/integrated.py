@@ -24,6 +24,7 @@ from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.oil.rheology import Rheology
 from oilfilm.ehl.solution import ContactSolution
 from oilfilm.ehl.traction.rolling_moment import RollingMoment, rolling_moment
+from oilfilm.ehl.units import from_si
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import ContactTraction, MotionMap, ball_speeds, contact_traction, motion_map
@@ -684,6 +685,30 @@ class RollingExtent:
         """
         names = ("within_extent", "uncertainty", "box", "doubling")
         return replace(self, **{name: factor * getattr(self, name) for name in names})
+
+    def with_light_balls(self, torque: float) -> "RollingExtent":
+        """The same with the part of light balls between two films, which have no boxes.
+
+        Parameters
+        ----------
+        torque : float
+            of their films [N m]
+
+        Returns
+        -------
+        RollingExtent
+            torques [N m]
+        """
+        note = (
+            f"{from_si('torque_N_mm', torque):.3g} N mm of light balls between two films, by "
+            "atlas or formula, count as within extent and box, and do not double"
+        )
+        return replace(
+            self,
+            within_extent=self.within_extent + torque,
+            box=self.box + torque,
+            notes=(*self.notes, note),
+        )
 
 
 def rolling_moments(

@@ -42,6 +42,7 @@ from .lubricant import (
     lubricant,
     lubricant_keys,
     oil_of,
+    pour_point,
     warn_of_estimates,
 )
 from .operation import model, operation
@@ -104,6 +105,7 @@ class Case(AnyCase):
     load_cases: tuple["LoadCaseInput", ...] = ()  # states of a duty cycle
     # layer that films stand behind [m], or the flow that gives each its own; None: flooded
     inlet_layer: InletLayer | Supply | None = None
+    pour_point: float | None = None  # of the oil [K]; None: not known
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -402,6 +404,7 @@ def _bearing_case(file: BearingFile) -> Case:
         seats=fits.seats_of(seats, file.temperatures),
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
         inlet_layer=_inlet_layer(file, torque),
+        pour_point=pour_point(oil, fluid.name),
     )
 
 
@@ -428,13 +431,12 @@ def _inlet(
 ) -> InletFactors:
     """Factors of inlet heating and replenishment on the rolling moment [-]."""
     speed = abs(operation(file.operation).shaft_speed)
-    supplied = friction.supply is not None and not friction.flooded
     return inlet_factors(
         bearing,
         speed,
         oil.viscosity / oil.density,
         friction.lubrication,
-        layered=supplied or _inlet_layer(file, friction) is not None,
+        layered=friction.layered or _inlet_layer(file, friction) is not None,
     )
 
 

@@ -132,7 +132,9 @@ class FrictionTable(LawTable):
         0, 1e5, "heat to the surroundings per kelvin; needed for the block self_heating"
     )
     ambient_C: float = between(-100, 300, "temperature of the surroundings", 20.0)
-    cooling_oil_mL_min: float | None = between(0, 1e7, "oil that cools it; else supply_mL_min")
+    cooling_oil_mL_min: float | None = between(
+        0, 1e7, "oil that cools it, of a jet also the flow to the tracks; else supply_mL_min"
+    )
     cooling_oil_C: float | None = between(-100, 300, "temperature as it comes; else ambient_C")
     highest_temperature_C: float = between(
         0, 400, "film temperature beyond which no balance counts; assumed, of mineral oils", 150.0
@@ -342,6 +344,7 @@ def friction(
         else LoadSharing(surface.load_sharing),
         spectrum=spectrum(surface),
         supply=_supply(table, lubricant),
+        jet=_jet(table),
         flooded=lubricant.supply == "flooded",
         all_models=table.models == "all",
     )
@@ -381,6 +384,16 @@ def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | Prescri
         flow=si["supply"],
         residence_time=si["supply_residence"],
         captured=(si["supply_track_share_least"], si["supply_track_share_most"]),
+    )
+
+
+def _jet(table: FrictionTable) -> Supply | None:
+    """Flow of an oil jet that cools the bearing [m^3/s]; None: another lubrication, or unknown."""
+    flow = table.si()["cooling_oil_mL_min"]
+    if Lubrication(table.lubrication) is not Lubrication.OIL_JET or not flow:
+        return None
+    return Supply(
+        flow=flow, track_share=table.supply_track_share, residence_time=0.0, loss=table.supply_loss
     )
 
 

@@ -798,14 +798,32 @@ def lubricant(oil: Oil, temperature: float) -> Lubricant:
     return replace(result, thermal=_heat(result, keys, line))
 
 
+def pour_point(oil: Oil, name: str) -> float | None:
+    """Temperature below which an oil does not flow.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+    name : str
+        Its name in the library.
+
+    Returns
+    -------
+    float or None
+        As given, else an estimate by the grade [K]; None: not known.
+    """
+    known = lubricant_data(name).get("pour_point", {}) if oil.of_library else {}
+    return to_si("pour_point_C", oil.keys.get("pour_point_C", known.get("value_C")))
+
+
 def _warn_of_pour_point(oil: Oil, name: str, temperature: float) -> None:
     """Warn of an oil that does not flow at a temperature [K]."""
-    given = oil.keys.get("pour_point_C")
-    known = lubricant_data(name).get("pour_point", {}) if oil.of_library else {}
-    end = known.get("value_C") if given is None else given
-    celsius = temperature - ZERO_CELSIUS
-    if end is None or celsius >= end:
+    least = pour_point(oil, name)
+    if least is None or temperature >= least:
         return
+    celsius, end = (from_si("pour_point_C", t) for t in (temperature, least))
+    given = oil.keys.get("pour_point_C")
     origin = " (an estimate by the grade, lubricant.pour_point_C)" if given is None else ""
     text = (
         f"lubricant {name!r}: {celsius:.0f} C lies below its pour point, {end:g} C{origin}: "

@@ -9,7 +9,8 @@ from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
 from oilfilm.bearing.films.between_races import contacts_between_films
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
-from oilfilm.bearing.films.unsolved_films import formula_films, too_thick
+from oilfilm.bearing.films.operating_film import operating_films
+from oilfilm.bearing.films.unsolved_films import atlas_film, formula_films, too_thick
 from oilfilm.bearing.geometry import SINGLE
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.ehl import ContactConditions, atlas_films
@@ -29,7 +30,7 @@ HALF_AND_HALF = (
     "loads of half and half in place of traction equilibrium, which takes its friction from films"
 )
 TOO_LIGHT = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
-FILLS_GAP = "between two films, in a gap of {:.3g} um: use 'oilfilm run'"
+FILLS_GAP = "between two films, in a gap of {:.3g} um: by atlas or formula"
 NO_EQUILIBRIUM = "there is no equilibrium"
 
 
@@ -96,17 +97,22 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
     model = without_traction_equilibrium(case.model)
     state = solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
     contacts = contact_conditions(state, case.lubricant)
+    contacts = contacts_between_films(state, contacts, case.lubricant, oil_at_inlets(case))
     if case.file.ehl.finite_bodies and state.converged:
         contacts = with_finite_bodies(contacts, finite_bodies(case.bearing, contacts))
-    contacts = contacts_between_films(state, contacts, case.lubricant, oil_at_inlets(case))
     wanted, messages = wanted_contacts(case, state, contacts)
     if model is not case.model:
         messages += (HALF_AND_HALF,)
     pairs = zip(contacts, wanted, strict=True)
+    records = [_record(contact, own, solver) for contact, own in pairs]
+    # films behind layers have their supply
+    supply = oil_at_inlets(case) if case.inlet_layer is None else None
+    films = operating_films(contacts, [_film(record) for record in records], supply=supply)
+    pairs_of_films = zip(records, films, strict=True)
     return AtlasBearingResults(
         version=version(),
         case=case.document,
-        records=tuple(_record(contact, own, solver) for contact, own in pairs),
+        records=tuple(replace(record, operating=film) for record, film in pairs_of_films),
         converged=state.converged,
         messages=(*case.warnings, *messages),
         timing={"total": perf_counter() - start},
@@ -168,6 +174,13 @@ def _record(
         except NotInAtlasError as refusal:
             reason = f"{refusal.reason}; {advice}"
     return BearingAtlasRecord(contact=contact, conditions=wanted, films=films, reason=reason)
+
+
+def _film(record: BearingAtlasRecord) -> ContactFilm | None:
+    """Film of the atlas, of a light ball between two films also by formula."""
+    if record.contact.gap is not None:
+        return formula_films([record.contact])[0]
+    return atlas_film(record.contact, record.in_lengths)
 
 
 def _require_newtonian(case: Case | ContactCase, name: str, solver: str) -> None:

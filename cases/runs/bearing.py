@@ -427,6 +427,7 @@ def _run(
         case=case.document,
         quasistatic=state,
         lubricant=case.lubricant,
+        pour_point=case.pour_point,
         contacts=contacts,
         solutions=films.solutions,
         formula_films=films.formulas,
@@ -526,14 +527,15 @@ def _contacts(
     """The contacts as lubricated ones, and what finite bodies change of their films, where the
     case asks for it.
     """
-    contacts = contact_conditions(state, case.lubricant)
+    oil = case.lubricant
+    contacts = contact_conditions(state, oil)
+    contacts = contacts_between_films(state, contacts, oil, oil_at_inlets(case))
     bodies = None
     if case.file.ehl.finite_bodies and state.converged:
         notify(0, 1, "finite bodies")
         bodies = finite_bodies(case.bearing, contacts)
         contacts = with_finite_bodies(contacts, bodies)
-    oil = case.lubricant
-    return contacts_between_films(state, contacts, oil, oil_at_inlets(case)), bodies
+    return contacts, bodies
 
 
 def _friction(

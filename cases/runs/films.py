@@ -10,6 +10,7 @@ from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.motion import ContactTraction
 from oilfilm.bearing.contacts.stress import SurfaceTension, surface_tensions
 from oilfilm.bearing.films.film import ContactFilm
+from oilfilm.bearing.films.operating_film import on_tracks
 from oilfilm.bearing.films.unsolved_films import (
     CELLS_BY_POINTS,
     CELLS_BY_TOLERANCE,
@@ -19,7 +20,7 @@ from oilfilm.bearing.films.unsolved_films import (
 )
 from oilfilm.bearing.fits.ring_strength import Strength, ring_strengths, strength_map
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.bearing.supply.supply import OilAtInlets, Supply, inlet_layer
+from oilfilm.bearing.supply.supply import OilAtInlets, Supply
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from oilfilm.ehl.atlas.field_maps import field_maps
@@ -183,12 +184,13 @@ def inlet_layers(
     """
     if isinstance(given, InletLayer):
         return [given] * len(contacts)
-    balls = state.bearing.balls
+    oil = on_tracks(OilAtInlets(oil=given, balls=state.bearing.balls), contacts)
     layers: list[InletLayer | None] = []
-    for contact, film in zip(contacts, formula_films(contacts), strict=True):
+    for contact in contacts:
+        own = contact.conditions
         layer = 0.0
-        if film is not None and film.conditions.lubricant.piezoviscous:
-            layer = inlet_layer(contact, film.flooded_central, given, balls)
+        if own is not None and own.lubricant.piezoviscous:
+            layer = oil.layer_of(contact).thickness
         # equal contacts have equal layers, to rounding of their loads
         layers.append(InletLayer(thickness=(rounded(layer),)) if layer > 0.0 else None)
     return layers

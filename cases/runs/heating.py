@@ -345,7 +345,7 @@ def _inlet(case: Case, state: QuasistaticSolution, oil: Lubricant) -> InletFacto
         state.operation.shaft_speed,
         oil.viscosity / oil.density,
         case.friction.lubrication,
-        layered=case.friction.scarce is not None or case.inlet_layer is not None,
+        layered=case.friction.layered or case.inlet_layer is not None,
     )
 
 

@@ -9,11 +9,9 @@ from rich.text import Text
 
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.films.film import ContactFilm
-from oilfilm.bearing.films.operating_film import operating_films
-from oilfilm.bearing.films.unsolved_films import atlas_film
 from oilfilm.ehl.units import value_with_error
 
-from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
+from ..contact.atlas import SOURCE, THIN_LAYER, AtlasRecord, atlas_values
 from ..files import plain_document
 from ..quantities import NOTHING, Results, number, number_table, titled, values_of
 from .contact_quantities import CONTACT_QUANTITY, HEAT_QUANTITIES, film_values, heat_messages
@@ -24,6 +22,10 @@ DRY = (
     *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "hertz_pressure_GPa"),
     "entrainment_speed_m_s",
 )
+OPERATING = (
+    "films: of the film atlas, as the bearing runs, with the heat of the inlet and the oil that "
+    "comes back to the tracks; nothing is solved"
+)
 HEADERS = ("ball", "race", "load N", "p_h GPa", "h_c µm", "h_min µm", "k N/µm")
 
 
@@ -32,17 +34,12 @@ class BearingAtlasRecord(AtlasRecord):
     """One contact of a bearing with its films of the atlas."""
 
     contact: BearingContact
+    operating: ContactFilm | None = None  # None without a film
 
     @property
     def loaded(self) -> bool:
         """True if it carries a load."""
         return self.contact.load > 0.0
-
-    @property
-    def operating(self) -> ContactFilm | None:
-        """The operating film; None without films of the atlas."""
-        film = atlas_film(self.contact, self.in_lengths)
-        return operating_films([self.contact], [film])[0]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +54,7 @@ class AtlasBearingResults(Results):
         """Balls of loaded contacts without films, by race and reason."""
         result: dict[tuple[str, str], list[str]] = {}
         for record in self.records:
-            if record.loaded and record.films is None:
+            if record.loaded and record.operating is None:
                 place = (record.contact.race.value, record.reason)
                 result.setdefault(place, []).append(str(record.contact.ball))
         return result
@@ -86,14 +83,14 @@ def atlas_bearing_summary(results: AtlasBearingResults) -> dict[str, Any]:
 
 def _values(record: BearingAtlasRecord) -> dict[str, Any]:
     dry = values_of(record, [CONTACT_QUANTITY[key] for key in DRY])
-    films = {} if record.films is None else film_values(record.operating)
+    films = {} if record.operating is None else film_values(record.operating)
     beside = values_of(record, HEAT_QUANTITIES)
     return {**dry, **atlas_values(record), **films, **beside, "note": record.reason}
 
 
 def _messages(results: AtlasBearingResults) -> Iterator[str]:
     """Describe the films, and name reasons for null."""
-    yield MODEL.replace("isothermal, ", "")
+    yield OPERATING
     yield from heat_messages([record.operating for record in results.records])
     if any(not record.loaded for record in results.records):
         yield "contacts: all but the load null where loaded is false"

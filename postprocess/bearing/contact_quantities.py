@@ -439,7 +439,7 @@ def _light_balls(results: BearingResults) -> Iterator[str]:
         yield (
             f"contacts: films take more than the clearance and press light balls with up to "
             f"{max(loads):.3g} N, {max(loads) / elastic:.2g} of the heaviest load ({elastic:.3g} "
-            "N); loads, life and temperature of the others are those without films"
+            "N), which holds them, too; life and displacement are those without films"
         )
     yield (
         f"contacts: {balls_text([str(c.ball) for c in light])} between two films that fill "

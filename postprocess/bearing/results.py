@@ -6,6 +6,8 @@ from functools import cached_property
 from math import degrees
 from typing import Any
 
+import numpy as np
+
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.finite_bodies import FiniteBodies
 from oilfilm.bearing.contacts.motion import ContactTraction
@@ -29,7 +31,12 @@ from oilfilm.bearing.rating.life import LifeRating
 from oilfilm.bearing.supply.oil_balance import GrooveOil
 from oilfilm.bearing.supply.supply import ReplenishedInlet
 from oilfilm.bearing.torque.breakdown import TorqueBreakdown
-from oilfilm.bearing.torque.integrated import RollingExtent, rolling_extent, rolling_moments
+from oilfilm.bearing.torque.integrated import (
+    RollingExtent,
+    SolvedShear,
+    rolling_extent,
+    rolling_moments,
+)
 from oilfilm.bearing.torque.starved import SupplyBand, SupplyTorque
 from oilfilm.ehl import ContactSolution, Lubricant
 from oilfilm.ehl.arrays import Array
@@ -40,6 +47,15 @@ from oilfilm.ehl.units import from_si, notebook_html
 from ..contact.summary import oil_permittivity
 from ..quantities import FILMS, OTHERS, Results, in_ranges
 from .measured import MeasuredComparison
+
+
+def _rolling_torque(shear: SolvedShear, contacts: Sequence[int]) -> float:
+    """Rolling part of the torque by the films of some contacts, by their numbers [N m]."""
+    if shear.balance is None:
+        return 0.0
+    turning = np.abs(shear.balance.kinematics[..., 3]).ravel()
+    powers = (film.rolling_moment * turning[n] for n in contacts if (film := shear.films[n]))
+    return float(sum(powers)) / shear.torque.speed
 
 
 @dataclass(frozen=True, kw_only=True)  # without slots, which would keep no cached property
@@ -54,6 +70,7 @@ class BearingResults(Results):
     # films by the atlas or formulas, at contacts that are not solved; empty is None for all
     formula_films: tuple[ContactFilm | None, ...] = ()
     supply: OilAtInlets | None = None  # None: ample, or as the films were solved
+    pour_point: float | None = None  # of the oil [K]; None: not known
     interrupted: bool = False  # before all films were computed
     torque: TorqueBreakdown | None = None  # None without an equilibrium
     tractions: tuple[ContactTraction | None, ...] = ()  # of the contacts; empty is None for all
@@ -141,20 +158,23 @@ class BearingResults(Results):
     @cached_property
     def rolling_extent(self) -> RollingExtent | None:
         """Rolling part of the integrated torque by where the oil ends [N m]; None where there is
-        no such torque, or it is not of solved films alone.
+        no such torque, or it is not of solved films alone but for light balls between two films.
         """
         shear = None if self.torque is None else self.torque.shear
         if shear is None or not shear.tractions:
             return None
         rolling = shear.torque.rolling
-        if shear.by_formula or rolling is None:
+        light = [n for n, one in enumerate(self.contacts) if one.gap is not None]
+        if shear.by_formula > len(light) or rolling is None or (light and shear.balance is None):
             return None
         extent = rolling_extent(
             self.quasistatic, self.tractions, self.solutions, self.rolling_moments
         )
         if extent is None or extent.within_extent == 0.0:
             return extent
-        return extent.scaled(rolling / extent.within_extent)
+        beside = _rolling_torque(shear, light)
+        scaled = extent.scaled((rolling - beside) / extent.within_extent)
+        return scaled.with_light_balls(beside) if light else scaled
 
     def conductance(self, index: int) -> Conductance | None:
         """Heat conductance of one film.
@@ -175,6 +195,12 @@ class BearingResults(Results):
         return Conductance(*ends.tolist()) if ends[0] > 0.0 else None
 
     @property
+    def frozen(self) -> bool:
+        """The oil lies below its pour point."""
+        least = self.pour_point
+        return least is not None and self.quasistatic.operation.temperature < least
+
+    @property
     def reference_speed_rpm(self) -> float | None:
         """ISO 15312 [r/min]."""
         return from_si("speed_rpm", self.reference_speed)
@@ -185,6 +211,7 @@ class BearingResults(Results):
         return broken_laws(
             CheckedState(
                 quasistatic=self.quasistatic,
+                pour_point=self.pour_point,
                 contacts=self.contacts,
                 films=self.operating,
                 frequencies=self.frequencies,

@@ -29,6 +29,8 @@ from oilfilm.bearing.rating.ceramic import ContactStrength, contact_strength
 from oilfilm.bearing.rating.duty_cycle import LoadCase
 from oilfilm.bearing.rating.film_life import ContactKappa, FilmLife, film_life
 from oilfilm.bearing.rating.life import (
+    GRADE_TEMPERATURE,
+    HALVING,
     LARGEST_A_ISO,
     LARGEST_KAPPA,
     SMALLEST_KAPPA,
@@ -104,6 +106,7 @@ CYCLE_MESSAGE = (
 AGREEMENT = 1.0  # of temperatures that count as one [K]
 AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
 RELUBRICATION = "relubrication_interval_h"
+HOT_HALVINGS = 3.0  # of the interval of a grease from which its temperature is named
 SMALL_TENSION = 1e3  # of a loose seat, not worth a message [Pa]
 PROBABILITY = "failure_probability"
 NEXT_TO_NONE = 1e-9  # of a probability of failure, in the terminal [-]
@@ -625,6 +628,18 @@ def relubrication_time(results: BearingResults) -> float | None:
     return relubrication_interval(bore, operation.shaft_speed, operation.temperature)
 
 
+def _hot_grease(results: BearingResults) -> Iterator[str]:
+    """Warn of a grease so hot that its interval is less than an eighth of that at 70 C."""
+    kelvin = results.quasistatic.operation.temperature
+    if kelvin > GRADE_TEMPERATURE + HOT_HALVINGS * HALVING:
+        yield Caution(
+            f"life.{RELUBRICATION}: grease at {from_si('temperature_C', kelvin):.0f} C: by the "
+            f"rule that halves its life every {HALVING:g} K above "
+            f"{from_si('temperature_C', GRADE_TEMPERATURE):.0f} C little is left of it, and it "
+            "may be beyond the limit of its maker"
+        )
+
+
 def _sealed(results: BearingResults) -> bool:
     """True if seals or shields on both sides keep the first grease in, and any other out."""
     designation = named_designation(results.quasistatic.bearing.name or "")
@@ -705,6 +720,7 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
             f"life.{RELUBRICATION}: rule for lithium grease, a horizontal shaft and clean "
             "surroundings, at the oil's temperature; the grease maker's data take precedence"
         )
+        yield from _hot_grease(results)
     if results.clearance is None:
         yield (
             "clearance: taken as the operating one, the case gives neither [fit] nor "

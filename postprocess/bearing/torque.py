@@ -110,6 +110,9 @@ def shown_titles(models: Mapping[str, ModelTorque]) -> list[str]:
     ]
 
 
+FROZEN = "the oil lies below its pour point and does not flow; the models go on beyond it"
+
+
 def torque_block(results: BearingResults) -> dict[str, Any]:
     """Torque of the models; `total` is that of `model`.
 
@@ -130,7 +133,7 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
     inlet = None if torque is None else torque.inlet
     rough = results.case.get("surface") is not None
     return {
-        "total": TORQUE.value(torque),
+        "total": None if results.frozen else TORQUE.value(torque),
         "model": None if torque is None else torque.chosen,
         "flooded_isothermal": None if torque is None else _flooded(torque),
         "parts": _parts(torque),
@@ -172,7 +175,7 @@ def _ranges(results: BearingResults) -> dict[str, TorqueRange]:
 def _total_range(results: BearingResults) -> tuple[float, float] | None:
     """Ends of the total, of what is not known independently of each other [N mm]."""
     torque = results.torque
-    if torque is None or torque.total is None or torque.chosen != INTEGRATED:
+    if torque is None or torque.total is None or torque.chosen != INTEGRATED or results.frozen:
         return None
     ranges = _ranges(results).values()
     less, more = (hypot(*ends) for ends in ([r.low for r in ranges], [r.high for r in ranges]))
@@ -253,7 +256,9 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
             yield f"torque_N_mm.models.{name}: {remark}"
     for part, why in ({} if torque.shear is None else torque.shear.missing_components).items():
         yield null(f"torque_N_mm.models.integrated.{part}", why)
-    if torque.total is None:
+    if results.frozen:
+        yield null("torque_N_mm.total", FROZEN)
+    elif torque.total is None:
         yield null("torque_N_mm.total", "neither the integrated model nor SKF's applies")
     else:
         yield f"torque_N_mm.total: the {_total_text(results, torque)}"
@@ -279,12 +284,24 @@ def oil_messages(results: BearingResults) -> Iterator[str]:
         A message.
     """
     torque = results.torque
-    if torque is None or torque.chosen != "integrated" or torque.inlet is None:
+    if torque is None or torque.chosen != "integrated" or torque.inlet is None or results.frozen:
         return
     if torque.inlet.limit:
         yield Caution(
             f"torque_N_mm.total: an estimate, {torque.inlet.limit}{_range_text(results)}"
+            f"{_grease_text(results, torque)}"
         )
+
+
+def _grease_text(results: BearingResults, torque: TorqueBreakdown) -> str:
+    """Parts of a grease that the total leaves out, and the torque that has them; empty without."""
+    palmgren = torque.models["palmgren"].total
+    if (results.case.get("friction") or {}).get("lubrication") != "grease" or palmgren is None:
+        return ""
+    return (
+        "; without yield stress and churning of the grease, which Palmgren's f_0 holds: "
+        f"{TORQUE.in_unit(palmgren):.3g} N mm"
+    )
 
 
 def _range_text(results: BearingResults) -> str:
@@ -455,6 +472,8 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
     chosen = torque_model(torque.chosen).title
     ends = _total_range(results)
     reach = "" if ends is None else f"; {ends[0]:.4g} to {ends[1]:.4g}"
+    if results.frozen:
+        return {"friction torque": f"null, {FROZEN}"}
     rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({chosen}{reach})"}
     if share := _churning_share(torque):
         rows["friction torque"] += f", {share:.0%} of it churning"

@@ -15,6 +15,7 @@ def state():
     results = run_case(load_case("6208_self_heating"))
     return CheckedState(
         quasistatic=results.quasistatic,
+        pour_point=results.pour_point,
         contacts=results.contacts,
         films=results.torque.shear.films,
         frequencies=results.frequencies,
@@ -57,6 +58,17 @@ def test_forces_are_checked(state):
     solution = replace(state.quasistatic, residual=1.0e-3)
     (residual,) = broken_laws(replace(state, quasistatic=solution))
     assert "balance to 1.0e-03" in residual
+    heavier = [replace(one, load=one.load * (1.0 + 1e-6)) if one.ball == 1 else one for one in state.contacts]
+    (ring, *_) = broken_laws(replace(state, contacts=heavier))
+    assert "of the largest one on the inner ring" in ring
+    inner = [replace(one, load=one.load * (1.0 + 1e-6)) if k == 0 else one for k, one in enumerate(state.contacts)]
+    assert any("on a ball" in fault for fault in broken_laws(replace(state, contacts=inner)))
+
+
+def test_oil_below_its_pour_point_is_told(state):
+    above = state.quasistatic.operation.temperature + 1.0
+    (fault,) = broken_laws(replace(state, pour_point=above))
+    assert "below its pour point" in fault and "does not flow" in fault
 
 
 def test_parts_of_the_torque_resist_and_add_up(state):

@@ -13,14 +13,20 @@ from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.films.between_races import UNFILLED, contacts_between_films
 from oilfilm.bearing.films.operating_film import operating_films, with_formulas
 from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.invariants import forces_left
 from oilfilm.bearing.supply.supply import OilAtInlets, PrescribedInlet
 
 RPM = np.pi / 30.0
 FITS = 1e-3  # of the film: what the rounds leave, at most 1e-4 in 150 draws
 NAMES = ("6205", "6304", "6006", "61808", "7208B", "7012AC", "6310", "6202")
-# 6205, VG 100, 3800 r/min, 700 N: loads of the inner race at 80, 120 and 160 degrees [N] by temperature [C], from an
-# independent calculation in which the loaded balls yield to their films, too
-LOADS = {25.0: (15.1, 7.9, 6.5), 40.0: (5.9, 2.8, 2.2), 55.0: (2.7, 1.2, 0.9), 70.0: (1.4, 0.6, 0.5)}
+# 6205, VG 100, 3800 r/min, 700 N: loads of the inner race at 0, 40, 80, 120 and 160 degrees [N] by temperature [C],
+# from an independent calculation with isothermal films; all balls yield to their films
+LOADS = {
+    25.0: (370.0, 225.0, 15.1, 7.9, 6.5),
+    40.0: (378.0, 213.0, 5.9, 2.8, 2.2),
+    55.0: (383.0, 208.0, 2.7, 1.2, 0.9),
+    70.0: (386.0, 206.0, 1.4, 0.6, 0.5),
+}
 
 
 def state(name, rpm, force, celsius, grade):
@@ -38,24 +44,33 @@ def misfits(contacts, supply=None):
     return np.array([1.0 - (c.gap + c.hertz.approach) / film.central.value for c, film in pairs])
 
 
+def left(solution, contacts):
+    """Force that the loads of contacts leave on ring and balls, over the largest."""
+    return max(forces_left(solution, contacts).values())
+
+
 @pytest.mark.parametrize("celsius", LOADS)
 def test_loads_of_free_balls(celsius):
-    """Within 10 % and a digit: films have the heat of the inlet here, and the others keep their dry loads."""
+    """Within 10 % and a digit, heavy ones 2 %: films have the heat of the inlet here."""
     solution, contacts, oil = state("6205", 3800.0, (0.0, 700.0, 0.0), celsius, 100)
     found = contacts_between_films(solution, contacts, oil)
-    loads = [found[2 * ball].load for ball in (2, 3, 4)]
-    assert loads == pytest.approx(LOADS[celsius], rel=0.1, abs=0.05)
-    for ball in (2, 3, 4):  # the outer race holds the centrifugal force, too
+    loads = [found[2 * ball].load for ball in range(5)]
+    assert loads[:2] == pytest.approx(LOADS[celsius][:2], rel=0.02)
+    assert loads[2:] == pytest.approx(LOADS[celsius][2:], rel=0.1, abs=0.05)
+    for ball in range(5):  # the outer race holds the centrifugal force, too
         more = found[2 * ball + 1].load - found[2 * ball].load
         assert more == pytest.approx(solution.centrifugal_force[ball], rel=1e-6)
-    for own, before in zip(found, contacts, strict=True):
-        assert (own is before) == (solution.inner_load[own.ball - 1] > 0.0)
+    # the outer race carries the load of the ring, the centrifugal forces of all balls cancel
+    radial = sum(c.load * c.normal for c in found if c.race is Race.OUTER)
+    assert radial[1] == pytest.approx(700.0, rel=1e-8)
+    assert left(solution, found) < 1e-8
     assert np.abs(misfits(found)).max() < FITS
     assert contacts_between_films(solution, found, oil) is found
 
 
+@pytest.mark.filterwarnings("ignore:lubricant")
 def test_films_of_random_bearings_fit_their_gaps():
-    """Drawn by the date, radial and combined loads."""
+    """Drawn by the date, radial and combined loads, cold oil, too; forces of ring and balls are in balance."""
     seed = int(datetime.now(tz=UTC).strftime("%Y%m%d"))
     generator = np.random.default_rng(seed)
     checked = 0
@@ -66,11 +81,13 @@ def test_films_of_random_bearings_fit_their_gaps():
         force = size * np.exp(generator.uniform(np.log(3e-3), np.log(0.1)))
         thrust = force * float(generator.choice([0.0, 0.1, 0.5]))
         rpm = np.exp(generator.uniform(np.log(200.0), np.log(200.0 / bearing.pitch_diameter)))
-        celsius, grade = generator.uniform(30.0, 100.0), int(generator.choice([32, 68, 100]))
+        celsius, grade = generator.uniform(-10.0, 100.0), int(generator.choice([32, 68, 100]))
         solution, contacts, oil = state(name, rpm, (thrust, force, 0.0), celsius, grade)
         if not solution.converged:
             continue
-        miss = misfits(contacts_between_films(solution, contacts, oil))
+        found = contacts_between_films(solution, contacts, oil)
+        assert left(solution, found) < 1e-8, (seed, name, rpm, force, thrust, celsius, grade)
+        miss = misfits(found)
         checked += miss.size
         assert np.abs(miss).max(initial=0.0) < FITS, (seed, name, rpm, force, thrust, celsius, grade)
     assert checked > 20

@@ -11,7 +11,7 @@ from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, FilmThickness, first_same
 from oilfilm.bearing.films.operating_film import film_heats, operating_films, solved_films, with_formulas
-from oilfilm.bearing.supply.supply import OilAtInlets, PrescribedInlet, supplied_shares
+from oilfilm.bearing.supply.supply import OilAtInlets, PrescribedInlet, shares_behind
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
@@ -62,7 +62,7 @@ def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
     for contact, before, film in zip(contacts, computed, operating, strict=True):
         if film is None:
             continue
-        shares = supplied_shares(contact, before.flooded_central, oil.oil, oil.balls)
+        shares = shares_behind(contact, before.flooded_central, oil.oil.layer)
         assert film.supply.central == shares.central.value < 1.0
         assert film.gap_fraction == pytest.approx(film.heat.central.value * shares.central.value, rel=1e-12)
         assert film.rolling_moment == pytest.approx(

@@ -27,7 +27,7 @@ from oilfilm.bearing.supply.supply import (
     cavity_volume,
     compression,
     oil_fraction,
-    supplied_shares,
+    shares_behind,
 )
 from oilfilm.bearing.supply.track import Track
 from oilfilm.ehl import Lubricant, ViscosityLaw
@@ -95,7 +95,7 @@ def test_films_of_a_bearing_over_the_supply(bearings):
     shares = np.array([[film.supply.central for film in row if film is not None] for row in films])
     assert np.all(np.diff(shares, axis=0) > 0.0)
     assert shares[-1] == pytest.approx(1.0)
-    alone = [supplied_shares(c, 1e-6, supply, 9) for c in contacts if c.conditions is None]
+    alone = [shares_behind(c, 1e-6, 1e-7) for c in contacts if c.conditions is None]
     assert alone == [FLOODED] * lubricated.count(False)
     assert 1.0 < compression(1e9, OIL) < 0.6 / 1.7 + 1.0
 

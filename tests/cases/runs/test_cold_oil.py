@@ -1,8 +1,9 @@
-"""Torque over the temperature by every way of lubrication, bearings written by `oilfilm init`: thick oil brakes.
+"""Torque over the temperature by every way of lubrication, ten bearings written by `oilfilm init`: thick oil brakes.
 
 What may fall is the rolling moment of a contact whose layer stays as it is: below the oil of the flooded film it goes
 with the square of layer over film, and so with the viscosity to the power -0.7. That is SKF's dip of a bearing short of
-oil, from phi_rs of 0.55 down to 0.2.
+oil, from phi_rs of 0.55 down to 0.2. Totals lie between SKF's and Palmgren's but for what both leave open; SKF's phi_rs
+is not held and leaves next to nothing in the cold.
 """
 
 from __future__ import annotations
@@ -12,21 +13,22 @@ import tomllib
 import pytest
 from typer.testing import CliRunner
 
-from oilfilm.bearing.supply.supply import ReplenishedInlet
+from oilfilm.bearing.geometry import Race
+from oilfilm.bearing.supply.supply import ReplenishedInlet, Supply
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.runs.bearing import run_case
 from oilfilm.postprocess import summary
 
-# temperatures from the pour point of the thickest mineral oil on [C]
-TEMPERATURES = (-15.0, -5.0, 5.0, 15.0, 25.0, 35.0, 45.0, 55.0, 65.0, 75.0)
-# of the torque 10 K warmer, at least; a bearing of oil-air is short of oil from 25 C down
+TEMPERATURES = (-40.0, -10.0, 0.0, 20.0, 40.0, 70.0, 100.0, 120.0)  # [C]
+# of the torque of the next warmer temperature, at least; oil-air and jets are short of oil from 25 C down
 FALL = {"grease": 0.9, "oil bath": 0.9, "low oil bath": 0.9, "oil air": 0.7, "oil jet": 0.7}
+LOW, HIGH = 0.4, 1.5  # of the lesser and the larger one of SKF's and Palmgren's torque
 
 
 def written(folder, bearing):
     """The document of a new case."""
-    path = folder / f"{bearing}.toml"
+    path = folder / f"{bearing.replace('/', '_')}.toml"
     if not path.exists():
         done = CliRunner().invoke(app, ["init", str(path.with_suffix("")), "--bearing", bearing])
         assert done.exit_code == 0, done.output
@@ -63,51 +65,72 @@ def folder(tmp_path_factory):
 GREASED_6205 = ("6205", "iso vg 100", 1500.0, 700.0, 0.0, "grease")
 BEARINGS = (
     GREASED_6205,
+    ("6000", "iso vg 68", 6000.0, 120.0, 0.0, "grease"),
     ("6310", "iso vg 150", 1000.0, 4000.0, 0.0, "grease"),
-    ("6208", "iso vg 68", 3000.0, 1500.0, 0.0, "oil bath"),
-    ("7208B", "iso vg 46", 2500.0, 800.0, 1200.0, "oil bath"),
+    ("6306-2Z/C3", "iso vg 68", 2900.0, 1300.0, 0.0, "low oil bath"),
     ("6206", "iso vg 68", 300.0, 1000.0, 0.0, "low oil bath"),
-    ("6208", "iso vg 68", 3000.0, 1500.0, 0.0, "oil air"),
+    ("6020", "iso vg 46", 1500.0, 3000.0, 300.0, "oil bath"),
+    ("7208B", "iso vg 46", 2500.0, 800.0, 1200.0, "oil bath"),
+    ("7012C", "iso vg 32", 9000.0, 500.0, 600.0, "oil air"),
+    ("61808", "iso vg 68", 3000.0, 400.0, 50.0, "oil air"),
+    ("6005", "iso vg 150", 5000.0, 372.0, 0.0, "oil jet"),
 )
-
-
-def torques(folder, temperatures, given):
-    """Totals at temperatures [N mm]."""
-    return [run_case(at(folder, t, *given)).torque.total * 1e3 for t in temperatures]
 
 
 @pytest.mark.parametrize("given", BEARINGS, ids=lambda given: f"{given[0]} {given[-1]}")
 def test_torque_does_not_fall_into_the_cold(folder, given):
-    found = torques(folder, TEMPERATURES, given)
-    falls = [cold / warm for cold, warm in zip(found, found[1:], strict=False)]
-    hot = [warm for warm, fall in zip(TEMPERATURES[1:], falls, strict=True) if fall < FALL[given[-1]]]
-    assert hot == [], found
+    states = [run_case(at(folder, t, *given)) for t in TEMPERATURES]
+    assert not states[0].converged and "pour point" in states[0].broken_laws[0]
+    found = [state.torque.total for state in states]
+    pairs = zip(TEMPERATURES[1:], found, found[1:], strict=False)
+    assert [warm for warm, cold, less in pairs if cold < FALL[given[-1]] * less] == [], found
+    for celsius, total, state in zip(TEMPERATURES, found, states, strict=True):
+        if state.converged:
+            others = [state.torque.models[name].total for name in ("skf", "palmgren")]
+            assert LOW * min(others) < total < HIGH * max(others), (celsius, total, others)
 
 
 def test_greased_bearing_brakes_in_the_cold(folder):
-    """Within a fifth of Palmgren's torque; light balls, between two films, roll on both.
-
-    At -20 C, below the pour point, films fill the clearance and no balance of the balls is found; that is said.
-    """
+    """Within half of Palmgren's torque; light balls find no more oil on the tracks than the heavy ones."""
     palmgren, found = [], []
-    for temperature in (-20.0, -10.0, 0.0, 20.0, 40.0):
+    for temperature in (-10.0, 0.0, 20.0, 40.0):
         results = run_case(at(folder, temperature, *GREASED_6205))
         palmgren.append(results.torque.models["palmgren"].total * 1e3)
         found.append(results.torque.total * 1e3)
-        unbalanced = any("torque_N_mm.total" in m and "not converged" in m for m in summary(results)["messages"])
-        assert unbalanced is (temperature == -20.0)
-    assert palmgren == pytest.approx([817.2, 293.7, 132.7, 43.4, 21.6], rel=0.01)
-    assert found[1:] == pytest.approx(palmgren[1:], rel=0.2)
-    assert palmgren[0] < found[0] < 2.0 * palmgren[0]
-    assert found[1:] == pytest.approx([261.0, 111.8, 37.6, 24.2], rel=0.05)
+        assert results.converged
+    assert palmgren == pytest.approx([293.7, 132.7, 43.4, 21.6], rel=0.01)
+    assert all(0.45 < ours / theirs < 1.0 for ours, theirs in zip(found, palmgren, strict=True))
+    assert found == pytest.approx([210.5, 65.5, 26.2, 19.1], rel=0.05)
 
 
 def test_cold_oil_is_named_first(folder):
-    messages = summary(run_case(at(folder, -25.0, *GREASED_6205)))["messages"]
-    assert any("below its pour point, -19 C" in message for message in messages)
-    assert any("torque_N_mm.total: an estimate, SKF's factors of the inlet" in message for message in messages)
+    """Below the pour point there is no torque; at -10 C an estimate, beside what grease adds to it."""
+    frozen = summary(run_case(at(folder, -25.0, *GREASED_6205)))
+    assert frozen["torque_N_mm"]["total"] is None and not frozen["converged"]
+    assert frozen["torque_N_mm"]["models"]["palmgren"]["total"] > 0.0
+    assert any("below its pour point, -19 C" in message for message in frozen["messages"])
+    assert any("torque_N_mm.total: null, the oil lies below" in message for message in frozen["messages"])
+    cold = summary(run_case(at(folder, -10.0, *GREASED_6205)))["messages"]
+    (estimate,) = [one for one in cold if "torque_N_mm.total: an estimate, SKF's factors of the inlet" in one]
+    assert "without yield stress and churning of the grease, which Palmgren's f_0 holds: 294 N mm" in estimate
     warm = summary(run_case(at(folder, 60.0, *GREASED_6205)))["messages"]
     assert not any("pour point" in message or "an estimate, SKF" in message for message in warm)
+
+
+def test_a_jet_of_a_known_flow_takes_its_layer_from_it(folder):
+    """No dip of its replenishment: 100 mL/min flood the tracks."""
+    given = ("6005", "iso vg 150", 10000.0, 372.0, 52.0, "oil jet")
+    case = at(folder, 20.0, *given)
+    document = written(folder, "6005")
+    document["lubricant"]["name"] = "iso vg 150"
+    document["operation"] |= case.document["operation"]
+    document["friction"] |= {"lubrication": "oil jet", "cooling_oil_mL_min": 100.0}
+    document["ehl"]["film_maps"] = "none"
+    document["assumed"] = []
+    jet = case_of_document(document)
+    assert isinstance(jet.friction.jet, Supply) and jet.inlet.replenishment == 1.0 > case.inlet.replenishment
+    films = [film for film in run_case(jet).torque.shear.films if film is not None]
+    assert all(film.supply.central > 0.99 for film in films if film.conditions.load > 100.0)
 
 
 def test_films_stand_behind_the_layer_of_the_torque(folder):
@@ -123,13 +146,19 @@ def test_films_stand_behind_the_layer_of_the_torque(folder):
     assert warm.replenishment_range is None
     results = run_case(at(folder, 20.0, *oil_air))
     assert isinstance(results.supply.oil, ReplenishedInlet)
-    for film in results.torque.shear.films:
-        if film is not None:
-            assert film.supply.rolling_moment == pytest.approx(results.supply.oil.rolling_moment, rel=5e-3)
-            # of a rigid contact, as of balls between two films, as little as of the moment
+    left = results.supply.oil.rolling_moment
+    for race in Race:
+        pairs = zip(results.contacts, results.torque.shear.films, strict=True)
+        films = [film for contact, film in pairs if film is not None and contact.race is race]
+        heaviest = max(films, key=lambda film: film.conditions.load)
+        assert heaviest.supply.rolling_moment == pytest.approx(left, rel=5e-3)
+        for film in films:
+            # lighter balls find the layer of the heaviest one, and have thicker flooded films
+            assert film.supply.rolling_moment < left * 1.005
             assert film.supply.rolling_moment < film.supply.central < 0.97
-            assert film.supply.central > 0.8 or film.conditions.load < 100.0
-            assert film.central.value < film.central.value + film.central.supply < 1.05 * film.flooded_central
+            assert film.central.value <= film.central.value + film.central.supply < 1.05 * film.flooded_central
+        free = [film.central.value for film in films if film.conditions.load < 0.01 * heaviest.conditions.load]
+        assert free and max(free) < 1.5 * heaviest.central.value
     low, high = results.replenishment_range
     assert low == pytest.approx(results.torque.total) and results.torque.total < high  # held nowhere
 
