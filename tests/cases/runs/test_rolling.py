@@ -66,16 +66,18 @@ def test_bearing_states_its_layer_and_the_torque_takes_it():
     assert not any(m.startswith("contacts.rolling_moment_N_mm: null") for m in document["messages"])
 
 
-def test_films_between_two_races_have_no_extent():
-    """Of light balls, by the film atlas: no moment of theirs is solved, and no extent of all is stated."""
+def test_the_extent_holds_films_between_two_races():
+    """Of light balls, by the film atlas: no moment of theirs is solved, but their part of the torque counts."""
     document = document_of(TEXT)
     contacts = document["contacts"]
     solved = [c["film_origin"] == "solved" for c in contacts]
     assert 0 < sum(solved) < len(solved)
     assert [c["rolling_moment_N_mm"] is not None for c in contacts] == solved
     assert any(m.startswith("contacts.rolling_moment_N_mm: null") for m in document["messages"])
-    assert set(document["torque_N_mm"]["rolling_extent"].values()) == {None}
-    assert any(m.startswith("torque_N_mm.rolling_extent: null") for m in document["messages"])
+    extent = document["torque_N_mm"]["rolling_extent"]
+    assert extent["within_extent"] == pytest.approx(document["torque_N_mm"]["models"]["integrated"]["rolling"])
+    assert 0.0 < extent["uncertainty"] < 0.1 * extent["within_extent"]
+    assert any("light balls between two films, by atlas or formula" in m for m in document["messages"])
 
 
 def test_a_layer_that_decides_is_told():
