@@ -5,6 +5,7 @@
 | format | case files: tables, rules, conversion to SI |
 | runs | one case run: bearing, contact, slip, stiffness, shaft, tables, dynamics |
 | batch | many points of one case |
+| new_case | text of new case files |
 | optimise | optimisation of a case by its keys, with error bars of films as noise |
 | rexs | drives in the exchange format REXS: shafts, bearings, gears |
 | rexs_results | results written into such a drive |
@@ -15,6 +16,7 @@
 batch        - many points of one case
 cli          - the command `oilfilm`
 format       - the format of case files
+new_case     - A new case file for a bearing by its designation or its boundary dimensions
 optimise     - optimisation of a case by its keys, with error bars of films as noise
 rexs         - drives in the exchange format REXS
 rexs_results - results written into such a drive

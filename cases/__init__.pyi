@@ -2,6 +2,7 @@ from .format.case import Case, ContactCase, load_case
 from .format.rules import CaseError
 from .runs.bearing import run_case
 from .runs.contact import run_contact
+from .runs.front import run
 from .runs.temperatures import temperatures
 
 __all__ = [
@@ -9,6 +10,7 @@ __all__ = [
     "CaseError",
     "ContactCase",
     "load_case",
+    "run",
     "run_case",
     "run_contact",
     "temperatures",

@@ -42,6 +42,7 @@ PUBLIC = {
     "load_material": "oilfilm.bearing",
     "open_results": "oilfilm.postprocess",
     "read_sweep": "oilfilm.cases.batch",
+    "run": "oilfilm.cases",
     "run_batch": "oilfilm.cases.batch",
     "run_case": "oilfilm.cases",
     "run_contact": "oilfilm.cases",

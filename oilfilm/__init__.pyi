@@ -20,6 +20,7 @@ from oilfilm.bearing import solve_quasistatic as solve_quasistatic
 from oilfilm.cases import Case as Case
 from oilfilm.cases import CaseError as CaseError
 from oilfilm.cases import load_case as load_case
+from oilfilm.cases import run as run
 from oilfilm.cases import run_case as run_case
 from oilfilm.cases import run_contact as run_contact
 from oilfilm.cases import temperatures as temperatures

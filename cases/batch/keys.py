@@ -8,12 +8,14 @@ import json
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from enum import Enum
-from functools import cache, lru_cache
+from functools import cache
 from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 from oilfilm.bearing.library.plugins import plugin_sources
+
+from ..format.changes import case_path
 
 PACKAGES = ("ehl", "bearing", "postprocess", "cases")
 SUFFIXES = (".py", ".npz", ".csv", ".toml")
@@ -27,7 +29,6 @@ LIBRARIES = ("numpy", "scipy", "numba", "scikit-fem")  # whose versions show in 
 WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics", "load_cases")
 DESCRIBING = ("title", "source", "assumed")  # keys of a case without effect on results
 NOT_IN_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
-NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
 
 
 def program_sources() -> Iterator[Path]:
@@ -56,27 +57,6 @@ def program_digest() -> str:
     digest.update(repr([(name, metadata.version(name)) for name in LIBRARIES]).encode())
     digest.update(plugin_sources())
     return digest.hexdigest()[:16]
-
-
-@lru_cache(maxsize=4096)
-def case_path(key: str) -> tuple[str, ...]:
-    """Table and key of a dotted name; names of materials and oils may contain dots themselves.
-
-    Parameters
-    ----------
-    key : str
-        Dotted name, as operation.radial_load_N.
-
-    Returns
-    -------
-    tuple[str, ...]
-        The path in a document.
-    """
-    table, _, name_in_table = key.partition(".")
-    if table in NAMED:
-        name, _, last = name_in_table.rpartition(".")
-        return table, name, last
-    return table, name_in_table
 
 
 def value_in(document: dict[str, Any], key: str) -> Any:

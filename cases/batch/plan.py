@@ -20,33 +20,16 @@ from oilfilm.ehl.foreign_files import read_file
 from oilfilm.ehl.units import unit_of
 from oilfilm.postprocess.batch.results import result_names
 
-from ..format.bearing import CLEARANCE
+from ..format.changes import alternatives, case_path, changed_document
 from ..format.fields import is_number
-from ..format.lubricant import VISCOSITIES
 from ..format.rules import CaseProblem, KeyPath, nearest_name, shown
 from ..format.shipped import table_path
-from .keys import (
-    DESCRIBING,
-    NOT_IN_TRACTION_TABLES,
-    case_path,
-    digest,
-    document_text,
-    program_digest,
-)
+from .keys import DESCRIBING, NOT_IN_TRACTION_TABLES, digest, document_text, program_digest
 from .points import Point
 from .sweep_file import SensitivityTable, SweepFile
 
 MOST_POINTS = 10_000_000
 
-# keys of a table that say the same quantity
-ROWS = {
-    "bearing": ((*CLEARANCE, "clearance_class"),),
-    "fit": (
-        ("inner_ring_interference_um", "shaft_tolerance"),
-        ("outer_ring_interference_um", "housing_tolerance"),
-    ),
-    "lubricant": (VISCOSITIES,),
-}
 SENSITIVITY = "sensitivity"  # block whose points stay near the case as it is
 HIDING = {
     "bearing": (
@@ -327,20 +310,8 @@ class PointDocuments:
         dict[str, Any]
             Document of the point.
         """
-        document = dict(self.base)
-        for setting in variation.settings:
-            node = document
-            *tables, key = case_path(setting.key)
-            for table in tables:
-                inner = node.get(table)
-                node[table] = dict(inner) if isinstance(inner, dict) else {}
-                node = node[table]
-            node[key] = setting.value
-        for table, key, _ in self._alternatives(variation):
-            value = document[table].pop(key)
-            if key == CLEARANCE[1]:  # the rating life still needs it
-                document[table].setdefault("nominal_contact_angle_deg", value)
-        return document
+        values = ((setting.key, setting.value) for setting in variation.settings)
+        return changed_document(self.base, values, self._alternatives(variation))
 
     def _alternatives(self, variation: Variation) -> tuple[tuple[str, str, str], ...]:
         """Keys that give way, which depend on the keys of the variation alone."""
@@ -394,22 +365,8 @@ def replaced_keys(base: dict[str, Any], variations: Sequence[Variation]) -> tupl
 
 def _alternatives(base: dict[str, Any], variation: Variation) -> Iterator[tuple[str, str, str]]:
     """Table and key that give way, and the key that they give way to."""
-    paths = [case_path(setting.key) for setting in variation.settings]
-    for table, rows in ROWS.items():
-        given = base.get(table)
-        given = given if isinstance(given, dict) else {}
-        own = [path[1] for path in paths if path[0] == table]
-        for row in rows:
-            first = next((key for key in own if key in row), None)
-            if first is not None:
-                others = (key for key in row if key in given and key not in own)
-                yield from ((table, key, first) for key in others)
-    operation = base.get("operation")
-    if variation.block != SENSITIVITY and isinstance(operation, dict):
-        own = [path[1] for path in paths if path[0] == "operation"]
-        # self-heating finds the temperature itself
-        if "temperature_C" in own and "temperature" in operation and "temperature" not in own:
-            yield "operation", "temperature", "temperature_C"
+    keys = [setting.key for setting in variation.settings]
+    return alternatives(base, keys, near=variation.block == SENSITIVITY)
 
 
 def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseProblem]:

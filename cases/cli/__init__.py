@@ -15,7 +15,6 @@
 | quick | hertz, frequencies |
 | answers | dry contacts after Hertz, frequencies of a bearing's parts |
 | files | list, validate, import, init, schema |
-| new_case | text of new case files |
 | verify | verify |
 
 __main__  - `python -m oilfilm.cases.cli` is the command `oilfilm`
@@ -25,7 +24,6 @@ compute   - commands that compute a case
 documents - commands on results
 files     - commands about case files and libraries
 main      - the commands of `oilfilm`; importing it registers them in the order of the help
-new_case  - A new case file for a bearing by its designation or its boundary dimensions
 optimise  - commands that search
 output    - common steps of the commands that compute
 over_time - commands that compute over time

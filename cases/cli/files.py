@@ -46,7 +46,7 @@ def list_names(
     if as_json:
         print_json(names)
         return
-    width = max(len(name) for entries in names.values() for name in entries)
+    width = max((len(name) for entries in names.values() for name in entries), default=0)
     for kind, entries in names.items():
         if what is None:
             print_lines(f"{kind}:")
@@ -177,7 +177,7 @@ def init(
     base_oil: Annotated[str | None, typer.Option(help="mineral, PAO, ester, PAG or PFPE.")] = None,
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
-    from .new_case import (
+    from ..new_case import (
         BoundaryDimensions,
         FirstOperation,
         case_of_designation,

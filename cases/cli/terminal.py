@@ -422,7 +422,8 @@ def reading(*directories: Path) -> Iterator[None]:
     """
     for directory in directories:
         if not directory.is_dir():
-            raise CaseError(f"{directory}: no such directory; allowed: a directory of results")
+            found = "is a file" if directory.is_file() else "no such directory"
+            raise CaseError(f"{directory}: {found}; allowed: a directory of results")
     damaged = [path for directory in directories for path in damaged_files(directory)]
     try:
         yield

@@ -1,11 +1,11 @@
 """A case: what a checked file describes, in SI."""
 
 import warnings
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from math import radians
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 from oilfilm.bearing.fits.clearance import ClearanceBudget
 from oilfilm.bearing.friction.contact_friction import BallTraction
@@ -26,8 +26,18 @@ from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
+from .changes import alternatives, changed_document
 from .data_tables import case_table
-from .document import BearingFile, ContactFile, ShaftFile, check_document, read_text, validate_text
+from .document import (
+    BearingFile,
+    ContactFile,
+    ShaftFile,
+    check_document,
+    parse,
+    read_text,
+    validate_text,
+    without_computed,
+)
 from .dynamics import cage_friction, guiding_land
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_frequencies
 from .fits import HeatingInput
@@ -69,6 +79,41 @@ class AnyCase:
     warnings: tuple[str, ...] = ()  # of the libraries, about their values
     films: FilmPhysics = NEWTONIAN  # what the films are solved with
     rheology: Rheology | None = None  # how the oil shears; None with Moes' groups
+    # the tables as the file has them, for `with_values`
+    given: dict[str, Any] = field(default_factory=dict, compare=False, repr=False)
+
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """The case with other values of some keys, checked as a file is.
+
+        Parameters
+        ----------
+        values : Mapping[str, Any]
+            Values by dotted name, in the units of the keys; they take the place of their
+            alternatives. None takes a key out.
+
+        Returns
+        -------
+        Self
+            The changed case.
+
+        Raises
+        ------
+        CaseError
+            If a key is unknown or a value is out of range.
+
+        Examples
+        --------
+        >>> import oilfilm
+        >>> case = oilfilm.load_case("6208_full_ceramic")
+        >>> case.with_values({"operation.radial_load_N": 400}).operation.force
+        (0.0, 400.0, 0.0)
+        """
+        base = self.given or without_computed(self.document)
+        gone = alternatives(base, tuple(values))
+        document = changed_document(base, values.items(), gone)
+        case = case_of_document(document, self.title or "case")
+        assert isinstance(case, type(self))  # as the case that it changes
+        return case
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -184,7 +229,7 @@ def case_from_text(text: str, name: str, *, own_table: bool = True) -> Case | Co
     file = validate_text(text, name, own_table=own_table)
     if isinstance(file, ShaftFile):
         raise CaseError(f"{name}: is a shaft with bearings; run it with 'oilfilm shaft'")
-    return case_of_file(file, name, text)
+    return replace(case_of_file(file, name, text), given=parse(text, name))
 
 
 def case_of_document(document: dict[str, Any], name: str = "case") -> Case | ContactCase:
@@ -212,7 +257,7 @@ def case_of_document(document: dict[str, Any], name: str = "case") -> Case | Con
         raise CaseError((fault.text(name, {}) for fault in faults), faults)
     if isinstance(file, ShaftFile):
         raise CaseError(f"{name}: is a shaft with bearings")
-    return case_of_file(file, name)
+    return replace(case_of_file(file, name), given=without_computed(document))
 
 
 def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> Case | ContactCase:
@@ -506,7 +551,7 @@ def _contact_case(file: ContactFile) -> ContactCase:
     require_frequencies(file.ehl, conditions)
     return ContactCase(
         **_common(file, case_films(file.ehl, shear, bodies, starvation)),
-        document=document,
+        document=_with_computed(document, file),
         conditions=replace(
             conditions, inlet_layer=contacts.inlet_layer(starvation, file.lubricant)
         ),
@@ -538,7 +583,23 @@ def _bearing_document(
     starvation = _starvation(file)
     if starvation is not None:
         document["ehl"]["starvation"] = starvation.value
-    return document
+    return _with_computed(document, file)
+
+
+def _with_computed(document: dict[str, Any], file: BearingFile | ContactFile) -> dict[str, Any]:
+    """The document with the list of its keys that the file does not have, `without_computed`."""
+    given = _document(file)
+    tables = ("lubricant", "materials", "model", "ehl", "contact")
+    more = [f"{table}.{key}" for table in tables for key in _added(document, given, table)]
+    for name in given.get("materials", ()):
+        own = (document["materials"], given["materials"], name)
+        more += [f"materials.{name}.{key}" for key in _added(*own)]
+    return {**document, "computed": more}
+
+
+def _added(document: dict[str, Any], given: dict[str, Any], table: str) -> list[str]:
+    """Keys of a table of the document that the same table as given does not have."""
+    return [key for key in document.get(table, ()) if key not in given.get(table, ())]
 
 
 def _document(file: BearingFile | ContactFile) -> dict[str, Any]:

@@ -9,6 +9,7 @@ equilibrium        - equilibrium of a case
 export             - films of results as meshes for other programs
 films              - films of the contacts of a bearing, equal ones solved once in parallel;
                      strength of rings
+front              - one call from a designation, a file or a case to results
 heating            - temperature of a case by its own friction
 interrupt          - messages on standard error, work that an interrupt gives up at once, and work
                      that it lets finish

@@ -95,7 +95,10 @@ def with_temperature(
     found = case_of_file(file.model_copy(update=changed), case.title or "case")
     assert isinstance(found, Case)  # a bearing
     found = replace(
-        found, document=_warmed_document(found.document), load_cases=case.load_cases
+        found,
+        document=_warmed_document(found.document),
+        load_cases=case.load_cases,
+        given=case.given,
     )  # each load case warms itself
     note = (
         f"operation.temperature: computed at {balanced:.1f} C, where friction ({heating.model}) "

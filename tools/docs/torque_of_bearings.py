@@ -16,8 +16,8 @@ from typing import Any, NamedTuple
 from oilfilm.bearing import contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.operating_film import with_formulas
 from oilfilm.cases import run_case
-from oilfilm.cases.cli.new_case import FirstOperation, case_of_designation
 from oilfilm.cases.format.case import case_of_document
+from oilfilm.cases.new_case import FirstOperation, case_of_designation
 from oilfilm.ehl import SolverOptions, solve_contact
 from oilfilm.ehl.traction.rolling_moment import rolling_moment
 from oilfilm.postprocess import summary

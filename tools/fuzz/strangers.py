@@ -36,8 +36,8 @@ import numpy as np
 
 import oilfilm
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.cases.cli.new_case import BoundaryDimensions, FirstOperation, case_of_designation, case_of_dimensions
 from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.new_case import BoundaryDimensions, FirstOperation, case_of_designation, case_of_dimensions
 
 GRADES = (10, 15, 22, 32, 46, 68, 100, 150, 220)
 OTHER_OILS = ("pao 4", "pao 10", "pao 40", "mil-l-23699", "mil-l-7808", "fva 3")

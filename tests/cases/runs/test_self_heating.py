@@ -8,8 +8,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from oilfilm.cases.cli.new_case import FirstOperation, case_of_designation
 from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.new_case import FirstOperation, case_of_designation
 from oilfilm.cases.runs.bearing import run_case
 from oilfilm.cases.runs.heating import self_heated
 from oilfilm.postprocess import summary

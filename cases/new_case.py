@@ -26,8 +26,8 @@ from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.units import MILLIMETRE, RPM, from_si, to_si
 
-from ..format.document import validate_text
-from ..format.rules import CaseError
+from .format.document import validate_text
+from .format.rules import CaseError
 
 TYPICAL = "typical.toml"
 FIRST_SPEED_FACTOR = 1.5e5  # n d_m of a new case [mm/min]

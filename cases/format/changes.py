@@ -1,0 +1,119 @@
+"""A case's document with other values of some keys.
+
+A value takes the place of its alternatives: a kinematic viscosity that of a dynamic one, a contact
+angle that of a clearance.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+from .bearing import CLEARANCE
+from .lubricant import VISCOSITIES
+
+NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
+# keys of a table that say the same quantity
+ROWS = {
+    "bearing": ((*CLEARANCE, "clearance_class"),),
+    "fit": (
+        ("inner_ring_interference_um", "shaft_tolerance"),
+        ("outer_ring_interference_um", "housing_tolerance"),
+    ),
+    "lubricant": (VISCOSITIES,),
+}
+Alternative = tuple[str, str, str]  # table and key that give way, and the key they give way to
+
+
+@lru_cache(maxsize=4096)
+def case_path(key: str) -> tuple[str, ...]:
+    """Table and key of a dotted name; names of materials and oils may contain dots themselves.
+
+    Parameters
+    ----------
+    key : str
+        Dotted name, as operation.radial_load_N.
+
+    Returns
+    -------
+    tuple[str, ...]
+        The path in a document.
+    """
+    table, _, name_in_table = key.partition(".")
+    if table in NAMED:
+        name, _, last = name_in_table.rpartition(".")
+        return table, name, last
+    return table, name_in_table
+
+
+def alternatives(
+    base: Mapping[str, Any], keys: Sequence[str], *, near: bool = False
+) -> Iterator[Alternative]:
+    """Keys of a case that give way to others.
+
+    Parameters
+    ----------
+    base : Mapping[str, Any]
+        Document of the case.
+    keys : Sequence[str]
+        Dotted names of the keys that take their place.
+    near : bool, default False
+        True: values near those of the case, which leave a temperature self-heated.
+
+    Yields
+    ------
+    Iterator[Alternative]
+        Table and key that give way, and the key that they give way to.
+    """
+    paths = [case_path(key) for key in keys]
+    for table, rows in ROWS.items():
+        given = base.get(table)
+        given = given if isinstance(given, dict) else {}
+        own = [path[1] for path in paths if path[0] == table]
+        for row in rows:
+            first = next((key for key in own if key in row), None)
+            if first is not None:
+                others = (key for key in row if key in given and key not in own)
+                yield from ((table, key, first) for key in others)
+    operation = base.get("operation")
+    if not near and isinstance(operation, dict):
+        own = [path[1] for path in paths if path[0] == "operation"]
+        # self-heating finds the temperature itself
+        if "temperature_C" in own and "temperature" in operation and "temperature" not in own:
+            yield "operation", "temperature", "temperature_C"
+
+
+def changed_document(
+    base: Mapping[str, Any], values: Iterable[tuple[str, Any]], gone: Iterable[Alternative]
+) -> dict[str, Any]:
+    """The document with other values; tables that stay unchanged are those of the base.
+
+    Parameters
+    ----------
+    base : Mapping[str, Any]
+        Document of a case.
+    values : Iterable[tuple[str, Any]]
+        Dotted names and values; None takes the key out.
+    gone : Iterable[Alternative]
+        What gives way, from `alternatives`.
+
+    Returns
+    -------
+    dict[str, Any]
+        The changed document.
+    """
+    document = dict(base)
+    for name, value in values:
+        node = document
+        *tables, key = case_path(name)
+        for table in tables:
+            inner = node.get(table)
+            node[table] = dict(inner) if isinstance(inner, dict) else {}
+            node = node[table]
+        node[key] = value
+        if value is None:
+            del node[key]
+    for table, key, _ in gone:
+        value = document[table].pop(key)
+        if key == CLEARANCE[1]:  # the rating life still needs it
+            document[table].setdefault("nominal_contact_angle_deg", value)
+    return document
