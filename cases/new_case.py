@@ -4,18 +4,18 @@ The speed factor n d_m chooses speed, loads, oil and cooling: up to `BATH_SPEED_
 to the middle of the lowest ball, or the grease of a bearing with seals or shields on both sides;
 up to `AIR_SPEED_FACTOR` oil and air, which leave no oil for the balls to plough through; beyond it
 oil that circulates through a jet and takes the heat along. The oil is the grade whose viscosity at
-70 C comes nearest to kappa = 2 of ISO 281.
+the temperature where the seats take Palmgren's torque comes nearest to kappa = 2 of ISO 281.
 """
 
 import json
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from math import floor, isfinite, log, log10, pi, radians
+from math import floor, hypot, isfinite, log, log10, pi, radians
 from typing import Any
 
 from oilfilm.bearing.library.bearings import load_catalogue_entry, named_designation
-from oilfilm.bearing.library.catalogue import boundary_dimensions, with_designation
+from oilfilm.bearing.library.catalogue import SPINDLE_ANGLE, size_of, with_designation
 from oilfilm.bearing.library.designation import Designation, series_and_bore
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.library.plugins import library_data
@@ -43,14 +43,20 @@ RADIAL_SHARE_ANGULAR = 0.02
 AXIAL_SHARE = 0.04
 AIM_KAPPA = 2.0  # between 1 and 4, where ISO 281 counts films as separating [-]
 OIL_TEMPERATURE = to_si("oil_C", 70.0)
+AMBIENT = to_si("oil_C", 25.0)
+LOAD_TORQUE = 0.0015  # friction coefficient of deep groove bearings by makers (from memory) [-]
+HALVINGS = 12  # of the interval of temperatures
 GRADES = tuple(f"iso vg {grade}" for grade in (10, 15, 22, 32, 46, 68, 100, 150, 220))
 OIL_RISE = 20.0  # of the circulating oil, which sets its flow [K]; assumed
 SUPPLY_TEMPERATURE = 40.0  # of circulating oil [C]; assumed
 
+SETS_TEXT = "balls that come into question, of which --bpfo-per-turn of oilfilm init chooses"
+RATINGS = ("basic_dynamic_rating_kN", "basic_static_rating_kN")
+# keys of the balls and what follows from them
+INTERIOR = ("ball_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm")
 SPINDLE_SERIES = ("70", "719")
-SPINDLE_ANGLE = 26.0  # of bearings known by their size that count likewise [deg]
 RIGHT_ANGLE = 90.0  # [deg]
-EXAMPLE_SIZE = (25.0, (47.0, 8.0))  # bore, outside diameter and width of an example [mm]
+EXAMPLE_SIZE = (25.0, 47.0, 8.0)  # bore, outside diameter and width of an example [mm]
 PRECISE = ("P5", "P4", "P2")
 PRELOADS = {"DB": ("+x", "-x"), "DF": ("-x", "+x"), "DT": ("+x", "+x")}
 # keys of an entry that a case file shows, in this order
@@ -132,7 +138,7 @@ def first_tables(
     if speed is None:
         factor = SPINDLE_SPEED_FACTOR if kind.spindle else FIRST_SPEED_FACTOR
         speed = two_digits(factor / entry["pitch_diameter_mm"])
-    grade = _grade(speed, entry["pitch_diameter_mm"])
+    grade = _grade(entry, kind, speed, given)
     return {
         "lubricant": _lubricant(grade, given.oil, greased=kind.greased),
         "operation": _operation(entry, kind, given, speed),
@@ -234,16 +240,54 @@ def _surroundings(entry: Mapping[str, Any], kind: BearingKind) -> dict[str, str]
     return {"heat_transfer_W_K": typical("heat_flow_W_m2_K", area), "ambient_C": "25.0"}
 
 
-def _grade(speed: float, pitch_diameter: float) -> str:
-    """Oil of the library nearest to `AIM_KAPPA` at `OIL_TEMPERATURE`; [r/min], [mm]."""
+def _grade(
+    entry: Mapping[str, Any], kind: BearingKind, speed: float, given: FirstOperation
+) -> str:
+    """Oil of the library nearest to `AIM_KAPPA` at the temperature that it runs at [r/min]."""
+    pitch = entry["pitch_diameter_mm"]
 
     def distance(grade: str) -> float:
-        oil = load_lubricant(grade, OIL_TEMPERATURE)
+        oil = load_lubricant(grade, _running_temperature(grade, entry, kind, speed, given))
         viscosity = oil.viscosity / oil.density
-        kappa = viscosity_ratio(viscosity, abs(speed) * RPM, pitch_diameter * MILLIMETRE)
+        kappa = viscosity_ratio(viscosity, abs(speed) * RPM, pitch * MILLIMETRE)
         return abs(log(kappa / AIM_KAPPA))
 
     return min(GRADES, key=distance)
+
+
+def _running_temperature(
+    grade: str, entry: Mapping[str, Any], kind: BearingKind, speed: float, given: FirstOperation
+) -> float:
+    """Temperature [K] at which the seats take the heat of Palmgren's torque; that of circulating
+    oil is `OIL_TEMPERATURE`, and the highest one.
+    """
+    pitch = entry["pitch_diameter_mm"]
+    if speed * pitch > AIR_SPEED_FACTOR:
+        return OIL_TEMPERATURE
+    name = "angular contact" if kind.angular else "deep groove"
+    supply = "oil air" if speed * pitch > BATH_SPEED_FACTOR else "oil bath"
+    load = hypot(given.radial_load or 0.0, given.axial_load or 0.0)
+    load = load or RADIAL_SHARE * _capacity(entry)
+    area = pi * entry["width_mm"] * (entry["bore_mm"] + entry["outside_diameter_mm"]) * 1e-6
+    cooling = library_data(TYPICAL)["heat_flow_W_m2_K"]["value"] * area
+
+    def rise(kelvin: float) -> float:
+        oil = load_lubricant(grade, kelvin)
+        factor = viscous_factor(name, supply)
+        viscosity = oil.viscosity / oil.density
+        viscous, _ = palmgren_torque(
+            pitch * MILLIMETRE, speed * RPM, viscosity, factor, (0.0, 0.0)
+        )
+        torque = viscous + LOAD_TORQUE * load * 0.5 * pitch * MILLIMETRE
+        return torque * speed * RPM / cooling
+
+    low, high = AMBIENT, OIL_TEMPERATURE
+    if AMBIENT + rise(high) >= high:
+        return high
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if AMBIENT + rise(middle) > middle else (low, middle)
+    return high
 
 
 def _heat_capacity(oil: Lubricant) -> float:
@@ -310,7 +354,19 @@ class BoundaryDimensions:
     contact_angle: float = 0.0
 
 
-def case_of_designation(name: str, given: FirstOperation) -> str:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MakersNumbers:
+    """Numbers that a maker prints of a bearing, or that were measured; None: not known."""
+
+    dynamic_rating: float | None = None  # [kN]
+    static_rating: float | None = None  # [kN]
+    # ball passages of the outer ring in a turn of the inner one [-]
+    outer_passages: float | None = None
+
+
+def case_of_designation(
+    name: str, given: FirstOperation, known: MakersNumbers = MakersNumbers()
+) -> str:
     """Text of a case file for a bearing of the catalogue.
 
     Parameters
@@ -319,6 +375,8 @@ def case_of_designation(name: str, given: FirstOperation) -> str:
         Designation of the bearing.
     given : FirstOperation
         Speed and loads that the user prescribes.
+    known : MakersNumbers, default MakersNumbers()
+        Ratings and ball passages, in place of the catalogue's.
 
     Returns
     -------
@@ -336,19 +394,51 @@ def case_of_designation(name: str, given: FirstOperation) -> str:
         raise ValueError(f"{error}; {_by_size(name)}") from None
     designation = named_designation(entry["name"])
     if designation is not None:
-        outside, width = boundary_dimensions()[designation.dimension_series, designation.bore]
-        size = {"bore_mm": designation.bore, "outside_diameter_mm": outside, "width_mm": width}
+        keys = ("bore_mm", "outside_diameter_mm", "width_mm")
+        size = dict(zip(keys, size_of(designation) or (), strict=True))
         entry = _with_normal_clearance({**size, **entry}, designation)
     if "width_mm" not in entry:
         raise ValueError(f"bearing {entry['name']!r}: its source gives no width; {_by_size(name)}")
+    entry = _with_makers_numbers(entry, known)
     return _text(entry["name"], entry, designation, given)
+
+
+def _with_makers_numbers(entry: dict[str, Any], known: MakersNumbers) -> dict[str, Any]:
+    """The entry with ratings of the user's own, and the balls that explain them where the
+    catalogue's are an estimate.
+    """
+    ratings = (known.dynamic_rating, known.static_rating)
+    _check_positive({"C": ratings[0], "C0": ratings[1], "bpfo-per-turn": known.outer_passages})
+    if not any((*ratings, known.outer_passages)):
+        return entry
+    own = dict(zip(RATINGS, ratings, strict=True))
+    given = {key: value for key, value in own.items() if value is not None}
+    if "balls" in entry["estimated"]:
+        data = CatalogueData(
+            bore=1e-3 * entry["bore_mm"],
+            outside_diameter=1e-3 * entry["outside_diameter_mm"],
+            width=1e-3 * entry["width_mm"],
+            contact_angle=radians(entry.get("free_contact_angle_deg") or 0.0),
+            pitch_diameter=1e-3 * entry["pitch_diameter_mm"],
+            dynamic_rating=_newtons(ratings[0] or entry.get(RATINGS[0])),
+            static_rating=_newtons(ratings[1] or entry.get(RATINGS[1])),
+        )
+        found = estimate_bearing(data, known.outer_passages)
+        entry = {**entry, **{key: found[key] for key in (*INTERIOR, "ball_sets")}, "own": True}
+        ranges = {key: found["range"][key] for key in INTERIOR}
+        entry = {**entry, "range": {**entry["range"], **ranges}}
+    return {**entry, **given, "source": f"{entry['source']}; C, C_0 as given to oilfilm init"}
+
+
+def _newtons(rating: float | None) -> float | None:
+    """A rating [kN] in newtons."""
+    return None if rating is None else 1e3 * rating
 
 
 def _by_size(name: str) -> str:
     """How to make the case by size, with the dimensions of this bearing where they are known."""
     begins = series_and_bore(name)
-    size = begins and boundary_dimensions().get((begins.dimension_series, begins.bore))
-    bore, (outside, width) = (begins.bore, size) if begins and size else EXAMPLE_SIZE
+    bore, outside, width = (begins and size_of(begins)) or EXAMPLE_SIZE
     return (
         f"a bearing by its size: oilfilm init NAME --bore {bore:g} --outside {outside:g} "
         f"--width {width:g} [mm], with --angle 30 if of angular contact [deg], --C and --C0 if "
@@ -356,7 +446,9 @@ def _by_size(name: str) -> str:
     )
 
 
-def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
+def case_of_dimensions(
+    size: BoundaryDimensions, given: FirstOperation, outer_passages: float | None = None
+) -> str:
     """Text of a case file for a bearing whose internal geometry is estimated.
 
     Parameters
@@ -365,6 +457,8 @@ def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
         Boundary dimensions [mm], ratings [kN] and contact angle [deg].
     given : FirstOperation
         Speed and loads that the user prescribes.
+    outer_passages : float | None, optional
+        Measured ball passages of the outer ring in a turn of the inner one [-].
 
     Returns
     -------
@@ -377,17 +471,17 @@ def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
         If a value is impossible; the message names it.
     """
     _check_size(size)
-    ratings = (size.dynamic_rating, size.static_rating)
-    dynamic, static = (None if rating is None else 1e3 * rating for rating in ratings)
+    _check_positive({"bpfo-per-turn": outer_passages})
     entry = estimate_bearing(
         CatalogueData(
             bore=1e-3 * size.bore,
             outside_diameter=1e-3 * size.outside_diameter,
             width=1e-3 * size.width,
             contact_angle=radians(size.contact_angle),
-            dynamic_rating=dynamic,
-            static_rating=static,
-        )
+            dynamic_rating=_newtons(size.dynamic_rating),
+            static_rating=_newtons(size.static_rating),
+        ),
+        outer_passages,
     )
     name = f"{size.bore:g} x {size.outside_diameter:g} x {size.width:g}"
     return _text(name, entry, None, given)
@@ -396,14 +490,18 @@ def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
 def _check_size(size: BoundaryDimensions) -> None:
     """ValueError that names the option whose value makes no bearing, in its unit."""
     lengths = {"bore": size.bore, "outside": size.outside_diameter, "width": size.width}
-    for key, value in (lengths | {"C": size.dynamic_rating, "C0": size.static_rating}).items():
-        if value is not None and not (isfinite(value) and value > 0.0):
-            raise ValueError(f"--{key}: found {value:g}; allowed: above 0")
+    _check_positive(lengths | {"C": size.dynamic_rating, "C0": size.static_rating})
     if size.outside_diameter <= size.bore:
         found = f"--outside: found {size.outside_diameter:g} mm"
         raise ValueError(f"{found}; allowed: above --bore, {size.bore:g} mm")
     if not 0.0 <= size.contact_angle < RIGHT_ANGLE:
         raise ValueError(f"--angle: found {size.contact_angle:g} deg; allowed: from 0, below 90")
+
+
+def _check_positive(options: Mapping[str, float | None]) -> None:
+    for key, value in options.items():
+        if value is not None and not (isfinite(value) and value > 0.0):
+            raise ValueError(f"--{key}: found {value:g}; allowed: above 0")
 
 
 def checked(text: str) -> str:
@@ -443,7 +541,7 @@ def _text(
     name: str, entry: Mapping[str, Any], designation: Designation | None, given: FirstOperation
 ) -> str:
     tables = _tables(entry, designation, given)
-    estimated = entry["estimated"] if designation is None else ()
+    estimated = entry["estimated"] if designation is None or "own" in entry else ()
     assumed = [f"bearing.{key}" for key in estimated]
     keys = [*assumed, *(f"{table}.{key}" for table, rows in tables.items() for key in rows)]
     known = (*KNOWN_CHOICES, *(f"lubricant.{key}" for key in given.oil))
@@ -479,6 +577,8 @@ def _bearing_lines(entry: Mapping[str, Any]) -> Iterator[str]:
             text += ".0"
         low, high = ranges.get(key, (None, None))
         yield f"{key} = {text}" + ("" if low is None else f"  # estimated, {low:g} to {high:g}")
+        if key == "balls" and len(entry.get("ball_sets", ())) > 1:
+            yield f"# {SETS_TEXT}: {', '.join(entry['ball_sets'])}"
 
 
 def _tables(

@@ -16,7 +16,7 @@ from importlib import resources
 from math import asin, degrees, floor, pi, radians
 from typing import Any
 
-from .designation import ANGLES, SERIES, Designation, read_designation
+from .designation import ANGLES, SERIES, SMALL, Designation, read_designation
 
 INCH = 25.4e-3  # [m]
 # between ball sizes below and above FINE_LARGEST [m]
@@ -27,9 +27,14 @@ METRIC = (3.5e-3,)  # of thin bearings: 6804 to 6807 [m]
 FEWEST_BALLS = 5
 INNER_CONFORMITY = 0.515  # groove radius over ball diameter, assumed [-]
 OUTER_CONFORMITY = 0.525
+# of angular contact bearings up to this nominal angle, as of machine spindles: the rigidity that
+# FAG prints of pairs of B7012C and B7015C, 64.5 and 76.8 N/um, is reached within 4 % [-]
+SPINDLE_CONFORMITY = 0.53
+SPINDLE_ANGLE = 26.0  # [deg]
 # range of the bearings with published ones [-]
 INNER_CONFORMITY_RANGE = (0.51, 0.525)
 OUTER_CONFORMITY_RANGE = (0.515, 0.53)
+SPINDLE_CONFORMITY_RANGE = (0.515, 0.54)
 ANGLE_RANGE = 3.0  # around a nominal contact angle, unverified [deg]
 # D over D_o - d, mean of the catalogue's, and the same of the pitch circle that balls fill over
 # the contact angle [deg]: docs/user/libraries.md [-]
@@ -44,6 +49,10 @@ TYPICAL_BALLS_RANGE = 0.2
 TYPICAL_PITCH_RANGE = 0.02
 
 MM = 1e-3  # [m]
+# series with the balls of another in wider rings, as makers' equal ratings have it
+NARROW = {"622": "62", "623": "63", "630": "60"}
+WIDTHS = (*NARROW, "160")  # series that differ from another in width alone
+STAINLESS = "x105crmo17"  # of bearings of stainless steel, assumed
 BALL_RANGE = 0.07  # relative, of estimates from ratings: docs/user/libraries.md [-]
 PITCH_RANGE = 0.015
 BALLS_RANGE = 0.1
@@ -146,13 +155,24 @@ def typical_number(ball_diameter: float, pitch_diameter: float, contact_angle: f
     int
         number of balls [-]
     """
-    fill = _fill(degrees(contact_angle))
+    fill = typical_fill(degrees(contact_angle))
     balls = round(fill * pi / asin(ball_diameter / pitch_diameter))
     return max(FEWEST_BALLS, min(balls, full_complement(ball_diameter, pitch_diameter)))
 
 
-def _fill(angle: float) -> float:
-    """Share of the pitch circle that balls fill, over the contact angle [deg]."""
+def typical_fill(angle: float) -> float:
+    """Share of the pitch circle that balls fill, over the contact angle.
+
+    Parameters
+    ----------
+    angle : float
+        nominal contact angle [deg]
+
+    Returns
+    -------
+    float
+        share [-]
+    """
     (a0, f0), (a1, f1), (a2, f2) = TYPICAL_FILL
     if angle <= a1:
         return f0 + (f1 - f0) * (angle - a0) / (a1 - a0)
@@ -274,6 +294,35 @@ def boundary_dimensions() -> dict[tuple[str, float], tuple[float, float]]:
 
 
 @cache
+def small_bearings() -> dict[str, dict[str, str]]:
+    """Rows of the miniature and inch bearings by designation and its synonym."""
+    rows = table("small_bearings.csv")
+    return {name: row for row in rows for name in (row["designation"], row["synonym"]) if name}
+
+
+def size_of(designation: Designation) -> tuple[float, float, float] | None:
+    """Bore, outside diameter and width of a designation.
+
+    Parameters
+    ----------
+    designation : Designation
+        series and bore
+
+    Returns
+    -------
+    tuple[float, float, float] | None
+        lengths [mm]; None if there is no such size
+    """
+    if designation.series == SMALL:
+        row = small_bearings().get(designation.code)
+        if row is None:
+            return None
+        return float(row["bore_mm"]), float(row["outside_diameter_mm"]), float(row["width_mm"])
+    rest = boundary_dimensions().get((designation.dimension_series, designation.bore))
+    return rest and (designation.bore, *rest)
+
+
+@cache
 def estimated_bearings() -> tuple[str, ...]:
     """Designations of all bearings of the catalogue with an estimated geometry."""
     names = []
@@ -287,7 +336,7 @@ def estimated_bearings() -> tuple[str, ...]:
         if series in ("719", "70"):
             suffixes = ("C", "AC")
         names += [f"{series}{_bore_number(b):02d}{suffix}" for suffix in suffixes for b in bores]
-    return tuple(names)
+    return (*names, *small_bearings())
 
 
 def _bore_number(bore: float) -> int:
@@ -321,8 +370,10 @@ def clearance_class(bore: float, name: str) -> tuple[float, float]:
     """
     for row in table("clearance_classes.csv"):
         if float(row["bore_over_mm"]) < bore <= float(row["bore_up_to_mm"]):
+            if not row[f"{name}_from_um"]:
+                raise ValueError(f"class {name} is known for bores up to 120 mm, got {bore!r} mm")
             return float(row[f"{name}_from_um"]), float(row[f"{name}_to_um"])
-    raise ValueError(f"bore must lie between 2.5 and 120 mm, got {bore!r} mm")
+    raise ValueError(f"bore must lie between 2.5 and 180 mm, got {bore!r} mm")
 
 
 @lru_cache(maxsize=256)
@@ -339,20 +390,20 @@ def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
     dict[str, Any] | None
         keys with `source`, `estimated` and `range`; None if there is no such size
     """
-    size = boundary_dimensions().get((designation.dimension_series, designation.bore))
+    size = size_of(designation)
     if size is None or designation.basic not in estimated_bearings():
         return None
-    outside, width = size
-    row = ratings().get(designation.basic, {})
-    entry = estimated_entry(
-        (designation.bore, outside, width),
-        designation.contact_angle,
-        _geometry(designation, outside),
-        _values(row),
-    )
+    row = small_bearings().get(designation.code) or ratings().get(_narrow(designation), {})
+    geometry = _geometry(designation, size)
+    entry = estimated_entry(size, designation.contact_angle, geometry, _values(row))
     entry["skf_series"] = friction_series(designation)
-    source = f"boundary dimensions: ISO 15, dimension series {designation.dimension_series}"
-    sources = [source, *([MAKER] if row else ["no ratings read"]), entry["source"]]
+    source = "boundary dimensions: ISO 15, from memory (unverified)"
+    if designation.series != SMALL:
+        source = f"boundary dimensions: ISO 15, dimension series {designation.dimension_series}"
+    maker = MAKER if row.get("dynamic_rating_kN") else "no ratings read"
+    if designation.series == SMALL and maker == MAKER:
+        maker = "C and C_0: NSK's, from memory (unverified)"
+    sources = [source, maker, entry["source"]]
     if row.get("inner_shoulder_mm"):
         sources.append(
             "shoulders: SKF general catalogue, d1 and D1, the pitch diameter their mean"
@@ -373,8 +424,12 @@ def friction_series(designation: Designation) -> str:
     str
         name of the series
     """
+    if designation.series == SMALL:
+        row = small_bearings()[designation.code]
+        size = float(row["bore_mm"]), float(row["outside_diameter_mm"])
+        return row["series"] or nearest_series(*size, angular=False)
     if not designation.angle_suffix:
-        return designation.series
+        return NARROW.get(designation.series, designation.series)
     special = designation.series in ("72", "73") and designation.angle_suffix in ("B", "AC")
     return f"{designation.series} {designation.angle_suffix}" if special else "other single row"
 
@@ -404,12 +459,18 @@ def nearest_series(bore: float, outside_diameter: float, *, angular: bool) -> st
     outside = {
         series: boundary_dimensions()[dimensions, bore][0]
         for series, (dimensions, is_angular) in SERIES.items()
-        if not is_angular and (dimensions, bore) in boundary_dimensions()
+        if not is_angular and (dimensions, bore) in boundary_dimensions() and series not in WIDTHS
     }
     if outside:
         return min(outside, key=lambda series: abs(outside[series] - outside_diameter))
     factor = (outside_diameter - bore) / bore**0.9
     return min(DIAMETER_SERIES, key=lambda series: abs(DIAMETER_SERIES[series] - factor))
+
+
+def _narrow(designation: Designation) -> str:
+    """Designation of the bearing with the same balls in rings of the usual width."""
+    series = designation.series
+    return NARROW.get(series, series) + designation.basic.removeprefix(series)
 
 
 def _values(row: dict[str, str]) -> dict[str, float]:
@@ -423,23 +484,27 @@ def _values(row: dict[str, str]) -> dict[str, float]:
     return {key: float(row[name]) for key, name in keys.items() if row.get(name)}
 
 
-def _geometry(designation: Designation, outside: float) -> Geometry:
+def _geometry(designation: Designation, size: tuple[float, float, float]) -> Geometry:
     """By the ratings of the bearing, of one of its size with another contact angle, or typical."""
-    bore = designation.bore
+    bore, outside, width = size
     others = [designation.angle_suffix, *(ANGLES if designation.angle_suffix else ())]
-    stem = designation.basic.removesuffix(designation.angle_suffix)
+    stem = _narrow(designation).removesuffix(designation.angle_suffix)
     for suffix in others:
-        row = ratings().get(stem + suffix)
-        if row is None:
+        row = small_bearings().get(designation.code) or ratings().get(stem + suffix)
+        if row is None or not row["ball_mm"]:
             continue
-        shoulders = [float(row[f"{ring}_shoulder_mm"] or 0.0) for ring in ("inner", "outer")]
+        shoulders = [float(row.get(f"{ring}_shoulder_mm") or 0.0) for ring in ("inner", "outer")]
         pitch = 0.5 * sum(shoulders) if all(shoulders) else 0.5 * (bore + outside)
         basis = "ball, balls: estimated from the ratings"
+        if designation.series in NARROW:
+            basis = f"ball, balls, ratings: estimated, those of the {stem}"
         if suffix != designation.angle_suffix:
             basis = f"ball, balls: those estimated for the {stem + suffix}"
         ball = float(row["ball_mm"]) * MM
         return from_ratings(ball, pitch * MM, int(row["balls"]), basis)
-    return from_dimensions(bore * MM, outside * MM, radians(designation.contact_angle))
+    # of sections that fill their width, as those of the series 160 and miniature ones do not
+    limit = width * MM if designation.series in (SMALL, "160") else None
+    return from_dimensions(bore * MM, outside * MM, radians(designation.contact_angle), limit)
 
 
 def estimated_entry(
@@ -468,11 +533,15 @@ def estimated_entry(
     """
     ball = geometry.ball_diameter
     inner, outer = INNER_CONFORMITY, OUTER_CONFORMITY
+    inner_range, outer_range = INNER_CONFORMITY_RANGE, OUTER_CONFORMITY_RANGE
+    if 0.0 < contact_angle <= SPINDLE_ANGLE:
+        inner = outer = SPINDLE_CONFORMITY
+        inner_range = outer_range = SPINDLE_CONFORMITY_RANGE
     lengths = {
         "ball_diameter_mm": (ball, geometry.ball_range),
         "pitch_diameter_mm": (geometry.pitch_diameter, geometry.pitch_range),
-        "inner_groove_radius_mm": (inner * ball, _times(INNER_CONFORMITY_RANGE, ball)),
-        "outer_groove_radius_mm": (outer * ball, _times(OUTER_CONFORMITY_RANGE, ball)),
+        "inner_groove_radius_mm": (inner * ball, _times(inner_range, ball)),
+        "outer_groove_radius_mm": (outer * ball, _times(outer_range, ball)),
     }
     values: dict[str, Any] = {key: _mm(value) for key, (value, _) in lengths.items()}
     ranges: dict[str, Any] = {key: [_mm(v) for v in ends] for key, (_, ends) in lengths.items()}
@@ -514,7 +583,11 @@ def with_designation(entry: dict[str, Any], designation: Designation) -> dict[st
         changed keys
     """
     entry = {**entry, "range": dict(entry.get("range", {})), "estimated": list(entry["estimated"])}
-    if designation.balls:
+    if designation.balls == "stainless":
+        entry |= dict.fromkeys(("ring_material", "ball_material"), STAINLESS)
+        entry.pop("basic_dynamic_rating_kN", None)  # of another steel
+        entry.pop("basic_static_rating_kN", None)
+    elif designation.balls:
         entry["ball_material"] = "silicon nitride"
         entry.pop("basic_static_rating_kN", None)  # of another permissible pressure
     if designation.balls == "full ceramic":

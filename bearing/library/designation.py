@@ -14,15 +14,22 @@ from functools import lru_cache
 SERIES = {
     "618": ("18", False),
     "619": ("19", False),
+    "160": ("00", False),
     "60": ("10", False),
+    "630": ("30", False),
     "62": ("02", False),
+    "622": ("22", False),
     "63": ("03", False),
+    "623": ("23", False),
     "64": ("04", False),
     "719": ("19", True),
     "70": ("10", True),
     "72": ("02", True),
     "73": ("03", True),
 }
+SMALL = "small"  # series of miniature and inch bearings, whose code is a name of its own
+# miniature bearings, 608, 688 or 618/8, and inch ones, R168
+SMALL_CODE = r"(?:60[4-9]|62[3-9]|63[45]|68[3-9]|69[3-9]|61[89] [3-9])(?!\d)|R\d+A?(?![\dA])"
 SYNONYMS = {"68": "618", "69": "619", "79": "719"}  # NSK, NTN
 ANGLES = {"C": 15.0, "AC": 25.0, "B": 40.0}  # nominal contact angle by suffix [deg]
 SET_FOLLOWS = "(?=D[BFT](?!N))"  # 7014CDB is C and DB, not SKF's CD; TN is a cage
@@ -35,7 +42,10 @@ ANGLE_LETTERS = (
 MAKERS = "SKF|FAG|INA|NSK|NTN|KOYO|NACHI|SNR|TIMKEN|BARDEN|GMN|NMB|URB|ZVL"
 # B, HCB: FAG's spindle bearings; HC, XC: their ceramic balls; E2: SKF's of low friction;
 # S of angular contact: SKF's with seals that do not rub
+# S, SS, W of deep groove: rings and balls of stainless steel
 PREFIXES = {
+    "HYBRID": "hybrid", "FULL CERAMIC": "full ceramic", "CERAMIC": "full ceramic",
+    "CE": "full ceramic", "SS": "stainless", "W": "stainless",
     "HCB": "hybrid", "XCB": "hybrid", "HC": "hybrid", "XC": "hybrid",
     "E2": "", "B": "", "S": "", "": "",
 }  # fmt: skip
@@ -74,15 +84,6 @@ SINGLE_ROWS = "the catalogue has deep groove and angular contact ones"
 BALLS_HERE = "the catalogue has ball bearings only"
 NOT_HERE = (
     (r"QJ?\d", f"a four-point contact bearing; {SINGLE_ROWS}"),
-    (
-        r"(?:S|SS|W) ?(?:618|619|60|62|63|64)\d\d(?!\d)",
-        "a bearing of stainless steel, whose ratings the catalogue does not have; name it without "
-        "the letter before the digits, and give ring_material and ball_material, 'x105crmo17' say",
-    ),
-    (
-        r"(?:622|623|630)\d\d(?!\d)",
-        "a wide bearing of the series 622, 623 or 630, which the catalogue does not have",
-    ),
     (r"(?:NU|NJ|NUP|NN|N|RN|RNU|NF|NH)\d", f"a cylindrical roller bearing; {BALLS_HERE}"),
     (r"(?:NA|NK|NKI|HK|BK|RNA|K)\d", f"a needle roller bearing; {BALLS_HERE}"),
     (r"(?:30|31|32|33)\d{3}", f"a tapered roller bearing; {BALLS_HERE}"),
@@ -94,12 +95,11 @@ NOT_HERE = (
         "a double-row bearing; the catalogue has single rows, and pairs of them (DB, DF, DT)",
     ),
     (r"(?:HS|XCS|RS)\d", "a high-speed bearing with smaller balls than the catalogue's"),
-    (r"16[01]\d\d(?!\d)", "a bearing of the series 160 or 161, which the catalogue does not have"),
+    (r"161\d\d(?!\d)", "a bearing of the series 161, which the catalogue does not have"),
     (
         r"(?:70|72|73|719|79)\d\d",
         "the letters of its contact angle are missing or not known: C is 15 deg, AC 25, B 40",
     ),
-    (r"(?:60|62|63)\d(?!\d)", "its bore is below 10 mm"),
     ("|".join(sorted({*SERIES, *SYNONYMS})), "its bore is not among those of the catalogue"),
 )
 
@@ -115,14 +115,15 @@ class Designation:
     tolerance_class: str | None = None
     sealed: bool = False  # contact seals on both sides
     greased: bool = False  # seals or shields on both sides, filled with grease by the maker
-    balls: str = ""  # "hybrid", "full ceramic" or empty
+    balls: str = ""  # "hybrid", "full ceramic", "stainless" or empty
+    code: str = ""  # of a miniature or inch bearing, whose series is `SMALL`
     arrangement: str = ""  # of a set of two: DB, DF, DT, or empty
     preload_class: str | None = None  # light, medium, heavy
 
     @property
     def basic(self) -> str:
         """Name of the bearing in the catalogue: series, bore number, contact angle."""
-        return f"{self.series}{self.bore_number:02d}{self.angle_suffix}"
+        return self.code or f"{self.series}{self.bore_number:02d}{self.angle_suffix}"
 
     @property
     def bore(self) -> float:
@@ -136,6 +137,11 @@ class Designation:
     def dimension_series(self) -> str:
         """Dimension series of ISO 15, width and diameter."""
         return SERIES[self.series][0]
+
+    @property
+    def angular(self) -> bool:
+        """True for a bearing of angular contact."""
+        return self.series != SMALL and SERIES[self.series][1]
 
     @property
     def contact_angle(self) -> float:
@@ -181,21 +187,34 @@ def _read(text: str) -> tuple[Designation | None, str]:
     pattern = rf"(?:(?:{MAKERS}) )?({prefixes}) ?({series})(\d\d)(.*)"
     match = re.fullmatch(pattern, plain)
     if match is None:
-        return None, ""
+        return _small(plain, prefixes)
     prefix, series, bore, rest = match.groups()
     read = Designation(
         series=SYNONYMS.get(series, series),
         bore_number=int(bore),
         balls=PREFIXES[prefix],
-        greased=prefix == "S",
+        greased=prefix == "S" and SERIES[SYNONYMS.get(series, series)][1],
     )
-    if SERIES[read.series][1]:
+    if read.angular:
         read, rest = _with_angle(read, rest)
-        if not read.angle_suffix:
+        if not read.angle_suffix or read.balls == "stainless":
             return None, ""
-    elif prefix in ("B", "S"):
+    elif prefix == "B":
         return None, ""
+    elif prefix == "S":
+        read = replace(read, balls="stainless")
     return _with_suffixes(read, rest)
+
+
+def _small(plain: str, prefixes: str) -> tuple[Designation | None, str]:
+    """Likewise of a miniature or inch bearing."""
+    match = re.fullmatch(rf"(?:(?:{MAKERS}) )?({prefixes}) ?({SMALL_CODE})(.*)", plain)
+    if match is None or match[1] == "B":
+        return None, ""
+    balls = "stainless" if match[1] == "S" else PREFIXES[match[1]]
+    code = match[2].replace(" ", "/")
+    read = Designation(series=SMALL, bore_number=0, code=code, balls=balls)
+    return _with_suffixes(read, match[3])
 
 
 def _bore_in_millimetres(match: re.Match[str]) -> str:
@@ -230,7 +249,7 @@ def _with_suffixes(read: Designation, rest: str) -> tuple[Designation, str]:
     while rest:
         word = next((word for word in sorted(words, key=len)[::-1] if rest.startswith(word)), "")
         fields = words.get(word, {})
-        if not word and SERIES[read.series][1] and (match := re.match(SETS, rest)):
+        if not word and read.angular and (match := re.match(SETS, rest)):
             word = match.group()
             fields = _set(match)
         if not word:

@@ -6,10 +6,16 @@ and contact angle alone as long as the grooves are not wide. Balls come in stand
 numbers. So the pair (D, Z) whose computed ratings come nearest to the catalogue's is looked for;
 for makers who rate by the standards without a factor of their own it fits within a percent, and
 the next best pair misses by some percent. docs/user/libraries.md has the errors.
+
+Other makers rate higher: SKF's C of Explorer bearings are 1.04 to 1.06 of NSK's of the same size,
+with the same balls, their C_0 equal. `ball_sets` knows both ways to rate, and weighs how the balls
+fill section and pitch circle; several sets come into question, which a measured frequency of ball
+passage tells apart.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from math import degrees, hypot, isfinite, log, pi
+from math import asin, cos, degrees, hypot, isfinite, log, pi
 from typing import Any
 
 from oilfilm.ehl.units import MILLIMETRE
@@ -17,8 +23,10 @@ from oilfilm.ehl.units import MILLIMETRE
 from ..geometry import Bearing, contact_angle_to_clearance
 from ..library.catalogue import (
     FEWEST_BALLS,
+    INCH,
     INNER_CONFORMITY,
     OUTER_CONFORMITY,
+    TYPICAL_BALL,
     Geometry,
     ball_sizes,
     estimated_entry,
@@ -26,6 +34,7 @@ from ..library.catalogue import (
     from_ratings,
     full_complement,
     nearest_series,
+    typical_fill,
     typical_number,
 )
 from ..material import load_material
@@ -35,6 +44,22 @@ BALL_TO_SECTION = (0.20, 0.38)  # smallest and largest D over D_o - d that are t
 # ln(1.5), of the ratings of a new bearing: makers rate up to a sixth above the standards, of the
 # catalogue the worst is missed by 3 %; what is missed by more is another bearing, or in newtons
 WORST_MISFIT = 0.405
+# factors of makers on C and C_0 over those computed: NSK's (docs/user/libraries.md); SKF's of
+# Explorer bearings (twelve sizes of the series 60, 62, 63, ratings from memory, unverified) [-]
+RATING_STYLES = ((1.0, 0.992), (1.05, 0.988))
+# scatter of their logarithms, about what those sizes have [-]
+DYNAMIC_SCATTER = 0.012
+STATIC_SCATTER = 0.010
+# scatter of the share of the pitch circle that balls fill and of D over D_o - d, a little above
+# that of the catalogue's bearings within a series [-]
+FILL_SCATTER = 0.03
+SECTION_SCATTER = 0.02
+BPFO_SCATTER = 0.005  # of the logarithm of a measured frequency: contact angle and slip, assumed
+LARGEST_SURPLUS = 12.0  # of the sum of squares over the least, of a set that is listed [-]
+MOST_SETS = 4
+MOST_OFF = 4.0  # scatters of a measured frequency from the nearest set
+FINEST_STEP = INCH / 64.0  # between ball sizes that makers use up to an inch, as 12.303 mm
+WORST_FACTOR = 0.2  # of the logarithm of a rating, beyond which a set is not weighed [-]
 RATING_TOLERANCE = 0.1  # of the logarithms of ratings, within which a pair comes into question [-]
 
 
@@ -185,7 +210,108 @@ def _bearing(data: CatalogueData, ball: float, balls: int) -> Bearing:
     )
 
 
-def estimate_bearing(data: CatalogueData) -> dict[str, Any]:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BallSet:
+    """Balls that come into question for a bearing."""
+
+    ball_diameter: float  # [m]
+    balls: int
+    outer_passages: float  # balls that pass a point of the outer ring in a turn of the inner one
+    misfit: float  # sum of squares over the scatter of each property [-]
+
+    @property
+    def text(self) -> str:
+        """Number, diameter, and passages a turn."""
+        diameter = f"{self.balls} x {self.ball_diameter / MILLIMETRE:.6g} mm"
+        return f"{diameter} (BPFO {self.outer_passages:.3f} a turn)"
+
+
+def ball_sets(data: CatalogueData, outer_passages: float | None = None) -> tuple[BallSet, ...]:
+    """Balls that come into question, the likeliest first.
+
+    Sum of (difference/scatter)^2 over ratings, fill and section, and a measured number of
+    passages; ratings by the way to rate of `RATING_STYLES` that fits better.
+
+    Parameters
+    ----------
+    data : CatalogueData
+        boundary dimensions, and ratings as far as known [m], [N]
+    outer_passages : float | None, optional
+        measured ball passages of the outer ring in a turn of the inner one [-]
+
+    Returns
+    -------
+    tuple[BallSet, ...]
+        sets, none where no balls fit
+
+    Raises
+    ------
+    ValueError
+        if nothing comes near what is given
+    """
+    section = data.outside_diameter - data.bore
+    smallest, largest = (fraction * section for fraction in BALL_TO_SECTION)
+    inch = round(INCH / FINEST_STEP)
+    fine = (number * FINEST_STEP for number in range(1, inch + 1))
+    sizes = {*ball_sizes(smallest, largest), *(d for d in fine if smallest <= d <= largest)}
+    sets = [
+        _ball_set(data, _bearing(data, ball, balls), outer_passages)
+        for ball in sorted(sizes)
+        for balls in range(FEWEST_BALLS, full_complement(ball, data.pitch) + 1)
+    ]
+    ranked = sorted((one for one in sets if one is not None), key=lambda one: one.misfit)
+    chosen = [one for one in ranked if one.misfit <= ranked[0].misfit + LARGEST_SURPLUS]
+    if outer_passages is not None and ranked:
+        best = ranked[0].outer_passages
+        if abs(log(best / outer_passages)) > MOST_OFF * BPFO_SCATTER:
+            raise ValueError(
+                f"{outer_passages:g} passages of balls a turn, which no balls have that fit in; "
+                f"the nearest {best:.3f}"
+            )
+    return tuple(chosen[:MOST_SETS])
+
+
+def _ball_set(
+    data: CatalogueData, bearing: Bearing, outer_passages: float | None
+) -> BallSet | None:
+    """A bearing as a set with its misfit; None where a rating is out of question."""
+    dynamic = _log_factor(data, bearing, data.dynamic_rating, dynamic_rating)
+    if dynamic is not None and abs(dynamic) > WORST_FACTOR:
+        return None
+    static = _log_factor(data, bearing, data.static_rating, static_rating)
+    if static is not None and abs(static) > WORST_FACTOR:
+        return None
+    misfit = min(
+        (0.0 if dynamic is None else ((dynamic - log(c)) / DYNAMIC_SCATTER) ** 2)
+        + (0.0 if static is None else ((static - log(c_0)) / STATIC_SCATTER) ** 2)
+        for c, c_0 in RATING_STYLES
+    )
+    ratio = bearing.ball_diameter / bearing.pitch_diameter
+    fill = bearing.balls * asin(ratio) / pi - typical_fill(degrees(data.contact_angle))
+    share = bearing.ball_diameter / (data.outside_diameter - data.bore) - TYPICAL_BALL
+    misfit += (fill / FILL_SCATTER) ** 2 + (share / SECTION_SCATTER) ** 2
+    passages = 0.5 * bearing.balls * (1.0 - ratio * cos(data.contact_angle))
+    if outer_passages is not None:
+        misfit += (log(passages / outer_passages) / BPFO_SCATTER) ** 2
+    return BallSet(
+        ball_diameter=bearing.ball_diameter,
+        balls=bearing.balls,
+        outer_passages=passages,
+        misfit=misfit,
+    )
+
+
+def _log_factor(
+    data: CatalogueData,
+    bearing: Bearing,
+    published: float | None,
+    rating: Callable[[Bearing, float], float],
+) -> float | None:
+    """ln of a rating over that of the geometry; None where the maker gives none."""
+    return None if published is None else log(published / rating(bearing, data.contact_angle))
+
+
+def estimate_bearing(data: CatalogueData, outer_passages: float | None = None) -> dict[str, Any]:
     """Keys of a case's [bearing] table for a bearing whose boundary dimensions alone are known.
 
     The internal geometry follows from the ratings where the data have any (`estimate_geometry`),
@@ -196,12 +322,14 @@ def estimate_bearing(data: CatalogueData) -> dict[str, Any]:
     ----------
     data : CatalogueData
         boundary dimensions and ratings of the catalogue [m], [N]
+    outer_passages : float | None, optional
+        measured ball passages of the outer ring in a turn of the inner one [-]
 
     Returns
     -------
     dict[str, Any]
-        keys of the table, with `source` (text), `estimated` (keys) and `range` (an interval of
-        each)
+        keys of the table, with `source` (text), `estimated` (keys), `range` (an interval of each)
+        and `ball_sets` (texts, the likeliest first; none without ratings or passages)
 
     Raises
     ------
@@ -222,14 +350,43 @@ def estimate_bearing(data: CatalogueData) -> dict[str, Any]:
         round(length / MILLIMETRE, 9) for length in (data.bore, data.outside_diameter, data.width)
     )
     angle = round(degrees(data.contact_angle), 9)
-    entry = estimated_entry((bore, outside, width), angle, _geometry(data), ratings)
+    geometry, sets = _geometry(data, outer_passages)
+    entry = estimated_entry((bore, outside, width), angle, geometry, ratings)
     series = nearest_series(bore, outside, angular=data.contact_angle > 0.0)
-    return {**entry, "skf_series": series}
+    return {**entry, "skf_series": series, "ball_sets": [one.text for one in sets]}
 
 
-def _geometry(data: CatalogueData) -> Geometry:
-    if data.dynamic_rating is None and data.static_rating is None:
-        return from_dimensions(data.bore, data.outside_diameter, data.contact_angle, data.width)
+def _geometry(
+    data: CatalogueData, outer_passages: float | None
+) -> tuple[Geometry, tuple[BallSet, ...]]:
+    """Geometry with its intervals, and the sets of balls that come into question."""
+    rated = data.dynamic_rating is not None or data.static_rating is not None
+    if not rated and outer_passages is None:
+        arguments = (data.bore, data.outside_diameter, data.contact_angle, data.width)
+        return from_dimensions(*arguments), ()
+    if rated:
+        _check_ratings(data)
+    sets = ball_sets(data, outer_passages)
+    if not sets:
+        raise ValueError("no standard balls fit in that have these ratings")
+    best = sets[0]
+    what = "the ratings" * rated + " and " * (rated and outer_passages is not None)
+    what += "the measured ball passages" * (outer_passages is not None)
+    basis = f"ball, balls: estimated from {what}"
+    geometry = from_ratings(best.ball_diameter, data.pitch, best.balls, basis)
+    diameters = [one.ball_diameter for one in sets]
+    numbers = [one.balls for one in sets]
+    low, high = geometry.ball_range
+    fewest, most = geometry.balls_range
+    ranges = {
+        "ball_range": (min(low, *diameters), max(high, *diameters)),
+        "balls_range": (min(fewest, *numbers), max(most, *numbers)),
+    }
+    return replace(geometry, **ranges), sets
+
+
+def _check_ratings(data: CatalogueData) -> None:
+    """ValueError where no balls have ratings near those given."""
     pair = estimate_geometry(data)
     if pair.misfit > WORST_MISFIT:
         named = {"C": pair.dynamic_error, "C_0": pair.static_error}
@@ -238,5 +395,3 @@ def _geometry(data: CatalogueData) -> Geometry:
             f"ratings that no balls have which fit in: the nearest have {', '.join(ratios)} times "
             "those given; allowed: 0.67 to 1.5 times. A wrong unit?"
         )
-    basis = f"ball, balls: estimated from the ratings, which they miss by {pair.misfit:.1%}"
-    return from_ratings(pair.ball_diameter, data.pitch, pair.balls, basis)

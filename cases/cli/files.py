@@ -163,6 +163,12 @@ def init(
     dynamic: Annotated[float | None, typer.Option("--C", help="Dynamic rating C [kN].")] = None,
     static: Annotated[float | None, typer.Option("--C0", help="Static rating C_0 [kN].")] = None,
     angle: Annotated[float, typer.Option(help="Nominal contact angle [deg]; 0: deep groove.")] = 0,
+    passages: Annotated[
+        float | None,
+        typer.Option(
+            "--bpfo-per-turn", metavar="X", help="Measured BPFO over speed; chooses the balls."
+        ),
+    ] = None,
     speed: Annotated[float | None, typer.Option(help="Speed [r/min].")] = None,
     radial: Annotated[float | None, typer.Option(help="Radial load [N].")] = None,
     axial: Annotated[float | None, typer.Option(help="Axial load [N].")] = None,
@@ -178,8 +184,10 @@ def init(
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
     from ..new_case import (
+        SETS_TEXT,
         BoundaryDimensions,
         FirstOperation,
+        MakersNumbers,
         case_of_designation,
         case_of_dimensions,
         checked,
@@ -187,7 +195,9 @@ def init(
 
     size = {"bore": bore, "outside": outside, "width": width}
     given = [f"--{key}" for key, value in size.items() if value is not None]
-    more = [key for key, value in (("--C", dynamic), ("--C0", static)) if value is not None]
+    known = MakersNumbers(dynamic_rating=dynamic, static_rating=static, outer_passages=passages)
+    numbers = {"--C": dynamic, "--C0": static, "--bpfo-per-turn": passages}
+    more = [key for key, value in numbers.items() if value is not None and bearing is None]
     more += ["--angle"] * (angle != 0.0)
     asked = {"speed": speed, "radial": radial, "axial": axial}
     sheet = {
@@ -210,7 +220,7 @@ def init(
     operation = FirstOperation(speed=speed, radial_load=radial, axial_load=axial, oil=oil)
     try:
         if bearing is not None:
-            text = checked(case_of_designation(bearing, operation))
+            text = checked(case_of_designation(bearing, operation, known))
         elif bore is not None and outside is not None and width is not None:
             dimensions = BoundaryDimensions(
                 bore=bore,
@@ -220,23 +230,27 @@ def init(
                 static_rating=static,
                 contact_angle=angle,
             )
-            text = checked(case_of_dimensions(dimensions, operation))
+            text = checked(case_of_dimensions(dimensions, operation, passages))
         else:
             text = _shipped_text(template or "6208_full_ceramic")
     except ValueError as error:
         raise CaseError(f"oilfilm init: {error}") from None
     _write_new(Path(name if name.endswith(".toml") else f"{name}.toml"), text)
+    for line in text.splitlines():
+        if line.startswith(f"# {SETS_TEXT}"):
+            print_message(f"note: {line.removeprefix('# ')}")
 
 
 def _name_and_designation(bearing: str, words: list[str]) -> tuple[str, str]:
     """NAME, the first word or else the last, and the designation with the other words;
-    `CaseError` where both are suffixes that make it another bearing.
+    `CaseError` where both are suffixes that make it another bearing. NAME is no preload class.
     """
-    from oilfilm.bearing.library.designation import read_designation
+    from oilfilm.bearing.library.designation import PRELOADS, read_designation
 
     plain = read_designation(bearing)
     for name, more in ((words[0], words[1:]), (words[-1], words[:-1])):
-        if plain is None or read_designation(f"{bearing} {name}") in (None, plain):
+        known = read_designation(f"{bearing} {name}") not in (None, plain)
+        if plain is None or not known or name.upper() in PRELOADS:
             return name, " ".join((bearing, *more))
     suffixes = " ".join(words)
     raise CaseError(
