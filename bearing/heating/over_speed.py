@@ -32,6 +32,7 @@ CLEARANCE_TOLERANCE = 1.0e-9  # [m]
 ITERATIONS = 8
 DIFFERENCES = (0.01, 0.5e-6)  # of ln n [-] and of the clearance [m]
 LARGEST_RATIO = 2.0  # of speeds in one iteration
+LARGEST_SHIFT = 0.05  # of ln n, of the first balance from the speed of the case [-]
 SLOWEST = 0.1  # of the speed it starts from: where the branch begins
 TURN_TOLERANCE = 0.5  # of the film temperature at the turn, about which the speed is flat [K]
 TURN_STEPS = 3  # of the parabola through the fastest balances
@@ -177,10 +178,8 @@ def balances_over_speed(
     ValueError
         if the start is no balance
     """
-    if not abs(start.resulting_temperature - start.film_temperature) <= TEMPERATURE_TOLERANCE:
-        raise ValueError("no steady temperature at the speed of the case")
     newton = _Newton(problem)
-    first = _BranchPoint(start.film_temperature, np.array([0.0, start.clearance]), start)
+    first = _first_point(newton, start)
     below, _, _ = _follow(newton, first, -1.0, notify)
     above, reason, message = _follow(newton, first, 1.0, notify)
     points = [*reversed(below), first, *above]
@@ -204,6 +203,19 @@ class _BranchPoint:
     temperature: float  # of the films [K]
     at: Array  # ln of the factor on the speed [-], clearance [m]
     state: HeatState
+
+
+def _first_point(newton: _Newton, start: HeatState) -> _BranchPoint:
+    """The balance at the start, or, where the films leave a little of it, that at its temperature
+    and a speed beside it.
+    """
+    at = np.array([0.0, start.clearance])
+    if abs(start.resulting_temperature - start.film_temperature) <= TEMPERATURE_TOLERANCE:
+        return _BranchPoint(start.film_temperature, at, start)
+    found = newton.solve(start.film_temperature, at)
+    if found is None or abs(found[0][0]) > LARGEST_SHIFT:
+        raise ValueError("no steady temperature at the speed of the case")
+    return _BranchPoint(start.film_temperature, *found)
 
 
 def _follow(

@@ -27,8 +27,8 @@ METRIC = (3.5e-3,)  # of thin bearings: 6804 to 6807 [m]
 FEWEST_BALLS = 5
 INNER_CONFORMITY = 0.515  # groove radius over ball diameter, assumed [-]
 OUTER_CONFORMITY = 0.525
-# of angular contact bearings up to this nominal angle, as of machine spindles: the rigidity that
-# FAG prints of pairs of B7012C and B7015C, 64.5 and 76.8 N/um, is reached within 4 % [-]
+# grooves of angular contact bearings of machine spindles, up to this nominal angle: the rigidity
+# that FAG prints of pairs of B7012C and B7015C, 64.5 and 76.8 N/um, is reached within 4 % [-]
 SPINDLE_CONFORMITY = 0.53
 SPINDLE_ANGLE = 26.0  # [deg]
 # range of the bearings with published ones [-]
@@ -502,7 +502,7 @@ def _geometry(designation: Designation, size: tuple[float, float, float]) -> Geo
             basis = f"ball, balls: those estimated for the {stem + suffix}"
         ball = float(row["ball_mm"]) * MM
         return from_ratings(ball, pitch * MM, int(row["balls"]), basis)
-    # of sections that fill their width, as those of the series 160 and miniature ones do not
+    # balls of the series 160 and of miniature bearings are limited by the width
     limit = width * MM if designation.series in (SMALL, "160") else None
     return from_dimensions(bore * MM, outside * MM, radians(designation.contact_angle), limit)
 

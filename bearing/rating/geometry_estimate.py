@@ -216,7 +216,7 @@ class BallSet:
 
     ball_diameter: float  # [m]
     balls: int
-    outer_passages: float  # balls that pass a point of the outer ring in a turn of the inner one
+    outer_passages: float  # balls past a point of the outer ring, in a turn [-]
     misfit: float  # sum of squares over the scatter of each property [-]
 
     @property

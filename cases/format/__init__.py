@@ -4,6 +4,7 @@ In each module of a table: its keys with range and default, its rules, its conve
 
 bearing     - [bearing] and [surface]: geometry and materials of the bearing
 case        - a case: what a checked file describes, in SI
+changes     - a case's document with other values of some keys
 contact     - [contact] of a single contact; [ehl] of both kinds of case
 data_tables - files of measurements: profiles over a turn, frequency responses
 document    - a whole file: its tables, read and checked with every fault at once

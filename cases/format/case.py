@@ -26,7 +26,7 @@ from oilfilm.ehl.transient.inputs import TransientConditions, TransientOptions
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
-from .changes import alternatives, changed_document
+from .changes import alternatives, changed_document, without_computed
 from .data_tables import case_table
 from .document import (
     BearingFile,
@@ -36,7 +36,6 @@ from .document import (
     parse,
     read_text,
     validate_text,
-    without_computed,
 )
 from .dynamics import cage_friction, guiding_land
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_frequencies
@@ -598,8 +597,15 @@ def _with_computed(document: dict[str, Any], file: BearingFile | ContactFile) ->
 
 
 def _added(document: dict[str, Any], given: dict[str, Any], table: str) -> list[str]:
-    """Keys of a table of the document that the same table as given does not have."""
-    return [key for key in document.get(table, ()) if key not in given.get(table, ())]
+    """Keys of a table of the document that the same table as given does not have, or has with a
+    default that the run replaced.
+    """
+    own = given.get(table, {})
+    return [
+        key
+        for key, value in document.get(table, {}).items()
+        if key not in own or (isinstance(value, str) and value != own[key])
+    ]
 
 
 def _document(file: BearingFile | ContactFile) -> dict[str, Any]:

@@ -117,3 +117,35 @@ def changed_document(
         if key == CLEARANCE[1]:  # the rating life still needs it
             document[table].setdefault("nominal_contact_angle_deg", value)
     return document
+
+
+def without_computed(document: dict[str, Any]) -> dict[str, Any]:
+    """Tables of a case as run without the values that follow from the others.
+
+    A run lists them under `computed`: a lubricant's at the temperature of the operation, materials
+    of the library.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case, as in a file or in `Case.document`.
+
+    Returns
+    -------
+    dict[str, Any]
+        The tables without these values and without the list.
+    """
+    listed = document.get("computed", ())
+    document = {key: value for key, value in document.items() if key != "computed"}
+    for name in listed if isinstance(listed, list | tuple) else ():
+        table, _, key = str(name).partition(".")
+        document[table] = _without_key(document.get(table), key)
+    return document
+
+
+def _without_key(table: Any, key: str) -> Any:
+    """A table without a key, which may be one of a table in it, NAME.key."""
+    if not isinstance(table, dict) or key in table:
+        return {k: v for k, v in table.items() if k != key} if isinstance(table, dict) else table
+    name, _, last = key.rpartition(".")
+    return {**table, name: _without_key(table[name], last)} if name in table else table

@@ -65,7 +65,7 @@ def test_oil_and_temperature_of_a_designation():
     ("what", "values", "text"),
     [
         ("6306", {"speedrpm": 3}, "did you mean 'speed_rpm'"),
-        ("6306", {"radial_N": "x"}, "radial_load_N: found 'x'"),
+        ("6306", {"radial_N": "x"}, 'radial_load_N: found "x"'),
         ("6306", {"radial_N": float("nan")}, "radial_load_N: found nan"),
         ("6399", {}, "is unknown"),
         ("no_such.toml", {}, "no such file"),

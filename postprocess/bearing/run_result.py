@@ -13,12 +13,12 @@ from matplotlib.figure import Figure
 
 from oilfilm.ehl.units import from_si, to_si
 
-from .bearing.plots import draw_load_zone, draw_per_azimuth
-from .bearing.results import BearingResults
-from .contact.plots import contact_view, draw_contact
-from .contact.summary import ContactResults
-from .plot_style import DPI, RC
-from .writer import summary, write_results
+from ..contact.plots import contact_view, draw_contact
+from ..contact.summary import ContactResults
+from ..plot_style import DPI, RC
+from ..writer import summary, write_results
+from .plots import draw_load_zone, draw_per_azimuth
+from .results import BearingResults
 
 SELF_HEATED = "self-heated"  # of [operation] temperature
 WIDTH = 14  # of the names in the text of a result
