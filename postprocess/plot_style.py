@@ -316,9 +316,26 @@ def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:
         Draws into an empty figure.
     """
     with matplotlib.rc_context(RC):
+        save(figure_of(draw), path)
+
+
+def figure_of(draw: Callable[[Figure], object]) -> Figure:
+    """Draw into an empty figure.
+
+    Parameters
+    ----------
+    draw : Callable[[Figure], object]
+        Draws into an empty figure.
+
+    Returns
+    -------
+    Figure
+        The figure.
+    """
+    with matplotlib.rc_context(RC):
         figure = Figure(dpi=DPI)
         draw(figure)
-        save(figure, path)
+    return figure
 
 
 def write_figures(

@@ -28,7 +28,7 @@ FEWEST_BALLS = 5
 INNER_CONFORMITY = 0.515  # groove radius over ball diameter, assumed [-]
 OUTER_CONFORMITY = 0.525
 # grooves of angular contact bearings of machine spindles, up to this nominal angle: the rigidity
-# that FAG prints of pairs of B7012C and B7015C, 64.5 and 76.8 N/um, is reached within 4 % [-]
+# that FAG prints of pairs of B7012C and B7015C, 64.5 and 76.8 N/um, is missed by 3 and 7 % [-]
 SPINDLE_CONFORMITY = 0.53
 SPINDLE_ANGLE = 26.0  # [deg]
 # range of the bearings with published ones [-]

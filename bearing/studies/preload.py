@@ -7,11 +7,14 @@ in balance with that force in both. The stiffness is that of the equilibrium at 
 angles, ball loads and gyroscopic friction change with it.
 """
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from enum import Enum
-from math import atan2, sin
+from math import atan2, isclose, sin
 
 import numpy as np
 
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.closed_form.hertz import hertz_contact
 
 from .. import quasistatic
@@ -19,6 +22,10 @@ from ..geometry import Bearing, Race, Row, contact_modulus, reduced_radii
 from ..operation import Curvature, Operation, QuasistaticModel
 from ..quasistatic.kinematics import stiffness_at, stiffness_series
 from ..quasistatic.thrust import thrust_position
+
+PAIR = 2  # rows
+CURVE_POINTS = 11  # of a deflection curve
+SLOPE_STEP = 1e-3  # of the displacement that frees a row, for the slope at the preload [-]
 
 
 class Arrangement(Enum):
@@ -186,4 +193,63 @@ def duplex(
     return (
         preloaded_row(bearing, -0.5 * distance, left, *preload),
         preloaded_row(bearing, 0.5 * distance, right, *preload),
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PairRigidity:
+    """Two opposed rows at rest between rigid rings, as makers table them."""
+
+    preload: float  # force of each row, ring undisplaced [N]
+    rigidity: float  # axial, at the preload [N/m]
+    off_load_force: float  # axial load that leaves one row without load [N]
+    axial_load: Array  # from zero to it, shape (n,) [N]
+    deflection: Array  # of the inner ring under it, shape (n,) [m]
+
+
+def pair_rigidity(bearing: Bearing, preloads: Sequence[float]) -> PairRigidity | None:
+    """Rigidity, off-load force and deflection of a pair of equal rows that press against each
+    other.
+
+    The ring moved by x loads one row at the offset o + x, the other at o - x, F = T(o + x) - T(o -
+    x), until the other is free.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        bearing of both rows
+    preloads : Sequence[float]
+        offsets of the rows' grooves, of opposite signs [m]
+
+    Returns
+    -------
+    PairRigidity | None
+        at rest; None unless two rows are preloaded alike against each other
+    """
+    if len(preloads) != PAIR or not isclose(preloads[0], -preloads[1], rel_tol=1e-6):
+        return None
+    offset = abs(preloads[0])
+    series = [stiffness_series(bearing, race, Curvature.OPERATING) for race in Race]
+    distance = bearing.curvature_centre_distance
+    facing = distance - 0.5 * bearing.diametral_clearance
+    free = bearing.free_axial_position
+    if offset <= free:
+        return None
+
+    def thrust(along: Array) -> Array:
+        length = np.hypot(facing, along)
+        yields = sum(stiffness_at(one, facing / length) ** (-2.0 / 3.0) for one in series)
+        approach = np.maximum(length - distance, 0.0)
+        return np.asarray(bearing.balls * (approach / yields) ** 1.5 * along / length)
+
+    moved = np.linspace(0.0, offset - free, CURVE_POINTS)
+    load = thrust(offset + moved) - thrust(offset - moved)
+    step = SLOPE_STEP * (offset - free)
+    ends = thrust(np.array([offset - step, offset + step]))
+    return PairRigidity(
+        preload=float(thrust(np.array([offset]))[0]),
+        rigidity=float((ends[1] - ends[0]) / step),
+        off_load_force=float(load[-1]),
+        axial_load=load,
+        deflection=moved,
     )

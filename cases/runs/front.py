@@ -8,7 +8,7 @@ from typing import Any
 
 from oilfilm.bearing.library.bearings import catalogue_name
 from oilfilm.ehl.multigrid.threads import cores
-from oilfilm.postprocess.bearing.run_result import RunResult
+from oilfilm.postprocess.run_result import RunResult
 
 from ..format.case import Case, ContactCase, case_from_text, load_case
 from ..format.document import BearingFile, ContactFile

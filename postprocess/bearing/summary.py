@@ -38,6 +38,7 @@ from oilfilm.bearing.rating.life import (
 )
 from oilfilm.bearing.rings.compliance import response_of
 from oilfilm.bearing.rings.elastic_ring import ElasticRing
+from oilfilm.bearing.studies.preload import pair_rigidity
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.oil.assumed_heat import heat_of
@@ -154,6 +155,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
             "message": state.message,
         },
         "rows": row_blocks(state),
+        "pair": pair_block(state),
         "rings": ring_blocks(state),
         "cage_speed_rpm": CAGE_SPEED.value(state),
         "balls": rows_of(_balls(state)),
@@ -1108,6 +1110,31 @@ def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
     return blocks
 
 
+def pair_block(state: QuasistaticSolution) -> dict[str, Any] | None:
+    """Rigidity, off-load force and deflection at rest of two rows that press against each other.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        Values by key; None of other bearings.
+    """
+    pair = pair_rigidity(state.bearing, [row.offset for row in state.rows])
+    if pair is None:
+        return None
+    return {
+        "preload_N": pair.preload,
+        "rigidity_N_um": from_si("rigidity_N_um", pair.rigidity),
+        "off_load_force_N": pair.off_load_force,
+        "axial_load_N": pair.axial_load,
+        "deflection_um": from_si("deflection_um", pair.deflection),
+    }
+
+
 def row_messages(results: BearingResults) -> Iterator[str]:
     """Explain the values of the whole bearing where there are several rows.
 
@@ -1124,6 +1151,8 @@ def row_messages(results: BearingResults) -> Iterator[str]:
     rows = len(results.quasistatic.rows)
     if rows > 1:
         yield f"cage_speed_rpm, frequencies_Hz: mean over {rows} rows; each row in `rows`"
+    if pair_block(results.quasistatic) is None:
+        yield "pair: null, it is of two rows that are preloaded alike against each other"
 
 
 def row_lines(state: QuasistaticSolution) -> dict[str, str]:
@@ -1144,6 +1173,9 @@ def row_lines(state: QuasistaticSolution) -> dict[str, str]:
         x, y, z = (round(force, 1) + 0.0 for force in block["force_N"])
         cage = f"{block['balls_loaded']} balls loaded, cage {block['cage_speed_rpm']:.1f} r/min"
         lines[f"row {block['row']}"] = f"x {x:.1f}, y {y:.1f}, z {z:.1f} N, {cage}"
+    if pair := pair_block(state):
+        rigid = f"{pair['preload_N']:.4g} N, {pair['rigidity_N_um']:.3g} N/µm axial"
+        lines["pair at rest"] = f"{rigid}, a row is free at {pair['off_load_force_N']:.4g} N"
     return lines
 
 

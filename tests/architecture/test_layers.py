@@ -19,7 +19,7 @@ HOMES = {
     "vtkmodules": ("postprocess/scene/*.py",),
     "meshio": ("postprocess/scene/*.py",),
     "pyvista": ("postprocess/scene/*.py",),
-    "pandas": ("postprocess/bearing/run_result.py",),
+    "pandas": ("postprocess/run_result.py",),
     "matplotlib": ("postprocess/plot*.py", "postprocess/*/*.py"),
     "xarray": ("postprocess/open_results.py", "postprocess/*/*.py"),
     "h5netcdf": ("postprocess/netcdf_write.py", "postprocess/*/history.py"),

@@ -7,7 +7,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from oilfilm.bearing import Curvature, Operation, QuasistaticModel, preload_offset, solve_quasistatic
+from oilfilm.bearing import (
+    Arrangement,
+    Curvature,
+    Operation,
+    QuasistaticModel,
+    duplex,
+    load_bearing,
+    preload_offset,
+    solve_quasistatic,
+)
+from oilfilm.bearing.studies.preload import pair_rigidity
 
 from ..quasistatic.test_random_bearings import load_at, random_bearing
 
@@ -52,3 +62,20 @@ def test_a_preload_far_below_rounding_stands_at_first_touch(clearance):
         bearing = bearing if clearance is None else replace(bearing, diametral_clearance=clearance)
         for power in (-320, -200, -40, -20):
             assert preload_offset(bearing, 10.0**power) == pytest.approx(bearing.free_axial_position, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "force", "rigidity", "off_load"), [("7012C", 211.0, 64.5, 658.0), ("7015C", 283.0, 76.8, 880.0)]
+)
+def test_a_pair_is_as_a_maker_tables_it(name, force, rigidity, off_load):
+    """FAG's B7012C and B7015C, UL, whose grooves are not published: 7 % on the rigidity is what 0.53 leaves."""
+    bearing = load_bearing(name)
+    rows = duplex(bearing, Arrangement.BACK_TO_BACK, 20e-3, preload_force=force)
+    pair = pair_rigidity(bearing, [row.offset for row in rows])
+    assert pair.preload == pytest.approx(force, rel=1e-9)
+    assert 1e-6 * pair.rigidity == pytest.approx(rigidity, rel=0.07)
+    assert pair.off_load_force == pytest.approx(off_load, rel=0.006)
+    solution = solve_quasistatic(bearing, Operation(inner_speed=0.0, force=(0.0, 0.0, 0.0)), rows=rows)
+    # differences over a thousandth of the way
+    assert pair.rigidity == pytest.approx(solution.stiffness[0, 0], rel=1e-5)
+    assert pair_rigidity(bearing, [rows[0].offset]) is None

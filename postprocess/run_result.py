@@ -3,22 +3,20 @@ pictures.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 import pandas
-from matplotlib.figure import Figure
 
 from oilfilm.ehl.units import from_si, to_si
 
-from ..contact.plots import contact_view, draw_contact
-from ..contact.summary import ContactResults
-from ..plot_style import DPI, RC
-from ..writer import summary, write_results
-from .plots import draw_load_zone, draw_per_azimuth
-from .results import BearingResults
+from .bearing.plots import draw_load_zone, draw_per_azimuth
+from .bearing.results import BearingResults
+from .contact.plots import contact_view, draw_contact
+from .contact.summary import ContactResults
+from .plot_style import figure_of
+from .writer import summary, write_results
 
 SELF_HEATED = "self-heated"  # of [operation] temperature
 WIDTH = 14  # of the names in the text of a result
@@ -110,7 +108,7 @@ class RunResult:
         """
         return pandas.json_normalize(self.contacts)
 
-    def plot(self, picture: str = "film") -> Figure:
+    def plot(self, picture: str = "film") -> Any:
         """Draw the films of all contacts.
 
         Parameters
@@ -120,7 +118,7 @@ class RunResult:
 
         Returns
         -------
-        Figure
+        matplotlib.figure.Figure
             Picture, which shows itself in a notebook and has `savefig`.
 
         Raises
@@ -130,16 +128,14 @@ class RunResult:
         """
         if picture not in PICTURES:
             raise ValueError(f"picture must be one of {', '.join(PICTURES)}, got {picture!r}")
-        with matplotlib.rc_context(RC):
-            figure = Figure(dpi=DPI)
-            if isinstance(self.results, ContactResults):
-                view = contact_view(self.results.solution)
-                draw_contact(figure, view, self.results.title)
-            elif picture == "load_zone":
-                draw_load_zone(figure, self.results)
-            else:
-                draw_per_azimuth(figure, self.results, picture)
-        return figure
+        if isinstance(self.results, ContactResults):
+            view = contact_view(self.results.solution)
+            draw: Any = partial(draw_contact, view=view, title=self.results.title)
+        elif picture == "load_zone":
+            draw = partial(draw_load_zone, results=self.results)
+        else:
+            draw = partial(draw_per_azimuth, results=self.results, quantity=picture)
+        return figure_of(draw)
 
     def write(self, directory: str | Path) -> tuple[str, ...]:
         """Write all files of a run, as `write_results` does.
