@@ -13,7 +13,7 @@ from oilfilm.postprocess.run_result import RunResult
 from ..format.case import Case, ContactCase, case_from_text, load_case
 from ..format.document import BearingFile, ContactFile
 from ..format.fields import is_number
-from ..format.lubricant import VISCOSITIES
+from ..format.lubricant import SHEET, VISCOSITIES
 from ..format.rules import CaseError, nearest_name
 from ..format.shipped import shipped_cases
 from ..new_case import FirstOperation, case_of_designation
@@ -96,9 +96,10 @@ def _changed(case: Case | ContactCase, values: Mapping[str, Any]) -> Case | Cont
     if not values:
         return case
     given = {_dotted(key, case): value for key, value in values.items()}
-    oil = {"lubricant.name", *(f"lubricant.{key}" for key in VISCOSITIES)} & given.keys()
+    viscosities = (*VISCOSITIES, *SHEET)
+    oil = {"lubricant.name", *(f"lubricant.{key}" for key in viscosities)} & given.keys()
     if oil and "lubricant" in case.given:  # in place of the one chosen
-        others = {"grease", "name", *VISCOSITIES} & case.given["lubricant"].keys()
+        others = {"grease", "name", *viscosities} & case.given["lubricant"].keys()
         given = {**{f"lubricant.{key}": None for key in others}, **given}
     return case.with_values(given)
 
