@@ -40,6 +40,7 @@ KEYS = ("kinematic_viscosity_40C_mm2_s", "kinematic_viscosity_100C_mm2_s", "dens
 def test_film_torque_and_life_of_a_sheet(sheet):
     base, *numbers = sheet
     given = "".join(f"{key} = {value}\n" for key, value in zip(KEYS, numbers, strict=True) if value is not None)
+    temperature = 100.0 if base == "PFPE" else 60.0  # at 60 their films lie beyond the film atlas
     text = f"""
 schema_version = 1
 [bearing]
@@ -47,7 +48,7 @@ name = "6206"
 [operation]
 inner_speed_rpm = 4000.0
 radial_load_N = 900.0
-temperature_C = 60.0
+temperature_C = {temperature}
 [ehl]
 film_maps = "none"
 [lubricant]
