@@ -44,7 +44,7 @@ from mutation.tree import LOST, ROOT, Fork, copy_tree, load_libraries, modules
 
 LEAST_SHARE = 0.95  # killed of all
 QUANTILE = 1.96  # of a 95 % interval
-LONGEST = 60.0  # tests with a mutant, beside `SLOWER` times their time without [s]
+LONGEST = 60.0  # of a processor, for tests with a mutant, beside `SLOWER` times their time without [s]
 SLOWER = 8.0  # [-]
 COMPILED = 240.0  # more for kernels that are compiled anew [s]
 UNCHANGED = 900.0  # tests without a mutant [s]
@@ -112,7 +112,7 @@ class Judge:
         readers = kernels_that_read(mutant.file)
         longest = LONGEST + SLOWER * expected + (COMPILED if readers else 0.0)
         with self._applied(mutant, readers):
-            code, failed = Fork(self.tree, ["-x", *tests], Failures).result(longest)
+            code, failed = Fork(self.tree, ["-x", *tests], Failures, longest).result()
         if code == PASSED:
             return "survived", ""
         by = failed[:1] if failed else tests
@@ -129,7 +129,7 @@ class Judge:
     def _pass(self, tests: list[str]) -> bool:
         """Whether tests pass without a mutant."""
         if not all(self.sound.get(test, False) for test in tests):
-            code, _ = Fork(self.tree, ["-x", *tests], Failures).result(UNCHANGED)
+            code, _ = Fork(self.tree, ["-x", *tests], Failures, UNCHANGED).result()
             self.sound.update(dict.fromkeys(tests, code == PASSED))
         return all(self.sound[test] for test in tests)
 

@@ -162,7 +162,7 @@ def record(tree: Path, folder: Path, names: list[str], longest: float) -> Iterat
         fresh = digest(tree / name)
         if target.exists() and json.loads(target.read_text())["digest"] == fresh:
             continue
-        code, found = Fork(tree, [name], lambda: Recorder(tree)).result(longest)
+        code, found = Fork(tree, [name], lambda: Recorder(tree), longest).result()
         if not found:
             yield f"{name}: {'no end' if code is None else 'no answer'}"
             continue

@@ -5,11 +5,13 @@ from __future__ import annotations
 import importlib
 import multiprocessing
 import os
+import resource
 import shutil
 import signal
 import sys
 from collections.abc import Callable
 from contextlib import suppress
+from math import ceil
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
@@ -24,6 +26,7 @@ LIBRARIES = (
     "numba pydantic rich.table typer typer.testing xarray h5netcdf h5py"
 ).split()  # not plugins of pytest
 OPTIONS = ["-q", "-n", "0", "-p", "no:cacheprovider"]
+WAITED = 20.0  # for a run on a machine with other work, times the time that it may compute [-]
 LOST = 99  # exit code of a run that pytest did not end itself
 
 
@@ -51,36 +54,40 @@ def load_libraries(tree: Path) -> None:
 
 
 class Fork:
-    """A run of pytest in a fork, in a process group of its own."""
+    """A run of pytest in a fork, in a process group of its own, and at most so many seconds of a processor."""
 
-    def __init__(self, tree: Path, tests: list[str], plugin: Callable[[], Any]) -> None:
+    def __init__(self, tree: Path, tests: list[str], plugin: Callable[[], Any], longest: float) -> None:
         context = multiprocessing.get_context("fork")
         self.answer, end = context.Pipe(duplex=False)
-        self.process = context.Process(target=_pytest, args=(tree, tests, plugin, end))
+        self.process = context.Process(target=_pytest, args=(tree, tests, plugin, longest, end))
         self.process.start()
+        self.longest = longest
         end.close()
 
-    def result(self, longest: float | None) -> tuple[int | None, Any]:
-        """Exit code of pytest, None after the longest time [s]; and what its plugin found."""
+    def result(self) -> tuple[int | None, Any]:
+        """Exit code of pytest, None after the longest time; and what its plugin found."""
         found = None
         try:
-            if self.answer.poll(longest):
+            if self.answer.poll(WAITED * self.longest):
                 found = self.answer.recv()
             else:
                 return None, None
         except EOFError:
             pass
         finally:
-            self.process.join(10.0 if found is not None else 0.0)
+            self.process.join(10.0)
             with suppress(ProcessLookupError):
                 os.killpg(self.process.pid or 0, signal.SIGKILL)  # also what it started
             self.process.join()
-        return (LOST, None) if found is None else found
+        if found is None:
+            return (None if self.process.exitcode == -signal.SIGXCPU else LOST), None
+        return found
 
 
-def _pytest(tree: Path, tests: list[str], plugin: Callable[[], Any], end: Connection) -> None:
+def _pytest(tree: Path, tests: list[str], plugin: Callable[[], Any], longest: float, end: Connection) -> None:
     """Of the process of one run: silent, in the copy."""
     os.setsid()
+    resource.setrlimit(resource.RLIMIT_CPU, (ceil(longest), ceil(longest) + 60))
     os.chdir(tree)
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
