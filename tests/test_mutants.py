@@ -54,6 +54,7 @@ def test_kinds(tmp_path, code, kind, changed):
         "def f(a: int = 3) -> list[int]: ...\n",
         "plot(x, linewidth=2.0)\n",
         "TOLERANCE = 1e-6\n",
+        "t = perf_counter() - a\n",
     ],
 )
 def test_left_alone(tmp_path, code):

@@ -257,10 +257,10 @@ def _log(error: Exception) -> str:
         with suppress(OSError):  # another process may sweep, too
             logs = sorted(
                 Path(tempfile.gettempdir()).glob("oilfilm-????????.log"),
-                key=lambda log: log.lstat().st_mtime,
+                key=lambda path: path.lstat().st_mtime,
             )
-            for log in logs[: 1 - KEPT_LOGS]:
-                log.unlink()
+            for path in logs[: 1 - KEPT_LOGS]:
+                path.unlink()
         with tempfile.NamedTemporaryFile(
             "w", prefix="oilfilm-", suffix=".log", delete=False, encoding="utf-8"
         ) as log:

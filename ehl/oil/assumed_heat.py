@@ -235,6 +235,7 @@ def line_through(temperatures: Sequence[float], viscosities: Sequence[float]) ->
     return WaltherLine(temperatures[0], viscosities[0], slope)
 
 
+@lru_cache(maxsize=256)  # points of a batch have few oils
 def line_of_index(viscosity: float, temperature: float, index: float) -> WaltherLine:
     """Walther's line of an oil of a viscosity index.
 

@@ -56,6 +56,14 @@ def test_json(tmp_path, document):
     assert_allclose(columns_of(read_table(path), WANTED)["torque_N_mm"], 1e-3 * PLAIN[:, 1])
 
 
+@pytest.mark.parametrize("document", [{}, {"speed_rpm": [500.0, 1000.0], "torque_N_mm": [10.5]}])
+def test_columns_are_of_one_length(tmp_path, document):
+    path = tmp_path / "measured.json"
+    path.write_text(json.dumps(document))
+    with pytest.raises(DamagedFileError, match="no columns of one length"):
+        read_table(path)
+
+
 def test_arrays(tmp_path):
     np.save(tmp_path / "a.npy", PLAIN)
     np.save(tmp_path / "b.npy", PLAIN[:2].T)

@@ -32,6 +32,7 @@ UNCHANGED_CALLS = (
     "warn info debug warning getLogger add_argument cast getattr Option Argument TypeVar isinstance set_title "
     "set_xlabel set_ylabel"
 ).split()
+CLOCKS = {"perf_counter", "monotonic", "cpu_count"}  # of how long it takes, and on what
 PATHS = re.compile(r"path|folder|directory|root|file|home|place|target|output|parent|base|cwd", re.IGNORECASE)
 # words of names that are taken for each other
 PAIRS = (
@@ -94,6 +95,8 @@ class _Module:
     def mutants(self) -> Iterator[Mutant]:
         seen = set()
         for node in self._visited(self.tree):
+            if _is_of_a_clock(node):
+                continue
             for kind, change in _changes(node, self):
                 mutant = self._mutant(node, kind, change)
                 if mutant.old != mutant.new and (mutant.begin, mutant.old, mutant.new) not in seen:
@@ -144,6 +147,12 @@ def _is_text(node: ast.AST) -> bool:
         isinstance(part, ast.JoinedStr) or (isinstance(part, ast.Constant) and isinstance(part.value, str | bytes))
         for part in ast.walk(node)
     )
+
+
+def _is_of_a_clock(node: ast.AST) -> bool:
+    """Whether an expression, not a whole statement, asks for the time or the machine."""
+    parts = ast.walk(node) if isinstance(node, ast.expr) else ()
+    return any(getattr(part, "id", getattr(part, "attr", "")) in CLOCKS for part in parts)
 
 
 def _is_path(node: ast.AST) -> bool:

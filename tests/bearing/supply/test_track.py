@@ -44,6 +44,16 @@ def test_severe_starvation_follows_van_zoelen(side):
     assert found == pytest.approx((0.3**-2 + side * np.arange(1, 1001)) ** -0.5, rel=1e-11)
 
 
+@pytest.mark.parametrize("side", [0.0, 1e-9, 5e-3, 0.5])
+def test_what_is_lost_is_what_is_not_left(side):
+    """By the law, by the side flow, and between."""
+    track = Track(**law(15.0), side_flow=side)
+    for layer in (0.01, 0.3, 0.9, 1.0, 2.0, 30.0):
+        assert layer - track.left(layer) == pytest.approx(track.lost(layer), rel=1e-6, abs=1e-15)
+        least = min(layer, 1.0) - (min(layer, 1.0) ** -2 + side) ** -0.5
+        assert track.lost(layer) >= least * (1.0 - 1e-6) - 1e-15
+
+
 @pytest.mark.parametrize("exponent", EXPONENTS)
 def test_the_larger_of_two_losses_counts_and_never_their_sum(exponent):
     """Early the law, late the side flow; at no pass more is lost than by the larger one."""

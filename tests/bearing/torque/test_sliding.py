@@ -7,6 +7,7 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 from oilfilm.bearing import (
     BallKinematics,
@@ -226,3 +227,15 @@ def test_drag_of_a_ball_in_oil_has_its_limits():
     assert replace(thin, oil_share=0.02).drag(np.array([100.0]))[0] == pytest.approx(
         0.02 * thin.drag(np.array([100.0]))[0]
     )
+
+
+@pytest.mark.parametrize("reynolds", [0.01, 1.0, 1e4])
+def test_a_ball_that_spins_in_oil(reynolds):
+    """C_M = 6.45/sqrt(Re) + 32.1/Re on rho r^5 w^2/2 (Dennis, Singh and Ingham, 1980), about each axis."""
+    radius, density, viscosity, share = 0.006, 870.0, 0.02, 0.3
+    speed = reynolds * viscosity / (density * radius**2)
+    surface = radius * speed * np.array([[1.0, 0.0, 0.0], [0.0, -0.6, 0.8]])
+    mixture = Mixture(oil_share=share, density=density, viscosity=viscosity, ball_radius=radius)
+    moment = 0.5 * density * radius**5 * speed**2 * (6.45 / reynolds**0.5 + 32.1 / reynolds)
+    found = radius * mixture.spin_drag(surface)
+    assert_allclose(found, SHIELDING * share * moment * surface / (radius * speed), rtol=1e-12)

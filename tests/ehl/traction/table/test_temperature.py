@@ -10,6 +10,7 @@ from numpy.testing import assert_allclose
 
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.ehl.arrays import lagrange_weights
+from oilfilm.ehl.oil.lubricant import log_viscosity_ratio
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.traction_table.build import TableOptions
 from oilfilm.ehl.traction_table.storage import load_table, save_table
@@ -58,6 +59,19 @@ def test_between_it_agrees_with_films_there(table):
     assert hot.film < found.film < cold.film
     motion = (60.0, 6.0, 0.01, 0.02, 5.0)
     assert_allclose(middle.forces(*motion)[:8], reference.table_forces(middle, *motion))
+
+
+def test_tables_count_by_the_viscosity_in_the_contact(table):
+    """Lagrange's weights over ln eta at two thirds of Hertz' pressure under the largest load."""
+    oil = contact_at(323.15).lubricant
+    pressure = 2.0 / 3.0 * (6.0 * 80.0 * (0.5 * 226e9) ** 2 / (np.pi**3 * 0.01**2)) ** (1.0 / 3.0)
+    logs = [np.log(one.viscosity) + log_viscosity_ratio(pressure, one) for one in (*oils_of(table), oil)]
+    expected = lagrange_weights(np.array(logs[:-1]), logs[-1])
+    assert_allclose(table._weights(table.tables, oil), expected, rtol=1e-6)
+
+
+def oils_of(table):
+    return [one.contact.lubricant for one in table.tables]
 
 
 def test_tables_between_are_saved_as_they_are(table, tmp_path):
