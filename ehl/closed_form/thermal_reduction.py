@@ -35,6 +35,7 @@ from ..oil.lubricant import HeatRanges
 from .film import thermal_loading
 
 FILE = Path(__file__).parent / "thermal_reduction.npz"
+TOGETHER = 32  # contacts whose distances to the solved ones stay in the cache
 # change of ln of the groups by ln of k, c, beta and the expansion of the oil
 CONDUCTIVITY = np.array([-1.0, -1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
 CAPACITY = np.array([0.0, 1.0, 0.5, 0.0, 0.0, 0.0, -1.0])
@@ -205,6 +206,15 @@ def thermal_reductions(groups: Array, ranges: Sequence[HeatRanges]) -> list[Inle
     list of InletHeat
         factors with their ranges
     """
+    return [
+        heat
+        for first in range(0, len(groups), TOGETHER)
+        for heat in _together(groups[first : first + TOGETHER], ranges[first : first + TOGETHER])
+    ]
+
+
+def _together(groups: Array, ranges: Sequence[HeatRanges]) -> list[InletHeat]:
+    """Factors of a few contacts at once."""
     known = table()
     x = np.clip(groups, known.lower, known.upper)
     # below the least L_T the loss goes with it; beyond the largest the low end does
@@ -213,50 +223,49 @@ def thermal_reductions(groups: Array, ranges: Sequence[HeatRanges]) -> list[Inle
     outside = np.abs(groups - x)
     outside[:, 0] = beyond
     functions = (known.central, known.minimum, known.moment)
-    factors = [_factors(known, one, x, light, outside, ranges) for one in functions]
+    spread = np.array(
+        [
+            (one.conductivity, one.specific_heat, one.viscosity_temperature, one.expansion)
+            for one in ranges
+        ]
+    )
+    factors = [_factors(known, one, x, light, outside, spread) for one in functions]
     return [InletHeat(*of_contact) for of_contact in zip(*factors, strict=True)]
 
 
 def _factors(
-    known: Table,
-    film: Function,
-    x: Array,
-    light: Array,
-    outside: Array,
-    ranges: Sequence[HeatRanges],
+    known: Table, film: Function, x: Array, light: Array, outside: Array, ranges: Array
 ) -> list[ThermalReduction]:
-    """Factors of one function at groups inside the table, their distances to it (m, 7)."""
-    steps = (x[:, None, :] - known.centres) / film.scales
-    distance = np.sqrt(np.einsum("ijk,ijk->ij", steps, steps))
+    """Factors of one function at groups inside the table, their distances to it (m, 7), with
+    ranges of conductivity, heat capacity, fall of the viscosity and expansion (m, 4).
+    """
+    # distances and sums over the solved contacts as matrix products: nothing is of shape (m, n, 7)
+    middle = 0.5 * (known.lower + known.upper)
+    here = (x - middle) / film.scales
+    centres = (known.centres - middle) / film.scales
+    square = np.square(here).sum(axis=1)[:, None] + np.square(centres).sum(axis=1)
+    distance = np.sqrt(np.maximum(square - 2.0 * (here @ centres.T), 0.0))
     t = sqrt(5.0) * distance
     decay = np.exp(-t)
-    y = (
-        film.trend[0]
-        + x @ film.trend[1:]
-        + ((1.0 + t + t**2 / 3.0) * decay) @ film.weights
-        + light
-    )
-    pull = -5.0 / 3.0 * (1.0 + t) * decay * film.weights
-    slope = film.trend[1:] + np.einsum("ij,ijk->ik", pull, steps) / film.scales
+    kernel = (1.0 + t * (1.0 + t / 3.0)) * decay
+    y = film.trend[0] + x @ film.trend[1:] + kernel @ film.weights + light
+    pull = (1.0 + t) * decay * (-5.0 / 3.0 * film.weights)
+    to_centres = pull.sum(axis=1)[:, None] * here - pull @ centres
+    slope = film.trend[1:] + to_centres / film.scales
     way = distance.min(axis=1) + np.sqrt(np.square(outside / film.scales).sum(axis=1))
     s = 1.0 / (1.0 + np.exp(y))
     error = np.interp(-np.log1p(np.exp(-y)), known.losses, film.errors)
     error = error * np.interp(x[:, 3], known.loads, film.shares)
     error = error * np.maximum(way / film.spacing, 1.0) + outside[:, 0]
     lost = s * (1.0 - s)
-    spread = [
-        sqrt(
-            (one.conductivity * (tangent @ CONDUCTIVITY)) ** 2
-            + (one.specific_heat * (tangent @ CAPACITY)) ** 2
-            + (one.viscosity_temperature * (tangent @ FALL)) ** 2
-            + (one.expansion * (tangent @ EXPANSION)) ** 2
-        )
-        for one, tangent in zip(ranges, slope, strict=True)
-    ]
+    parts = slope @ np.stack((CONDUCTIVITY, CAPACITY, FALL, EXPANSION), axis=1)
+    spread = np.sqrt(np.square(parts * ranges).sum(axis=1))
     # the law is steep in y far from the table: a range that holds both ends
     law = np.minimum(lost * error, np.maximum(s, 1.0 - s))
     inside = np.asarray(~outside.any(axis=1))
     return [
-        ThermalReduction(float(a), float(b), float(c * d), bool(e))
-        for a, b, c, d, e in zip(s, law, lost, spread, inside, strict=True)
+        ThermalReduction(*factor)
+        for factor in zip(
+            s.tolist(), law.tolist(), (lost * spread).tolist(), inside.tolist(), strict=True
+        )
     ]
