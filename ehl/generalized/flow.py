@@ -91,7 +91,8 @@ class FlowState:
     taken_back: Array
     temperature: Array  # relaxed, as the flow used it, shape (ny, nx, n) [K]
     heat: HeatState | None  # None: uniform temperature
-    # change of ln(Poiseuille factor) in the cycle, weighted with the pressure's flow [-]
+    # change of ln(Poiseuille factor) in the cycle, weighted with the flow of the pressure, the
+    # outlet of a film with heat apart [-]
     change: float
     unsolved_stresses: int  # columns without a converged stress [-]
     # in which h/2 grad p exceeds the limiting stress: the law's tangent replaces it there [-]
@@ -130,6 +131,13 @@ class GeneralizedFlow:
     def symmetric(self) -> bool:
         """True if no surface slides across the entrainment."""
         return self.conditions.lateral_slide_ratio == 0.0 and self.conditions.spin == 0.0
+
+    @property
+    def accelerated(self) -> bool:
+        """True at uniform temperature: an acceleration takes the swing of single hot columns at
+        the outlet for a direction and makes it grow.
+        """
+        return self.heat is None
 
     def factors(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: FlowState | None = None
@@ -174,6 +182,8 @@ class GeneralizedFlow:
             poiseuille = old * (new.poiseuille / old) ** (1.0 / (1.0 + new.power))
             couette_slope = couette_slope * np.minimum(poiseuille / new.poiseuille, 1.0)
             weight = new.poiseuille * newtonian * np.hypot(*fields.gradient)
+            if heat is not None:
+                weight[fields.outlet] = 0.0
             changes = weight * np.abs(np.log(new.poiseuille / old))
             change = float(changes.sum() / max(float(weight.sum()), SMALLEST_WEIGHT))
         # 4. derivative of the Couette flux, from there to the Poiseuille term

@@ -192,6 +192,7 @@ def iterate_level(
     before = (level.P.copy(), state.approach)
     finest = index == len(state.levels) - 1
     longest = MORE_CYCLES * most if finest and state.flow_model is None else most
+    accelerated = state.flow_model is None or state.flow_model.accelerated
     for equations in guarded_cycles(state, index, longest, progress):
         if equations == DIVERGED:
             return None
@@ -206,7 +207,7 @@ def iterate_level(
         if cycles >= most and not history.approaching_solution:
             break
         state.oscillates |= history.oscillates
-        if (state.oscillates or cycles > PLAIN_CYCLES) and cycles != most:
+        if accelerated and (state.oscillates or cycles > PLAIN_CYCLES) and cycles != most:
             if (
                 history.residual_grew and not state.oscillates
             ):  # a combination that does harm is forgotten

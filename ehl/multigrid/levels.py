@@ -68,6 +68,10 @@ class FlowModel(Protocol):
     def symmetric(self) -> bool:
         """True if the factors keep a contact even in Y that is so without them."""
 
+    @property
+    def accelerated(self) -> bool:
+        """True if cycles with its factors may be accelerated, False if some swing for ever."""
+
     def factors(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: Any
     ) -> tuple[FlowFactors, Any]:

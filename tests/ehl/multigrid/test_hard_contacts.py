@@ -9,9 +9,10 @@ import pytest
 from verification.contacts import from_groups, moes
 from verification.draws import draws
 
-from oilfilm.ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
+from oilfilm.ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact, solver
 from oilfilm.ehl.closed_form.film import moes_film_nijenbanning
 from oilfilm.ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl.multigrid import full_multigrid
 from oilfilm.ehl.multigrid.full_multigrid import ATTEMPTS, DIVERGED, guarded_cycle
 from oilfilm.ehl.scaling import scale_contact
 from oilfilm.ehl.solver import solve_attempts
@@ -93,3 +94,26 @@ def test_a_thick_film_whose_entrainment_turns_is_not_resolved_by_its_box():
     assert "by the load outside the box" in solution.message
     assert "more points" not in solution.message
     assert solution.P.shape[0] < 1025
+
+
+def test_a_bar_just_above_the_tolerance_costs_no_large_mesh(monkeypatch):
+    """The films of 129 points stay, and the message says what the next mesh costs."""
+    conditions = moes(20.0, 5.0)
+    coarse = solve_contact(conditions, SolverOptions(points=129))
+    monkeypatch.setattr(solver, "_first_points", lambda *_: 129)
+    near = SolverOptions(tolerance=coarse.widest_bar / 1.2)
+    assert solve_contact(conditions, near).X.size > 129
+    monkeypatch.setattr(solver, "LARGE_MESH", 1.0)
+    stopped = solve_contact(conditions, near)
+    assert stopped.X.size == 129
+    assert "costs four times" in stopped.message
+    assert solve_contact(conditions, SolverOptions(tolerance=coarse.widest_bar / 1.5)).X.size > 129
+
+
+def test_soft_contacts_without_a_solution_are_told_after_one_attempt(monkeypatch):
+    """Only one attempt is made, and the message names the bounds."""
+    made = []
+    monkeypatch.setattr(full_multigrid, "full_multigrid", lambda *arguments: made.append(arguments))
+    solution = solve_contact(moes(9e3, 0.1), SolverOptions(points=65))
+    assert len(made) == 1
+    assert "outside of what is solved" in solution.message

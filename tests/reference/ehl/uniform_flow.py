@@ -10,6 +10,7 @@ class UniformFlow:
 
     def __init__(self, poiseuille=1.0, speed=1.0, symmetric=True):
         self.poiseuille, self.speed, self.symmetric, self.calls = poiseuille, speed, symmetric, 0
+        self.accelerated = True
 
     def factors(self, contact, grid, P, H, last):
         """Of a grid, and no state."""
