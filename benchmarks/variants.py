@@ -34,6 +34,7 @@ class FullDomain:
     """A flow model that changes nothing but does not promise symmetry."""
 
     symmetric = False
+    accelerated = True
 
     def factors(self, contact, grid, P, H, last):
         """Those of the entrainment."""
