@@ -626,8 +626,12 @@ def _heated_level(
         state.flow_model, state.damping = model, damping
         if solved is None:
             return None, None
-        without, pressure, approach = solved, state.levels[index].P.copy(), state.approach
-    start, shift, below = pressure, 0.0, None
+        without = solved
+        pressure = state.levels[index].P.copy()
+        approach = state.approach
+    start = pressure
+    shift = 0.0
+    below = None
     if changed is not None:
         start = pressure + interpolate_cubic(changed[0], state.levels[index - 1].grid.symmetric)
         shift, below = changed[1:]
