@@ -234,3 +234,15 @@ def test_every_key_is_compared():
     for case in CASES.values():
         visit({key: part for key, part in run(case).items() if key not in LEFT_OUT})
     assert [name for name in sorted(known - filled) if not SOLVED.match(name)] == []
+
+
+def test_smooth_surfaces_do_not_rub():
+    """The rougher, the larger the part of the asperities; it goes with their share of the load and its friction."""
+    keys = ("inner_ring_roughness_um", "outer_ring_roughness_um", "ball_roughness_um")
+    parts = [
+        run(CASES["angular contact"], {f"surface.{key}": size for key in keys})["torque_N_mm"]
+        for size in (1e-3, 0.1, 0.2)
+    ]
+    rubbed = [found["parts"]["asperity"] for found in parts]
+    assert rubbed[0] < 1e-9 < rubbed[1] < rubbed[2]
+    assert rubbed[2] < 2.0 * parts[2]["asperity_load_share"] * 0.12 / 0.08 * parts[2]["models"]["coulomb"]["total"]
