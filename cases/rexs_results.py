@@ -298,6 +298,6 @@ def _xml_with_results(data: bytes, results: dict[str, list[Value]], path: Path) 
         at = data.rfind(b"\n", 0, place.end) + 1  # the line of the end tag
         before = data[at : place.end].strip()
         changes.append((place.end, place.end, added) if before else (at, at, added))
-    for begin, end, text in sorted(changes, reverse=True):
-        data = data[:begin] + text + data[end:]
+    for begin, end, new in sorted(changes, reverse=True):
+        data = data[:begin] + new + data[end:]
     return data

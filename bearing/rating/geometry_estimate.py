@@ -378,11 +378,12 @@ def _geometry(
     numbers = [one.balls for one in sets]
     low, high = geometry.ball_range
     fewest, most = geometry.balls_range
-    ranges = {
-        "ball_range": (min(low, *diameters), max(high, *diameters)),
-        "balls_range": (min(fewest, *numbers), max(most, *numbers)),
-    }
-    return replace(geometry, **ranges), sets
+    widest = replace(
+        geometry,
+        ball_range=(min(low, *diameters), max(high, *diameters)),
+        balls_range=(min(fewest, *numbers), max(most, *numbers)),
+    )
+    return widest, sets
 
 
 def _check_ratings(data: CatalogueData) -> None:
