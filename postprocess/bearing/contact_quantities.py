@@ -577,7 +577,7 @@ def heat_messages(films: Films) -> Iterator[str]:
     running = [film for film in films if film is not None]
     if not running:
         return
-    shares = [share for film in running for share in film.heat]
+    shares = [share for film in running for share in (film.heat.central, film.heat.minimum)]
     ends = _ends([share.value for share in shares])
     law = max(share.law / share.value for share in shares)
     data = max(share.oil / share.value for share in shares)

@@ -7,12 +7,14 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from oilfilm.cases.cli import output, terminal
 from oilfilm.cases.cli.terminal import exit_code
+from oilfilm.cases.format.contact import FilmSource
 from oilfilm.cases.runs.interrupt import interruptible
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and streams of POSIX")
@@ -257,8 +259,12 @@ def test_compiling_a_kernel_is_logged_and_calling_it_again_is_not(caplog):
 def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
     from oilfilm.cases import load_case
 
-    case = load_case("6208_full_ceramic")
+    quick = load_case("6208_full_ceramic")  # solves the heaviest contact of each race
+    assert output.run_films(quick) == 2
+    assert output.run_films(replace(quick, film_source=FilmSource.ATLAS)) == 0
+    case = replace(quick, film_source=FilmSource.SOLVED)
     output.report_cost(output.run_cost(case, 2), quiet=True)
+    output.report_cost(output.run_cost(quick, 1), quiet=False)
     output.report_cost(output.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
     assert capsys.readouterr().err == ""
     output.report_cost(output.run_cost(case, 1), quiet=False)

@@ -248,7 +248,7 @@ def test_optics_that_do_not_exist(bad):
 def test_the_foot_of_an_interferogram_has_the_step_of_its_fringes(folder, monkeypatch):
     """lambda/(2 n), from bright to bright."""
     figure = Figure()
-    monkeypatch.setattr(plots, "write_figure", lambda path, draw: draw(figure))
+    monkeypatch.setattr(plots.plot_style, "write_figure", lambda path, draw: draw(figure))
     write_interferogram(folder, "fringes.png", optics=Optics(wavelengths=(600e-9,), refractive_index=1.5))
     assert figure.get_supxlabel().startswith("from fringe to fringe 200 nm of film")
 
