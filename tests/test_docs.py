@@ -220,7 +220,11 @@ def test_the_result_of_the_first_page_is_that_of_the_shipped_case():
             decimals = len(number.partition(".")[2])
             assert value is None or f"{value:.{decimals}f}" == number, (place, key)
         seen += 1
-    assert (seen, light, unloaded) == (7, 1, 1)  # four kinds of balls, one of them between films, one off the inner race
+    assert (seen, light, unloaded) == (
+        7,
+        1,
+        1,
+    )  # four kinds of balls, one of them between films, one off the inner race
     assert f"cage speed         {expected['cage_speed_rpm']:.1f} r/min" in block
 
 

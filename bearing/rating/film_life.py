@@ -191,7 +191,7 @@ def contact_life(
     Returns
     -------
     float | None
-        life [revolutions]; None where a kappa is below the smallest
+        life [revolutions]; None where a kappa is below the smallest, at a load that counts
     """
     limit = stress_limit(rated)
     if limit is None:
@@ -200,6 +200,7 @@ def contact_life(
     capacity = rated.rating.dynamic_rating or dynamic_rating(solution.bearing, angle)
     ratings = ball_ratings(solution.bearing, capacity, angle)
     speeds = (solution.operation.inner_speed, solution.operation.outer_speed)
+    heaviest = float(max(solution.inner_load.max(), solution.outer_load.max()))
     total = 0.0
     for loads, values, speed, rating in zip(
         (solution.inner_load, solution.outer_load),
@@ -208,7 +209,7 @@ def contact_life(
         ratings,
         strict=True,
     ):
-        factors = _life_factors(loads, values, limit)
+        factors = _life_factors(loads, values, limit, heaviest)
         if factors is None:
             return None
         damage = (loads / rating) ** 3 / factors
@@ -237,15 +238,18 @@ def ring_damage(damage: Array, *, turning: bool) -> float:
     return float(np.mean(damage**WEIBULL_SLOPE))
 
 
-def _life_factors(loads: Array, kappa: Sequence[float | None], limit: float) -> Array | None:
-    """a_ISO of each contact, 1 of those without kappa; None where a loaded one is below the
-    range.
+def _life_factors(
+    loads: Array, kappa: Sequence[float | None], limit: float, heaviest: float
+) -> Array | None:
+    """a_ISO of each contact, 1 of those without kappa; None where one is below the range, unless
+    its load is negligible, which has the factor of the range's end.
     """
     factors = np.ones(len(loads))
+    negligible = NEGLIGIBLE_LOAD * heaviest
     for j, (load, value) in enumerate(zip(loads, kappa, strict=True)):
         if load <= 0.0 or value is None:
             continue
-        if value < SMALLEST_KAPPA:
+        if value < SMALLEST_KAPPA and load > negligible:
             return None
-        factors[j] = life_factor(value, limit)
+        factors[j] = life_factor(max(value, SMALLEST_KAPPA), limit)
     return factors

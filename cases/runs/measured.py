@@ -146,7 +146,13 @@ def compare_with(source: Path, file: Path, progress: Progress | None = None) -> 
         If one of them cannot be read, or they have nothing in common.
     """
     if not source.is_dir():
-        case = load_case(source)
+        try:
+            case = load_case(source)
+        except CaseError as error:
+            if not source.is_file() or source.suffix == ".toml":
+                raise
+            what = "is a file; allowed: a directory of results, or a case"
+            raise CaseError(f"{source}: {what}\n{error}") from None
         if not isinstance(case, Case):
             raise CaseError(f"{source}: is a single contact; allowed: a bearing")
         return compare_measured(case, str(source), file, progress)

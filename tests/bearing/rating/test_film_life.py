@@ -70,6 +70,16 @@ def test_a_thin_film_where_nothing_is_loaded_costs_nothing(solved, rated):
     assert found.life_time == pytest.approx(at_light / 18000.0 * 60.0)
 
 
+def test_a_film_below_the_range_costs_nothing_where_the_load_is_negligible(solved, rated):
+    """As the low end of a film that is not known, at a ball off the inner race; a heavy contact has no factor."""
+    assert solved.inner_load.max() > 50.0 * solved.inner_load.min()
+    heavy, light = (int(f(solved.inner_load)) for f in (np.argmax, np.argmin))
+    thin = [ContactKappa(inner=[-0.1 if j == at else 2.0 for j in range(9)], outer=[2.0] * 9) for at in (heavy, light)]
+    at_heavy, at_light = (contact_life(solved, rated, kappa) for kappa in thin)
+    assert at_heavy is None
+    assert at_light == pytest.approx(contact_life(solved, rated, equal(2.0)), rel=1e-3)
+
+
 def test_what_is_missing_is_told(solved, rated):
     unknown = ContactKappa(inner=[None] * 9, outer=[1.0] * 9)
     found = film_life(solved, rated, unknown, unknown, unknown)

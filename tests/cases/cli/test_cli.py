@@ -517,9 +517,15 @@ def test_no_plugins_are_an_empty_list():
 
 def test_a_file_in_place_of_a_folder_is_named(tmp_path):
     (tmp_path / "measured.csv").write_text("1,2\n", encoding="utf-8")
-    answer = oilfilm("compare", "measured.csv", "measured.csv")
-    assert answer.exit_code == 2
-    assert "measured.csv: is a file; allowed: a directory of results" in answer.stderr
+    (tmp_path / "results").mkdir()
+    for words in (
+        ("compare", "measured.csv", "measured.csv"),
+        ("compare", "measured.csv", "results"),
+        ("cut", "measured.csv"),
+    ):
+        answer = oilfilm(*words)
+        assert answer.exit_code == 2
+        assert "measured.csv: is a file; allowed: a directory of results" in answer.stderr
 
 
 def test_a_new_case_has_normal_clearance_where_a_study_has_none(tmp_path):

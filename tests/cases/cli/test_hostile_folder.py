@@ -43,9 +43,24 @@ SLOW = (  # in an order in which the earlier ones make what the later ones read
     "dynamics 7008_axial -q -o dynamics_results",
     "transient stop_and_reverse -q -o transient_results",
     "optimise 6208_torque -q -o optimise_results",
+    "calibrate rig.toml measured.csv --keys friction.hysteresis_loss=0.005:0.02 -q -o fitted.toml",
     "verify --quick",
 )
 DRIVE = Path(__file__).parents[2] / "data" / "rexs" / "SEW_3-stage_cylindrical_gearbox_1.0.rexs"
+RIG = """\
+schema_version = 1
+[bearing]
+name = "6306"
+[lubricant]
+name = "iso vg 68"
+[operation]
+inner_speed_rpm = 3000.0
+radial_load_N = 1500.0
+temperature_C = 60.0
+[ehl]
+film_maps = "none"
+"""
+MEASURED = "speed [1/min];torque [N mm]\n1000;50\n2000;60\n"
 SWEEP = 'case = "209_radial_8900N"\n[sweep]\n"operation.radial_load_N" = [100.0, 200.0]\n'
 
 
@@ -55,6 +70,8 @@ def hostile(tmp_path_factory):
     for name in NAMES:
         (folder / f"{name}.py").write_text(f"open({str(folder / 'ran')!r}, 'a').write({name!r} + ' ')\n")
     (folder / "sweep.toml").write_text(SWEEP)
+    (folder / "rig.toml").write_text(RIG)
+    (folder / "measured.csv").write_text(MEASURED)
     shutil.copy(DRIVE, folder / "drive.rexs")
     return folder
 
