@@ -174,12 +174,13 @@ def forces_left(s: QuasistaticSolution, contacts: Sequence[BearingContact]) -> d
     around = np.stack([np.zeros_like(azimuth), -np.sin(azimuth), np.cos(azimuth)], axis=1)
     # the race pushes the ball against n, friction acts across it, in the plane of the axis
     friction = -np.stack([s.inner_friction, s.outer_friction], axis=1).ravel()
-    drive = np.stack([s.inner_drive, -s.inner_drive], axis=1).ravel()
     force = -load[:, None] * normal + friction[:, None] * np.cross(normal, around)
     inner = force[::2]
     on_balls = inner + force[1::2] + s.centrifugal_force[:, None] * radial[::2]
     held = np.array([force is None for force in s.operation.force])
-    on_ring = s.ring_force - (inner + drive[::2, None] * around[::2]).sum(axis=0)
+    # the balls drive the ring along their orbit
+    of_balls = s.inner_drive[:, None] * around[::2] - inner
+    on_ring = s.ring_force + of_balls.sum(axis=0)
     on_ring[held] = 0.0
     largest = max(float(load.max(initial=0.0)), 1e-300)
     return {

@@ -7,7 +7,7 @@ from math import exp, pi
 import pytest
 
 from oilfilm.bearing.torque.breakdown import NAMES
-from oilfilm.cases.cli.new_case import FirstOperation, case_of_designation
+from oilfilm.cases.new_case import FirstOperation, case_of_designation
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.runs.bearing import run_case
