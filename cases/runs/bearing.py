@@ -330,16 +330,17 @@ def run_case(
     if case.films.model is FilmModel.THERMAL:
         warmed = _by_rough_films(case, warmed, run)
     for _ in range(WARM_ROUNDS):
-        results = _with_all_balances(run(warmed), first)
+        at = warmed
+        results = _with_all_balances(run(at), first)
         heating = results.heating
         if heating is None or heating.balance is None or not heating.converged:
-            cold = without_heat_balance(case, heating, warmed)
+            cold = without_heat_balance(case, heating, at)
             return results if cold is None else run(cold)
         found = heating.balance.temperature
-        if abs(found - warmed.operation.temperature) <= WARM_TOLERANCE:
+        if abs(found - at.operation.temperature) <= WARM_TOLERANCE:
             break
         warmed = with_temperature(case, heating)
-    return _in_balance(results, warmed)
+    return _in_balance(results, at)
 
 
 def _with_all_balances(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from io import StringIO
-from math import pi
+from math import cos, pi, radians
 
 import pytest
 from rich.console import Console
@@ -121,12 +121,14 @@ def films_of(document):
     return {(c["ball"], c["race"]): c for c in document["contacts"] if c["film_origin"] == "atlas"}
 
 
-def starved_of(contact, whole):
-    """Films of a starved contact beside those of the flooded one at the same load."""
+def starved_of(contact, whole, shift=1e-6):
+    """Films of a starved contact beside those of the flooded one, its load the same within a shift."""
     share = contact["starved_film_share"]
-    assert contact["load_N"] == pytest.approx(whole["load_N"])
+    load = whole["load_N"]
+    assert contact["load_N"] == pytest.approx(load, rel=shift)
     assert contact["film_minimum_um"] <= contact["film_central_um"] < contact["isothermal_film_central_um"]
-    assert contact["flooded_film_central_um"] == pytest.approx(whole["flooded_film_central_um"])
+    at_load = whole["flooded_film_central_um"] * (load / contact["load_N"]) ** 0.09  # the film's law around it
+    assert contact["flooded_film_central_um"] == pytest.approx(at_load, rel=1e-6 + 0.01 * shift)
     cold = share * contact["flooded_film_central_um"]
     assert contact["isothermal_film_central_um"] == pytest.approx(cold)
     assert whole["inlet_heat_share"] * cold < contact["film_central_um"] < cold  # a starved inlet has less heat
@@ -144,8 +146,8 @@ def test_a_thin_inlet_film_leaves_no_second_film_to_light_balls(flooded):
     assert {place for place in whole if place not in left} == {(ball, "inner") for ball in light}
     for (ball, race), contact in left.items():
         known = whole[ball, race]
-        if ball not in light:
-            starved_of(contact, known)
+        if ball not in light:  # loads shift by what the light balls push the ring
+            starved_of(contact, known, shift=0.01)
             continue
         assert contact["load_N"] < known["load_N"]  # that of the ball's own speed is left
         assert contact["load_N"] == pytest.approx(known["load_N"] - whole[ball, "inner"]["load_N"])
@@ -153,6 +155,10 @@ def test_a_thin_inlet_film_leaves_no_second_film_to_light_balls(flooded):
         assert contact["isothermal_film_central_um"] == pytest.approx(cold)
         assert contact["film_central_um"] < 0.2 < known["film_central_um"]
         assert contact["lambda_ratio"] < known["lambda_ratio"]
+    for state in (flooded, document):  # the inner contacts together hold the load
+        inner = [c for c in state["contacts"] if c["race"] == "inner"]
+        held = sum(c["load_N"] * cos(radians(c["azimuth_deg"])) for c in inner)
+        assert held == pytest.approx(3000.0, rel=1e-6)
     told = "inner race, balls 3–8: film null, the oil does not fill the gap between ball and race"
     assert told in document["messages"]
     torque, bound = document["torque_N_mm"], flooded["torque_N_mm"]
@@ -232,9 +238,13 @@ def test_the_terminal_tells_the_supply():
 
     console = Console(width=80)
     with console.capture() as capture:
-        console.print(bearing_table(run_case(case_from_text(with_film(0.2), "case.toml"))))
+        results = run_case(case_from_text(with_film(0.2), "case.toml"))
+        console.print(bearing_table(results))
     text = capture.get()
-    assert "N mm (integrated films)" in text
+    torque = summary(results)["torque_N_mm"]
+    total, low, high = torque["total"], torque["total_range"]["low"], torque["total_range"]["high"]
+    assert low < total < high
+    assert f"{total:.4g} N mm (integrated films; {low:.4g} to {high:.4g})" in text
     assert "inlet film: loaded films" in text
 
 

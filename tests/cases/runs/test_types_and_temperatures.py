@@ -128,7 +128,7 @@ def test_a_case_can_be_computed_at_the_temperature_of_its_balance():
 def test_films_are_solved_at_the_temperature_that_their_own_torque_asks_for():
     """The total of solved films is the torque that heats: within 0.1 K, and films, clearance and life are of it."""
     own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"').replace(
-        'film_maps = "none"', "points = 33"
+        'film_maps = "none"', 'films = "solved"\npoints = 65'
     )
     result = found(own + HEATED)
     warm = result["self_heating"]
@@ -142,6 +142,20 @@ def test_films_are_solved_at_the_temperature_that_their_own_torque_asks_for():
     assert any(message.startswith("operation.temperature: computed at") for message in result["messages"])
     assert result["case"]["operation"]["temperature"] == "self-heated"
     assert "operation.temperature_C" not in result["case"]["assumed"]  # but computed
+
+
+def test_films_whose_torque_moves_the_temperature_to_and_fro_are_not_converged():
+    """Films that 33 points do not resolve jump with the temperature, which none of the rounds leaves where it is."""
+    own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"').replace(
+        'film_maps = "none"', 'films = "solved"\npoints = 33'
+    )
+    result = found(own + HEATED)
+    warm = result["self_heating"]
+    assert not result["converged"] and warm["converged"] is False
+    assert warm["temperature_C"] is None
+    (told,) = (message for message in result["warnings"] if message.startswith("self_heating"))
+    assert "the temperature still moves by" in told
+    assert "after 5 rounds of films" in told
 
 
 def test_no_balance_below_150_degrees_is_none():

@@ -16,8 +16,8 @@ from oilfilm.bearing.quasistatic.solution import bearing_frequencies
 from oilfilm.bearing.vibration.assembly import assembled
 from oilfilm.bearing.vibration.inputs import ContactLaw, VibrationModel, VibrationOptions, WaveFilter
 from oilfilm.cases.cli.main import app
-from oilfilm.cases.new_case import FirstOperation, case_of_designation
 from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.new_case import FirstOperation, case_of_designation
 from oilfilm.cases.runs.bearing import run_case
 from oilfilm.cases.runs.dynamics import build_model
 from oilfilm.postprocess import open_results
