@@ -18,7 +18,9 @@ balance with all of them,
 
 .. math:: F - \sum_j (dV/dq)^T (Q_i w/|w| + T_i t_i)_j = 0
 
-Where no ball is light, nothing changes. Friction, motion and the shape of elastic rings are those
+The heavier balls yield to their films also where no gap is filled, so that loads do not jump as
+the last light ball leaves its inner film. Where no ball is light, nothing changes.
+Friction, motion and the shape of elastic rings are those
 of the dry equilibrium. The weight of a ball, 2 % of F_c in a 6205 at 3800 r/min and as much as it
 at 530, is left out, and so is squeeze as it goes round.
 """
@@ -253,7 +255,7 @@ def _with_films(
     for _ in range(SETS):
         # 1. balls and ring in balance
         balls = replace(every, numbers=np.flatnonzero(~free | filled))
-        balance = _rounds(balls) if (light & ~free | filled).any() else None
+        balance = _rounds(balls)
         if balance is None:
             break
         # 2. balls that the ring has left are as those with too little oil

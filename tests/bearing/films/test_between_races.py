@@ -105,6 +105,17 @@ def test_layers_that_do_not_fill_the_gap_carry_nothing():
     assert np.abs(misfits(found, scarce)).max(initial=0.0) < FITS
 
 
+def test_heavy_balls_yield_to_their_films_where_no_gap_is_filled():
+    """As where the layers just fill one: loads do not jump as the last light ball leaves its inner film."""
+    solution, contacts, oil = state("6205", 3800.0, (0.0, 700.0, 0.0), 40.0, 100)
+    scarce = OilAtInlets(oil=PrescribedInlet(layer=3e-7), balls=9)
+    found = contacts_between_films(solution, contacts, oil, scarce)
+    assert all(contact.gap is None for contact in found)
+    assert left(solution, found) < 1e-8
+    assert 1e-3 < 1.0 - found[0].load / contacts[0].load < 0.05  # the balls beside it carry more
+    assert found[2].load > 1.001 * contacts[2].load
+
+
 def test_nothing_changes_without_light_balls_or_rotation():
     solution, contacts, oil = state("7012AC", 3000.0, (1000.0, 0.0, 0.0), 40.0, 68)
     assert contacts_between_films(solution, contacts, oil) is contacts

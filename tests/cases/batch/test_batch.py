@@ -172,7 +172,8 @@ def test_sensitivities_are_in_the_summary(tmp_path):
     found = {row["key"]: row["results"] for row in document["sensitivity"]}
     modulus = found["materials.silicon nitride.youngs_modulus_GPa"]["hertz_pressure_maximum_GPa"]
     assert modulus["sensitivity"] == pytest.approx(2.0 / 3.0, abs=0.03)  # p_h ~ E^(2/3) at a given load
-    assert found["lubricant.viscosity_mPa_s"]["load_maximum_N"]["sensitivity"] == 0.0
+    # thicker films press the balls beside the heaviest one more, which leaves it less
+    assert found["lubricant.viscosity_mPa_s"]["load_maximum_N"]["sensitivity"] == pytest.approx(-0.006, abs=0.002)
     assert any("model.ball_kinematics left out" in message for message in document["messages"])
 
 
