@@ -251,6 +251,7 @@ def test_the_energies_close_with_films(setup):
     assert films[~apart].min() > 0.0
 
 
+@pytest.mark.slow
 def test_lsoda_counts_the_work_of_films(setup):
     bearing = setup.bearing_7008(3)
     ends = []

@@ -323,6 +323,7 @@ def test_what_the_operation_tells_is_not_told_again_of_each_load_case():
     ]
 
 
+@pytest.mark.slow
 def test_load_cases_warm_themselves_or_keep_a_temperature_of_their_own():
     """With operation.temperature = "self-heated" each load case has its own balance, as it has alone."""
     oil = CASE.replace("viscosity_mPa_s = 26.1\npressure_viscosity_1_GPa = 18.0", 'name = "iso vg 32"')

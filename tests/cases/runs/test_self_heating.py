@@ -71,6 +71,7 @@ def test_friction_and_cooling_agree():
     assert at_it["temperature_C"] == pytest.approx(warm["temperature_C"], abs=1e-3)
 
 
+@pytest.mark.slow
 def test_oil_carries_heat_away():
     warm, _ = found(TEXT)
     cooled, document = found(TEXT + "cooling_oil_mL_min = 200.0\ncooling_oil_C = 30.0\n")
@@ -123,7 +124,10 @@ def test_one_viscosity_follows_the_temperature_by_the_index_of_its_base_oil():
     assert any("viscosity_index = 95 (30 to 130)" in message for message in document["messages"])
 
 
-@pytest.mark.parametrize(("key", "speed"), [("heat_transfer_W_K", 9000.0), ("cooling_oil_mL_min", 24000.0)])
+@pytest.mark.parametrize(
+    ("key", "speed"),
+    [("heat_transfer_W_K", 9000.0), pytest.param("cooling_oil_mL_min", 24000.0, marks=pytest.mark.slow)],
+)
 def test_what_is_advised_where_there_is_no_balance_gives_one(key, speed):
     """A 6220 in a bath; a tenth more cooling than the advice names as the least. At 24000 r/min no transfer from
     shaft and housing is enough, for the heat does not get so far, and none is advised."""
@@ -208,7 +212,8 @@ FALLING_AND_RISING = {  # friction over the temperature on the way to the balanc
 NAMES = ("oil", "speed", "axial", "radial", "start", "conductance", "ambient")
 
 
-@pytest.mark.parametrize("which", [pytest.param("6208", marks=pytest.mark.slow), "6208 thicker"])
+@pytest.mark.slow
+@pytest.mark.parametrize("which", ["6208", "6208 thicker"])
 def test_a_bearing_in_the_cold_finds_its_balance(which):
     """From a hot start and, to the same temperature, from near the balance."""
     given = dict(zip(NAMES, FALLING_AND_RISING[which], strict=True)) | {"name": which.split()[0]}

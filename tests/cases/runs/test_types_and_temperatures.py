@@ -144,6 +144,7 @@ def test_films_are_solved_at_the_temperature_that_their_own_torque_asks_for():
     assert "operation.temperature_C" not in result["case"]["assumed"]  # but computed
 
 
+@pytest.mark.slow
 def test_films_whose_torque_moves_the_temperature_to_and_fro_are_not_converged():
     """Films that 33 points do not resolve jump with the temperature, which none of the rounds leaves where it is."""
     own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"').replace(
@@ -158,6 +159,7 @@ def test_films_whose_torque_moves_the_temperature_to_and_fro_are_not_converged()
     assert "after 5 rounds of films" in told
 
 
+@pytest.mark.slow
 def test_no_balance_below_150_degrees_is_none():
     own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"').replace("3000.0", "30000.0")
     result = found(own + HEATED.replace("1.2", "0.05"))
