@@ -32,6 +32,7 @@ from .format.document import ShaftFile, validate_text
 from .format.rules import CaseError
 from .format.shaft_case import shaft_case
 
+MODELS = (".rexs", ".xml", ".json", ".rexsj")  # names of models in an archive
 LARGEST = 50_000_000  # of a file [bytes]
 DEFLATED_TEXT = 100  # bytes of XML that a byte of an archive may stand for: models have some 20
 # unit of REXS: factor to that of a case file, millimetre, newton, newton millimetre, degree
@@ -242,7 +243,7 @@ def read_rexs(path: Path) -> Model:
         if data[:2] == b"PK":
             with open_file(path, LARGEST) as stream:
                 entries = entries_of(stream, str(path), most=DEFLATED_TEXT)
-            names = [n for n in entries if n.endswith((".rexs", ".xml", ".json", ".rexsj"))]
+            names = [n for n in entries if n.endswith(MODELS)]
             if len(names) != 1:
                 raise CaseError(f"{path}: holds {len(names)} models; allowed: one")
             data = entries[names[0]]

@@ -18,7 +18,7 @@ from oilfilm.ehl.foreign_files import DEFLATE, entries_as_bytes, entries_of, par
 from oilfilm.postprocess.files import read_summary
 
 from .format.rules import CaseError
-from .rexs import DEFLATED_TEXT, LARGEST, SOURCE, Component, Model, bearings, read_rexs
+from .rexs import DEFLATED_TEXT, LARGEST, MODELS, SOURCE, Component, Model, bearings, read_rexs
 
 # key of a bearing's summary: (first version, attribute, unit, factor to it from the key's unit)
 Names = tuple[tuple[str, str, str, float], ...]
@@ -216,7 +216,7 @@ def _zip_with_results(data: bytes, results: dict[str, list[Value]], path: Path) 
     entries = entries_of(io.BytesIO(data), str(path), most=DEFLATED_TEXT)
     written: dict[str, bytes | str] = {}
     for name, content in entries.items():
-        model = name.endswith((".rexs", ".xml", ".json", ".rexsj"))
+        model = name.endswith(MODELS)
         written[name] = _with_results(content, results, path) if model else content
     return entries_as_bytes(written, DEFLATE)
 

@@ -225,6 +225,23 @@ def without_unit(key: str) -> str:
     return " ".join(_split(key)[0])
 
 
+def axis_label(key: str) -> str:
+    """A key in words, its unit in brackets, for the axis of a picture.
+
+    Parameters
+    ----------
+    key : str
+        dotted key with its unit
+
+    Returns
+    -------
+    str
+        the label
+    """
+    last = key.rpartition(".")[2]
+    return f"{without_unit(last)} [{unit_symbol(last)}]" if unit_of(last) else without_unit(last)
+
+
 def from_si(key: str, value: Any) -> Any:
     """A value in SI, converted to the unit of its key.
 

@@ -9,7 +9,7 @@ neither the errors of the model nor of the other keys.
 import re
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -317,10 +317,7 @@ class _Model:
     wanted: tuple[str, ...]
     file: str
     progress: Progress | None
-    messages: list[str] = None  # type: ignore[assignment]
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "messages", [])
+    messages: list[str] = field(default_factory=list)
 
     def computed(self, case: Case) -> dict[str, Array]:
         """Wanted quantities of every row; nan where there are none."""

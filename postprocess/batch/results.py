@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from oilfilm.ehl.units import notebook_html, unit_of, unit_symbol, without_unit
+from oilfilm.ehl.units import axis_label, notebook_html
 
 from ..bearing.bearing_quantities import (
     DECAY,
@@ -500,23 +500,6 @@ def _words(results: BatchResults, keys: list[str]) -> Varied:
     words = tuple(dict.fromkeys(texts))
     values = tuple(float(words.index(text)) for text in texts)
     return Varied(label=" / ".join(map(axis_label, keys)), values=values, words=words)
-
-
-def axis_label(key: str) -> str:
-    """A key in words, its unit in brackets.
-
-    Parameters
-    ----------
-    key : str
-        Dotted key with its unit.
-
-    Returns
-    -------
-    str
-        Label of the axis.
-    """
-    last = key.rpartition(".")[2]
-    return f"{without_unit(last)} [{unit_symbol(last)}]" if unit_of(last) else without_unit(last)
 
 
 def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:

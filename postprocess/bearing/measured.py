@@ -10,7 +10,7 @@ from rich.console import Group
 from rich.text import Text
 
 from oilfilm.ehl.arrays import Array
-from oilfilm.ehl.units import unit_symbol, without_unit
+from oilfilm.ehl.units import axis_label, unit_symbol, without_unit
 
 from ..files import plain_document
 from ..plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH
@@ -176,12 +176,6 @@ def _title(key: str) -> str:
     return f"{without_unit(key)} {unit_symbol(key)}".strip()
 
 
-def _label(key: str) -> str:
-    """Text of an axis."""
-    unit = unit_symbol(key)
-    return f"{without_unit(key)} [{unit}]" if unit else without_unit(key)
-
-
 def draw_measured(figure: Figure, comparison: MeasuredComparison) -> None:
     """Measured points and the computed line of each quantity over the state that varies.
 
@@ -202,7 +196,7 @@ def draw_measured(figure: Figure, comparison: MeasuredComparison) -> None:
         computed = comparison.computed[key][order]
         axes.plot(over[order], computed, "x", ls=line, color=INNER_COLOUR, ms=4, label="computed")
         axes.plot(over, comparison.measured[key], "o", color=OUTER_COLOUR, ms=4, label="measured")
-        axes.set_ylabel(_label(key))
+        axes.set_ylabel(axis_label(key))
         axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
         axes.grid(linewidth=0.3, alpha=0.5)
         axes.legend()
@@ -217,6 +211,6 @@ def _abscissa(comparison: MeasuredComparison) -> tuple[Array, str]:
         if np.ptp(comparison.states[key]) > 0.0
     ]
     if varied:
-        return comparison.states[varied[0]], _label(varied[0])
+        return comparison.states[varied[0]], axis_label(varied[0])
     count = next(iter(comparison.measured.values())).size
     return np.arange(1.0, count + 1.0), "row"

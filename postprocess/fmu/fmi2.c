@@ -1,16 +1,6 @@
 /* FMI 2.0, co-simulation: a table of outputs over inputs. */
 #include "table.h"
 
-#ifdef _WIN32
-#define EXPORT __declspec(dllexport)
-#else
-#define EXPORT __attribute__((visibility("default")))
-#endif
-
-typedef unsigned int Reference;
-enum { OK, WARNING, DISCARD, ERROR, FATAL };
-#define UNUSED(x) (void)(x)
-
 EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
 EXPORT const char *fmi2GetVersion(void) { return "2.0"; }
 EXPORT int fmi2SetDebugLogging(void *c, int on, size_t n, const char *const names[])
@@ -42,18 +32,12 @@ EXPORT int fmi2SetReal(void *c, const Reference r[], size_t n, const double v[])
 }
 EXPORT int fmi2GetFMUstate(void *c, void **state)
 {
-    if (!*state && !(*state = malloc(sizeof(Table))))
-        return ERROR;
-    memcpy(*state, c, sizeof(Table));
-    return OK;
+    return save(c, state);
 }
 EXPORT int fmi2SetFMUstate(void *c, void *state) { return memcpy(c, state, sizeof(Table)), OK; }
 EXPORT int fmi2FreeFMUstate(void *c, void **state)
 {
-    UNUSED(c);
-    free(*state);
-    *state = NULL;
-    return OK;
+    return UNUSED(c), discard(state);
 }
 EXPORT int fmi2DoStep(void *c, double time, double size, int final)
 {
@@ -62,9 +46,7 @@ EXPORT int fmi2DoStep(void *c, double time, double size, int final)
     return OK;
 }
 
-/* Functions that a unit must have and this one does not need: no other types, derivatives, serial states. */
-#define WITHOUT(name)                                                                                      \
-    EXPORT int name() { return ERROR; }
+/* Not needed: no other types, clocks, states or derivatives. */
 WITHOUT(fmi2CancelStep)
 WITHOUT(fmi2DeSerializeFMUstate)
 WITHOUT(fmi2GetBoolean)

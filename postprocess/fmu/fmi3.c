@@ -2,16 +2,7 @@
 #include <stdbool.h>
 #include "table.h"
 
-#ifdef _WIN32
-#define EXPORT __declspec(dllexport)
-#else
-#define EXPORT __attribute__((visibility("default")))
-#endif
-
-typedef unsigned int Reference;
 typedef const char *String;
-enum { OK, WARNING, DISCARD, ERROR, FATAL };
-#define UNUSED(x) (void)(x)
 
 EXPORT const char *fmi3GetVersion(void) { return "3.0"; }
 EXPORT int fmi3SetDebugLogging(void *c, bool on, size_t n, const String names[])
@@ -49,18 +40,12 @@ EXPORT int fmi3SetFloat64(void *c, const Reference r[], size_t n, const double v
 }
 EXPORT int fmi3GetFMUState(void *c, void **state)
 {
-    if (!*state && !(*state = malloc(sizeof(Table))))
-        return ERROR;
-    memcpy(*state, c, sizeof(Table));
-    return OK;
+    return save(c, state);
 }
 EXPORT int fmi3SetFMUState(void *c, void *state) { return memcpy(c, state, sizeof(Table)), OK; }
 EXPORT int fmi3FreeFMUState(void *c, void **state)
 {
-    UNUSED(c);
-    free(*state);
-    *state = NULL;
-    return OK;
+    return UNUSED(c), discard(state);
 }
 EXPORT int fmi3DoStep(void *c, double time, double size, bool final, bool *event, bool *stop, bool *early, double *last)
 {
@@ -71,9 +56,7 @@ EXPORT int fmi3DoStep(void *c, double time, double size, bool final, bool *event
     return OK;
 }
 
-/* Functions that a unit must have and this one does not need: no other types, clocks, states, derivatives. */
-#define WITHOUT(name)                                                                                      \
-    EXPORT int name() { return ERROR; }
+/* Not needed: no other types, clocks, states or derivatives. */
 EXPORT void *fmi3InstantiateModelExchange() { return NULL; }
 EXPORT void *fmi3InstantiateScheduledExecution() { return NULL; }
 WITHOUT(fmi3ActivateModelPartition)

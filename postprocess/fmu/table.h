@@ -10,6 +10,19 @@
 #define OUTSIDE (INPUTS + OUTPUTS + 1)
 #define VARIABLES (OUTSIDE + 1)
 
+#ifdef _WIN32
+#define EXPORT __declspec(dllexport)
+#else
+#define EXPORT __attribute__((visibility("default")))
+#endif
+
+typedef unsigned int Reference;
+enum { OK, WARNING, DISCARD, ERROR, FATAL };
+#define UNUSED(x) (void)(x)
+/* A function that a unit must have and this one does not need. */
+#define WITHOUT(name)                                                                                      \
+    EXPORT int name() { return ERROR; }
+
 typedef struct {
     double value[VARIABLES];
     int current; /* outputs belong to the inputs */
@@ -130,4 +143,19 @@ static void step(Table *table, double time)
 {
     table->value[0] = time;
     table->current = 0;
+}
+
+static int save(const Table *table, void **state)
+{
+    if (!*state && !(*state = malloc(sizeof(Table))))
+        return ERROR;
+    memcpy(*state, table, sizeof(Table));
+    return OK;
+}
+
+static int discard(void **state)
+{
+    free(*state);
+    *state = NULL;
+    return OK;
 }
