@@ -54,7 +54,7 @@ def test_a_page_has_the_text_of_its_template(template):
 def test_every_page_is_in_the_navigation():
     navigation = re.findall(r"- (?:\w+: )?([\w/]+\.md)", (ROOT / "mkdocs.yml").read_text(encoding="utf-8"))
     pages = [path.relative_to(DOCS).as_posix() for path in DOCS.rglob("*.md")]
-    assert sorted(navigation) == sorted([*pages, "gallery.md", "reference/changelog.md"])
+    assert sorted(navigation) == sorted([*pages, "examples.md", "gallery.md", "reference/changelog.md"])
 
 
 PAGES = [*sorted(DOCS.rglob("*.md")), *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md"))]

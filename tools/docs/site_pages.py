@@ -1,7 +1,8 @@
-"""Hook of mkdocs: gallery and change log, pages written from the repository."""
+"""Hook of mkdocs: examples, gallery and change log, pages written from the repository."""
 
 from __future__ import annotations
 
+import ast
 import re
 import tomllib
 from pathlib import Path
@@ -22,6 +23,7 @@ def on_files(files: Any, config: Any) -> Any:
     """Add the pages that are no files of docs/."""
     from mkdocs.structure.files import File
 
+    files.append(File.generated(config, "examples.md", content=examples()))
     files.append(File.generated(config, "gallery.md", content=gallery()))
     files.append(File.generated(config, "reference/changelog.md", content=changelog()))
     return files
@@ -45,6 +47,20 @@ def changelog() -> str:
     """The change log, its links from the folder of its page."""
     text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     return text.replace("](docs/reference/", "](").replace("](docs/", "](../")
+
+
+def examples() -> str:
+    """Every script of `docs/examples`: its title, its text, its picture, its code."""
+    lines = ["# Examples", "", "Scripts of at most sixty lines, each with its picture; every one is run as a test.", ""]
+    for path in sorted((ROOT / "docs" / "examples").glob("*.py")):
+        source = path.read_text(encoding="utf-8")
+        title, _, text = (ast.get_docstring(ast.parse(source)) or path.stem).partition("\n")
+        lines += [f"## {title.rstrip('.')}", "", text.strip(), ""]
+        if (IMAGES / "examples" / f"{path.stem}.png").is_file():
+            lines += [f"![{title}](images/examples/{path.stem}.png)", ""]
+        code = source.split('"""', 2)[2].strip("\n")
+        lines += [f"`docs/examples/{path.name}`", "", "```python", code, "```", ""]
+    return "\n".join(lines)
 
 
 def gallery() -> str:
