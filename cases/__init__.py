@@ -6,6 +6,7 @@
 | runs | one case run: bearing, contact, slip, stiffness, shaft, tables, dynamics |
 | batch | many points of one case |
 | new_case | text of new case files |
+| app | the live program: a page whose numbers follow its controls |
 | optimise | optimisation of a case by its keys, with error bars of films as noise |
 | rexs | drives in the exchange format REXS: shafts, bearings, gears |
 | rexs_results | results written into such a drive |
@@ -13,6 +14,7 @@
 | library | shipped cases, sweeps and printed reference values (TOML, CSV) |
 | version | version of the program, written down in pyproject.toml only |
 
+app          - the live program `oilfilm app`
 batch        - many points of one case
 cli          - the command `oilfilm`
 format       - the format of case files

@@ -271,14 +271,38 @@ def save(figure: Figure, path: Path) -> None:
     kind = path.suffix.lower()
     if kind not in FORMATS:
         raise ValueError(f"{path.name}: allowed: a file that ends in {', '.join(FORMATS)}")
-    figure.set_dpi(DPI)
+    write_bytes(path, _content(figure, kind, DPI))
+
+
+def _content(figure: Figure, kind: str, dpi: int) -> bytes:
+    """A drawn figure as PNG, PDF or SVG."""
+    figure.set_dpi(dpi)
     keep_dollars(figure)
     content = io.BytesIO()
     if kind == ".png":
         FigureCanvasAgg(figure).print_png(content, pil_kwargs={"compress_level": PNG_COMPRESSION})
     else:
         figure.savefig(content, format=kind[1:])
-    write_bytes(path, content.getvalue())
+    return content.getvalue()
+
+
+def png_of(draw: Callable[[Figure], object], dpi: int = DPI) -> bytes:
+    """Draw into an empty figure, as a PNG in memory.
+
+    Parameters
+    ----------
+    draw : Callable[[Figure], object]
+        Draws into an empty figure.
+    dpi : int, default DPI
+        Pixels an inch [-].
+
+    Returns
+    -------
+    bytes
+        The picture.
+    """
+    with matplotlib.rc_context(RC):
+        return _content(figure_of(draw), ".png", dpi)
 
 
 def keep_dollars(figure: Figure) -> None:

@@ -12,7 +12,7 @@
 | batch | batch |
 | optimise | optimise, calibrate |
 | documents | report, compare, cut, interferogram, diagram, export, view |
-| quick | hertz, frequencies |
+| quick | hertz, frequencies, app |
 | answers | dry contacts after Hertz, frequencies of a bearing's parts |
 | files | list, validate, import, init, schema |
 | verify | verify |
@@ -27,7 +27,7 @@ main      - the commands of `oilfilm`; importing it registers them in the order 
 optimise  - commands that search
 output    - common steps of the commands that compute
 over_time - commands that compute over time
-quick     - Commands that answer at once: hertz, frequencies
+quick     - Commands that answer at once: hertz, frequencies, and the live program: app
 start     - entry point of `oilfilm`: what to do on a signal before anything that takes time to
             load
 terminal  - the application `oilfilm` and its terminal

@@ -1,7 +1,8 @@
-"""Commands that answer at once: hertz, frequencies."""
+"""Commands that answer at once: hertz, frequencies, and the live program: app."""
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from math import isfinite
 from typing import Annotated, Any
 
@@ -11,6 +12,7 @@ from ..format.rules import CaseError
 from ..runs.interrupt import print_message
 from .terminal import command, print_json, print_lines
 
+NEEDED = ("trame_vtk", "trame_client", "aiohttp")
 Answer = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Silent = Annotated[bool, typer.Option("--quiet", "-q", help="Numbers only, no notes.")]
 STEEL = "bearing steel"
@@ -141,6 +143,40 @@ def frequencies(
     for line in _frequency_lines(answer):
         print_lines(line)
     _print_notes(answer, quiet=quiet)
+
+
+@command()
+def app(
+    case: Annotated[
+        str,
+        typer.Argument(
+            metavar="[CASE|DESIGNATION]", help="A case file, a shipped case, or a bearing."
+        ),
+    ] = "6208",
+    port: Annotated[
+        int, typer.Option(min=0, max=65535, help="Port on this computer; 0: a free one.")
+    ] = 0,
+    no_browser: Annotated[
+        bool, typer.Option("--no-browser", help="Print the address, open nothing.")
+    ] = False,
+    keep: Annotated[
+        bool, typer.Option("--keep", help="Stay when the page is closed, until Ctrl-C.")
+    ] = False,
+) -> None:
+    """Open a page whose films, torque, temperature and life follow its controls."""
+    if any(find_spec(name) is None for name in NEEDED):
+        raise CaseError("oilfilm app needs its extra: pip install 'oilfilm[app]'")
+    from ..app.design import start
+
+    design = start(case)
+    from ..app.server import run_app
+
+    try:
+        run_app(design, port, browser=not no_browser, keep=keep)
+    except KeyboardInterrupt:
+        print_message("oilfilm app: ended")
+    except OSError as error:
+        raise CaseError(f"oilfilm app: --port {port}: {error.strerror or error}") from None
 
 
 def _check_finite(options: dict[str, float | None]) -> None:

@@ -12,6 +12,7 @@ OWN_PROCESSES = ("cases/runs/drawing.py", "cases/batch/results.py")  # files tha
 READERS = {
     "ehl/foreign_files.py": {"zipfile", "lzma", "zlib"},
     "ehl/traction_table/compression.py": {"lzma"},  # packs; `unpacked` is its way back
+    "cases/app/design.py": {"zlib"},  # of the address of a page, up to a length
     "postprocess/batch/store.py": {"sqlite3", "zlib"},
     "postprocess/netcdf_write.py": {"h5py", "h5netcdf"},
     "postprocess/dynamics/history.py": {"h5py", "h5netcdf"},

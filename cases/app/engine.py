@@ -1,0 +1,271 @@
+"""Points of the live program: a case document in, numbers, arrays and pictures out.
+
+All of it happens in worker processes: one that follows the controls, one that solves films, and
+those that fill maps and curves.
+"""
+
+import base64
+import os
+import tempfile
+from collections.abc import Mapping
+from functools import partial
+from math import degrees
+from multiprocessing.connection import Connection
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+from oilfilm.postprocess.bearing.results import BearingResults
+from oilfilm.postprocess.contact.plots import draw_contact, film_text
+from oilfilm.postprocess.contact.shown_part import contact_view
+from oilfilm.postprocess.plot_style import png_of
+from oilfilm.postprocess.report.page import report_page
+from oilfilm.postprocess.scene.live_arrays import scene_arrays
+from oilfilm.postprocess.stiffness.results import ross_table
+from oilfilm.postprocess.writer import summary, write_results
+
+from ..format.case import Case, case_of_document
+from ..format.film_model import FilmModel
+from ..format.rules import CaseError
+from ..runs.bearing import run_case
+from ..runs.equilibrium import Equilibria
+from ..runs.processes import prepare_worker
+from ..runs.stiffness_and_slip import run_stiffness
+from .readings import main_numbers
+
+Answer = dict[str, Any]
+ROSS_POINTS = 5
+ROSS_LINES = """\
+import numpy as np
+import ross as rs
+
+# {title}: stiffness of the bearing over the speed of the rotor; ROSS has z along the shaft
+bearing = rs.BearingElement(
+    n=0,  # node of the shaft
+    {arguments},
+)
+"""
+PICTURE_DPI = 150
+
+
+class Engine:
+    """Computes points one after the other; it keeps the last results for their pictures."""
+
+    def __init__(self) -> None:
+        self.equilibria = Equilibria()
+        self.results: BearingResults | None = None
+
+    def point(self, document: dict[str, Any]) -> Answer:
+        """All numbers of a case, and its scene.
+
+        Parameters
+        ----------
+        document : dict[str, Any]
+            Tables of the case, as in its file.
+
+        Returns
+        -------
+        dict[str, Any]
+            Summary and scene.
+        """
+        start = perf_counter()
+        results = run_case(
+            _bearing_case(live_document(document)), workers=1, equilibria=self.equilibria
+        )
+        self.results = results
+        return {
+            "summary": summary(results),
+            "scene": scene_arrays(results),
+            "seconds": perf_counter() - start,
+        }
+
+    def contact(self, ball: int, race: str) -> Answer:
+        """Pressure and film of one contact of the last point, as a picture.
+
+        Parameters
+        ----------
+        ball : int
+            Number of the ball, from 1.
+        race : str
+            "inner" or "outer".
+
+        Returns
+        -------
+        dict[str, Any]
+            The picture, its title, and a reason where there is none.
+        """
+        return _contact_picture(self.results, ball, race)
+
+    def solve(self, document: dict[str, Any], ball: int, race: str, azimuth: float) -> Answer:
+        """Solve the films of one ball, and draw one of them.
+
+        Parameters
+        ----------
+        document : dict[str, Any]
+            Tables of the case.
+        ball : int
+            Number of the ball, from 1.
+        race : str
+            "inner" or "outer".
+        azimuth : float
+            Azimuth of the ball [deg].
+
+        Returns
+        -------
+        dict[str, Any]
+            The picture, the films of the ball and their patches in the scene.
+        """
+        start = perf_counter()
+        ehl = {**document.get("ehl", {}), "film_maps": [azimuth], "films": "solved"}
+        results = run_case(_bearing_case({**document, "ehl": ehl}), equilibria=self.equilibria)
+        contacts = [one for one in summary(results)["contacts"] if one["ball"] == ball]
+        patches = [one for one in scene_arrays(results)["patches"] if one["ball"] == ball]
+        picture = _contact_picture(results, ball, race)
+        return picture | {
+            "contacts": contacts,
+            "patches": patches,
+            "seconds": perf_counter() - start,
+        }
+
+    def numbers(self, document: dict[str, Any]) -> Answer:
+        """Numbers of one point of a map or a curve.
+
+        Parameters
+        ----------
+        document : dict[str, Any]
+            Tables of the case.
+
+        Returns
+        -------
+        dict[str, Any]
+            Main numbers, None where a point has none.
+        """
+        own = live_document(document, maps=False)
+        results = run_case(_bearing_case(own), workers=1, equilibria=self.equilibria)
+        return main_numbers(summary(results))
+
+    def report(self, document: dict[str, Any]) -> Answer:
+        """The report of the case on one page, with its pictures.
+
+        Parameters
+        ----------
+        document : dict[str, Any]
+            Tables of the case.
+
+        Returns
+        -------
+        dict[str, Any]
+            The page as text.
+        """
+        results = run_case(_bearing_case(live_document(document)), workers=1)
+        with tempfile.TemporaryDirectory(prefix="oilfilm_app_") as folder:
+            write_results(results, folder)
+            return {"text": report_page(Path(folder))}
+
+    def ross(self, document: dict[str, Any]) -> Answer:
+        """Lines of Python that give the bearing to the rotor code ROSS.
+
+        Parameters
+        ----------
+        document : dict[str, Any]
+            Tables of the case.
+
+        Returns
+        -------
+        dict[str, Any]
+            The lines as text.
+        """
+        study = run_stiffness(_bearing_case(document), "case", None, ROSS_POINTS, 0.0).study
+        rows = {
+            name: ", ".join(f"{value:.6g}" for value in values)
+            for name, values in ross_table(study).items()
+        }
+        arguments = ",\n    ".join(f"{name}=np.array([{row}])" for name, row in rows.items())
+        title = document.get("title") or "bearing"
+        return {"text": ROSS_LINES.format(title=title, arguments=arguments)}
+
+
+def live_document(document: Mapping[str, Any], *, maps: bool = True) -> dict[str, Any]:
+    """The document with films of the film atlas, which need no solve.
+
+    Parameters
+    ----------
+    document : Mapping[str, Any]
+        Tables of a case.
+    maps : bool, default True
+        With pressure and film of each contact.
+
+    Returns
+    -------
+    dict[str, Any]
+        The tables; films that the atlas does not have (heat, shear thinning) are by formula.
+    """
+    ehl = dict(document.get("ehl", {}))
+    model = ehl.get("film_model", FilmModel.NEWTONIAN.value)
+    own: dict[str, Any] = {key: ehl[key] for key in ("film_model", "finite_bodies") if key in ehl}
+    own["film_maps"] = "none"
+    if maps and model == FilmModel.NEWTONIAN.value:
+        own |= {"film_maps": "all", "films": "atlas"}
+    return {**document, "ehl": own}
+
+
+def _bearing_case(document: dict[str, Any]) -> Case:
+    case = case_of_document(document)
+    if not isinstance(case, Case):
+        raise CaseError("not a bearing case; allowed: a case with [bearing]")
+    return case
+
+
+def _contact_picture(results: BearingResults | None, ball: int, race: str) -> Answer:
+    if results is None:
+        return {"why": "no results yet"}
+    for contact, field in zip(results.contacts, results.fields, strict=True):
+        if (contact.ball, contact.race.value) != (ball, race):
+            continue
+        if field is None:
+            why = contact.note or "the film atlas has no map of this contact: solve it"
+            return {"why": why}
+        view = contact_view(field)
+        azimuth = degrees(contact.azimuth) % 360.0
+        title = f"{race} race, ball {ball} at {azimuth:.4g}°, {contact.load:.4g} N\n"
+        title += film_text(view)
+        picture = png_of(partial(draw_contact, view=view, title=title), PICTURE_DPI)
+        text = base64.b64encode(picture).decode()
+        return {"picture": f"data:image/png;base64,{text}", "why": ""}
+    return {"why": f"there is no ball {ball}"}
+
+
+def serve(connection: Connection, quiet: bool) -> None:
+    """Answer requests until the other end is closed; the target of a worker process.
+
+    Parameters
+    ----------
+    connection : Connection
+        Receives a name of a method of `Engine` and its arguments, sends the answer.
+    quiet : bool
+        With less right to the processor than the process that follows the controls.
+    """
+    prepare_worker()
+    if quiet and hasattr(os, "nice"):
+        os.nice(10)
+    engine = Engine()
+    while True:
+        try:
+            name, arguments = connection.recv()
+        except (EOFError, OSError):
+            return
+        connection.send(_answered(engine, name, arguments))
+
+
+def _answered(engine: Engine, name: str, arguments: tuple[Any, ...]) -> Answer:
+    """The answer, or what is wrong in one line."""
+    try:
+        answer: Answer = getattr(engine, name)(*arguments)
+    except CaseError as error:
+        problems = [
+            (".".join(map(str, p.path)), f"{p.finding}; {p.allowed}") for p in error.problems
+        ]
+        return {"problem": error.messages[0], "problems": problems}
+    except (ValueError, ArithmeticError, LookupError, RuntimeError, OSError) as error:
+        return {"problem": f"{type(error).__name__}: {error}"}
+    return answer
