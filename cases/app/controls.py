@@ -284,8 +284,9 @@ def bearing_titles() -> list[dict[str, str]]:
     for name in list_bearings():
         entry = load_catalogue_entry(name)
         sizes = [entry.get(key) for key in ("bore_mm", "outside_diameter_mm", "width_mm")]
-        size = " × ".join(f"{one:g}" for one in sizes) if all(sizes) else ""
-        found.append({"value": name, "title": f"{name}   {size} mm" if size else name})
+        if all(sizes):  # of others no case can be made
+            size = " × ".join(f"{one:g}" for one in sizes)
+            found.append({"value": name, "title": f"{name}   {size} mm"})
     return found
 
 

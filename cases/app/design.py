@@ -139,15 +139,16 @@ def of_address(address: str) -> Design:
 
 
 def _unpacked(text: str) -> str:
+    """The text of a case from an address, as long as a case may be."""
+    unpacker = zlib.decompressobj()
     try:
         packed = base64.urlsafe_b64decode(text + "=" * (-len(text) % 4))
-        unpacker = zlib.decompressobj()
-        content = unpacker.decompress(packed, LONGEST_TEXT)
-        if unpacker.unconsumed_tail:
-            raise CaseError(f"the case in the address has more than {LONGEST_TEXT} characters")
-        return content.decode()
+        content = unpacker.decompress(packed, LONGEST_TEXT).decode()
     except (ValueError, zlib.error):
         raise CaseError("the address is damaged") from None
+    if unpacker.unconsumed_tail:
+        raise CaseError(f"the case in the address has more than {LONGEST_TEXT} characters")
+    return content
 
 
 def _refuse_files(document: Mapping[str, Any], known: Mapping[str, Any] | None = None) -> None:
