@@ -14,7 +14,7 @@ from time import perf_counter, process_time
 
 from oilfilm.bearing.dynamics.simulation import simulation
 from oilfilm.cases import Case, load_case
-from oilfilm.cases.runs.dynamics import build_model
+from oilfilm.cases.runs.motion_model import build_model
 
 
 def timed(case: Case, tables: Path | None) -> str:

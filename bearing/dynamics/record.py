@@ -126,6 +126,25 @@ def first_rows(record: Record, rows: int) -> Record:
     return Record(*arrays)
 
 
+def picked_rows(record: Record, rows: NDArray[np.bool_]) -> Record:
+    """Some rows of a record.
+
+    Parameters
+    ----------
+    record : Record
+        record
+    rows : NDArray[np.bool_]
+        true for those that are kept, shape (m,)
+
+    Returns
+    -------
+    Record
+        record of these rows
+    """
+    arrays: list[Any] = [array[rows] for array in record]
+    return Record(*arrays)
+
+
 def join(first: Record, second: Record) -> Record:
     """Two records one after the other.
 

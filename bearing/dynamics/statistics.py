@@ -83,6 +83,10 @@ class RunningStatistics:
     slide_largest: Array = field(init=False)  # (2, Z) [m/s]
     fastest: Array = field(init=False)  # entrainment under a load, (2,) [m/s]
     residual: float = 0.0  # largest of the energies [J]
+    # works and energy that the balance starts with: at rest, or after the settling time [J]
+    work_before: Array | None = None
+    start_energy: float = 0.0  # [J]
+    settles: bool = False
     rows: int = 0
 
     def __post_init__(self) -> None:
@@ -120,7 +124,12 @@ class RunningStatistics:
         self.pocket_largest = np.maximum(self.pocket_largest, pockets.max(axis=0))
         self._add_contacts(record, loads)
         work = record.state[:, layout.energy]
-        change = record.energy.sum(axis=1) - start_energy
+        stored = record.energy.sum(axis=1)
+        if self.work_before is None:
+            self.work_before = work[0].copy() if self.settles else np.zeros(work.shape[1])
+            self.start_energy = float(stored[0]) if self.settles else start_energy
+        work = work - self.work_before
+        change = stored - self.start_energy
         error = change - work[:, :INPUTS].sum(axis=1) + work[:, INPUTS:].sum(axis=1)
         self.residual = max(self.residual, float(np.abs(error).max()))
         self.rows += record.time.size
@@ -265,13 +274,15 @@ class SimulationStatistics:
         return None if self.cage_speed_ratio is None else 1.0 - self.cage_speed_ratio
 
 
-def running_statistics(run: Simulation) -> RunningStatistics:
+def running_statistics(run: Simulation, stride: int = 1) -> RunningStatistics:
     """Empty sums for the records of a simulation.
 
     Parameters
     ----------
     run : Simulation
         simulation at its start
+    stride : int, default 1
+        samples of which one is added [-]
 
     Returns
     -------
@@ -280,11 +291,12 @@ def running_statistics(run: Simulation) -> RunningStatistics:
     """
     tables = [law.table for law in (run.data.friction_inner, run.data.friction_outer)]
     limits = [table_limits(table) for table in tables if table is not None]
-    rows = round(run.model.options.end_time / run.model.options.sample_interval)
+    rows = round(run.model.options.end_time / (stride * run.model.options.sample_interval))
     return RunningStatistics(
         run.bearing.balls,
         block=max(1, rows // BLOCKS),
         limits=np.moveaxis(np.array(limits), 0, 1) if limits else None,
+        settles=run.model.settling is not None,
     )
 
 
@@ -400,7 +412,8 @@ def simulation_statistics(
     samples = float((time >= (1.0 - AVERAGED_SHARE) * time[-1]).sum())
     tables = running.limits is not None
     has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
-    work = state.y[simulation.layout.energy]
+    assert running.work_before is not None  # there are rows
+    work = state.y[simulation.layout.energy] - running.work_before
     put_in = float(np.sum(work[:INPUTS]))
     dissipated = float(np.sum(work[LOSSES]))
     return SimulationStatistics(
@@ -426,8 +439,8 @@ def simulation_statistics(
         ),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
         stored=put_in - dissipated - float(work[-1]),
-        energy_error=_energy_error(running.residual, put_in, dissipated, simulation.start_energy),
-        shares=state.shares / max(state.time, 1e-300),
+        energy_error=_energy_error(running.residual, put_in, dissipated, running.start_energy),
+        shares=state.shares / np.maximum(state.shares.sum(axis=2, keepdims=True), 1e-300),
         mean_load=sums[0] / samples,
         largest_load=running.load_largest,
         mean_sliding=sums[2] / np.maximum(sums[1], 1.0),

@@ -10,7 +10,7 @@ through, at the same frequencies. A ball's odd orders move it between the races 
 even ones show along the axis at n w_b and across at n w_b +- w_c.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import pi
 from typing import NamedTuple
@@ -24,9 +24,14 @@ from .form import FormBody, SurfaceForm, waves_of
 LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as one [-]
 HARMONICS = 3  # of what repeats with each ball, smoothly
 SHARP_HARMONICS = 12  # of a defect
-SIDEBANDS = 3  # on either side of a harmonic
+SIDEBANDS = (-3, -2, -1, 1, 2, 3)  # on either side of a harmonic
 SHAFT_HARMONICS = 6
+HIGHEST_HARMONIC = 60  # that a peak of a long comb is named by
 RIVAL = 2  # times the multiples of a line, up to which that of another body may be meant
+FAINT = (
+    0.05  # fundamental over that of the strongest body near a peak, below which it is not meant
+)
+SYMBOLS = {FormBody.INNER: "BPFI", FormBody.OUTER: "BPFO", FormBody.BALL: "BSF"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,6 +39,7 @@ class Line:
     """One frequency, and what causes it."""
 
     source: str
+    name: str  # as "2*BPFI-1*f_r"
     order: int  # of a wave; of a defect, its multiple [-]
     direction: str  # axial, radial, none (to first order, under equal loads), or any
     frequency: float  # at the end's speeds [Hz]
@@ -68,20 +74,42 @@ def expected_lines(
         lines += _ball_lines(wave.order, abs(float(speeds[3])), abs(float(speeds[2])))
     if any(form.ball_diameters):
         lines.append(
-            Line(source="ball diameters", order=1, direction="radial", frequency=abs(speeds[2]))
+            Line(
+                source="ball diameters",
+                name=combination((1, "FTF")),
+                order=1,
+                direction="radial",
+                frequency=abs(speeds[2]),
+            )
         )
     slipped = passing(solution, equations)
-    passes = {
-        FormBody.INNER: slipped.ball_pass_inner,
-        FormBody.OUTER: slipped.ball_pass_outer,
-        FormBody.BALL: 2.0 * slipped.ball_spin,
-    }
+    named = sums_and_harmonics(slipped, abs(float(speeds[0] - speeds[1])))
+    named = tuple(sorted(named, key=lambda line: line.sideband != 0))  # harmonics first
     for place in dict.fromkeys(defect.place for defect in form.defects):
-        name = f"defect of the {place.value}"
-        lines += _multiples(name, passes[place], SHARP_HARMONICS)
+        lines += [
+            Line(
+                source=f"defect of the {place.value}",
+                name=line.name,
+                order=line.harmonic,
+                direction="any",
+                frequency=line.frequency,
+            )
+            for line in named
+            if line.body == BODIES_OF[place]
+            and line.harmonic <= (HARMONICS if line.sideband else SHARP_HARMONICS)
+        ]
     if np.hypot(*solution.ring_force[1:]) > LEAST_FORCE * solution.inner_load.max():
-        lines += _multiples("varying compliance", slipped.ball_pass_outer, HARMONICS)
-    unique = {(line.source, line.order, round(line.frequency, 6)): line for line in lines}
+        lines += [
+            Line(
+                source="varying compliance",
+                name=combination((k, "BPFO")),
+                order=k,
+                direction="any",
+                frequency=k * slipped.ball_pass_outer,
+            )
+            for k in range(1, HARMONICS + 1)
+        ]
+    unique = {(line.source, line.name, round(line.frequency, 6)): line for line in lines}
     return tuple(unique.values())
 
 
@@ -110,11 +138,19 @@ def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
     )
 
 
+BODIES_OF = {
+    FormBody.INNER: "ball pass inner",
+    FormBody.OUTER: "ball pass outer",
+    FormBody.BALL: "ball spin twice",
+}
+
+
 class NamedFrequency(NamedTuple):
     """A harmonic of a bearing's frequencies, or its sum with multiples of a slower one."""
 
     body: str  # shaft, cage, ball pass outer, ball pass inner, or ball spin twice
-    name: str  # as "2 BPFI - f_r"
+    name: str  # as "2*BPFI-1*f_r"
+    harmonic: int  # [-]
     terms: int  # multiples that it is made of [-]
     frequency: float  # [Hz]
     sideband: int  # multiples of the slower one, with their sign [-]
@@ -122,7 +158,8 @@ class NamedFrequency(NamedTuple):
 
 def sums_and_harmonics(passes: Frequencies, shaft: float) -> tuple[NamedFrequency, ...]:
     """Frequencies that a defect shows at: multiples of those of the passing balls with sidebands
-    of what turns the defect through the load, the shaft for a ring and the cage for a ball.
+    of what turns defect or load: the shaft for a ring, the cage for a ball, and for the outer ring
+    both, as its balls differ.
 
     A defect of a ball meets both races in a turn: twice its spin (McFadden and Smith, 1984).
 
@@ -140,39 +177,54 @@ def sums_and_harmonics(passes: Frequencies, shaft: float) -> tuple[NamedFrequenc
     """
     by_shaft = "f_r", shaft
     by_cage = "FTF", passes.cage
-    rows = (
-        ("shaft", "f_r", shaft, None, SHAFT_HARMONICS),
-        ("cage", "FTF", passes.cage, None, HARMONICS),  # Z times it is that of the passing balls
-        ("ball pass outer", "BPFO", passes.ball_pass_outer, by_shaft, SHARP_HARMONICS),
-        ("ball pass inner", "BPFI", passes.ball_pass_inner, by_shaft, SHARP_HARMONICS),
-        ("ball spin twice", "2BSF", 2.0 * passes.ball_spin, by_cage, SHARP_HARMONICS),
+    outer, inner, spin = passes.ball_pass_outer, passes.ball_pass_inner, passes.ball_spin
+    rows: tuple[tuple[str, int, str, float, tuple[tuple[str, float], ...], int], ...] = (
+        ("shaft", 1, "f_r", shaft, (), SHAFT_HARMONICS),
+        ("cage", 1, "FTF", passes.cage, (), HARMONICS),  # Z times it: the passing balls
+        ("ball pass outer", 1, "BPFO", outer, (by_shaft, by_cage), HIGHEST_HARMONIC),
+        ("ball pass inner", 1, "BPFI", inner, (by_shaft,), HIGHEST_HARMONIC),
+        ("ball spin twice", 2, "BSF", spin, (by_cage,), HIGHEST_HARMONIC),
     )
     found = []
-    for body, name, frequency, side, harmonics in rows:
-        beside, step = side or ("", 0.0)
+    for body, times, name, frequency, sides, harmonics in rows:
         for h in range(1, harmonics + 1):
-            for k in range(-SIDEBANDS, SIDEBANDS + 1) if side else (0,):
-                total = h * frequency + k * step
-                text = _multiple(h, name) + _signed(k, beside)
+            beside = [(0, "", 0.0)]
+            if h <= SHARP_HARMONICS:
+                beside += [(k, *side) for side in sides for k in SIDEBANDS]
+            for k, symbol, step in beside:
+                total = h * times * frequency + k * step
+                text = combination((h * times, name), (k, symbol))
                 if total > 0.0:
-                    found.append(NamedFrequency(body, text, h + abs(k), total, k))
+                    found.append(NamedFrequency(body, text, h, h + abs(k), total, k))
     return tuple(found)
 
 
-def _multiple(count: int, name: str) -> str:
-    return name if count == 1 else f"{count} {name}"
+def combination(*terms: tuple[int, str]) -> str:
+    """Name of a sum of multiples of frequencies, as "2*BPFI-1*f_r".
+
+    Parameters
+    ----------
+    *terms : tuple[int, str]
+        multiples [-] and names of frequencies; zero multiples are left out
+
+    Returns
+    -------
+    str
+        name
+    """
+    return "".join(f"{count:+d}*{name}" for count, name in terms if count).removeprefix("+")
 
 
-def _signed(count: int, name: str) -> str:
-    """A multiple of a frequency that is added or taken away."""
-    if count == 0:
-        return ""
-    return f" {'+' if count > 0 else '-'} {_multiple(abs(count), name)}"
-
-
-def name_of(frequency: float, named: Sequence[NamedFrequency], width: float) -> str | None:
+def name_of(
+    frequency: float,
+    named: Sequence[NamedFrequency],
+    width: float,
+    strengths: Mapping[str, float | None] | None = None,
+) -> str | None:
     """Name of a frequency: of those within a width the one made of the fewest multiples, and those
     of other bodies there of up to `RIVAL` times as many: a peak is one or the other.
+
+    A body whose own frequency is `FAINT` beside that of another one near is not meant.
 
     Parameters
     ----------
@@ -182,6 +234,8 @@ def name_of(frequency: float, named: Sequence[NamedFrequency], width: float) -> 
         frequencies with names
     width : float
         largest distance [Hz]
+    strengths : Mapping[str, float | None], optional
+        amplitudes at the fundamentals, by body, in any one unit; None where it is not resolved
 
     Returns
     -------
@@ -189,6 +243,10 @@ def name_of(frequency: float, named: Sequence[NamedFrequency], width: float) -> 
         name; None where none is near
     """
     near = [line for line in named if abs(line.frequency - frequency) <= width]
+    sizes = {line.body: (strengths or {}).get(line.body) for line in near}
+    strongest = max((size for size in sizes.values() if size is not None), default=0.0)
+    faint = {b for b, size in sizes.items() if size is not None and size < FAINT * strongest}
+    near = [line for line in near if line.body not in faint]
     if not near:
         return None
     first = min(near, key=lambda line: (line.terms, abs(line.frequency - frequency)))
@@ -216,7 +274,11 @@ def is_resolved(line: NamedFrequency, named: Sequence[NamedFrequency], width: fl
     bool
         true if it stands alone
     """
-    others = [other for other in named if other.body != line.body and other.sideband == 0]
+    others = [
+        other
+        for other in named
+        if other.body != line.body and other.sideband == 0 and other.harmonic <= SHARP_HARMONICS
+    ]
     return all(abs(other.frequency - line.frequency) > width for other in others)
 
 
@@ -231,9 +293,11 @@ def _ring_lines(
         k = min(offsets, key=lambda one: abs(offsets[one]))
         seen = {k: offsets[k]}
     names = {0: "axial", 1: "radial"}
+    turns = "f_r" if place is FormBody.INNER else "f_o" if speeds[0] else ""  # of the ring
     return [
         Line(
             source=f"{place.value} waviness",
+            name=combination((k, SYMBOLS[place]), (m if turns else 0, turns)),
             order=order,
             direction=names.get(abs(m), "none"),
             frequency=abs(order * speeds[0] - k * balls * speeds[1]),
@@ -244,22 +308,14 @@ def _ring_lines(
 
 def _ball_lines(order: int, spin: float, cage: float) -> list[Line]:
     """Lines of a wave of the balls. spin: of a ball against the cage, cage: speeds [Hz]."""
-    if order % 2:
-        by_direction = {"none": [order * spin]}
-    else:
-        by_direction = {
-            "axial": [order * spin],
-            "radial": [order * spin - cage, order * spin + cage],
-        }
+    sides = {0: "none"} if order % 2 else {0: "axial", -1: "radial", 1: "radial"}
     return [
-        Line(source="ball waviness", order=order, direction=direction, frequency=abs(frequency))
-        for direction, frequencies in by_direction.items()
-        for frequency in frequencies
-    ]
-
-
-def _multiples(source: str, frequency: float, count: int) -> list[Line]:
-    return [
-        Line(source=source, order=k, direction="any", frequency=k * frequency)
-        for k in range(1, count + 1)
+        Line(
+            source="ball waviness",
+            name=combination((order, "BSF"), (side, "FTF")),
+            order=order,
+            direction=direction,
+            frequency=abs(order * spin + side * cage),
+        )
+        for side, direction in sides.items()
     ]

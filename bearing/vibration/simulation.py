@@ -14,12 +14,13 @@ from ..dynamics import inputs as motion
 from ..dynamics.arrays import CONTACT, DAMPING, MOMENT, RING, SEAT
 from ..dynamics.assembly import assemble, damping_factor
 from ..dynamics.bodies import load_type, ring_body
+from ..dynamics.choices import Start
 from ..dynamics.friction import RaceFriction
 from ..dynamics.initial import StartingPoint, initial_state
 from ..dynamics.record import Record
 from ..dynamics.simulation import Simulation, from_state, simulation
 from ..dynamics.statistics import INPUTS, orbit_speeds, spin_speeds
-from ..geometry import Race
+from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .assembly import Assembled, mean_angle
 from .inputs import Direction, VibrationModel
@@ -53,6 +54,7 @@ class VibrationRun:
     energy: Array = field(default_factory=lambda: np.zeros((0, 3)))  # stored, put in, lost [J]
     # speeds of cage and of a ball against it [rad/s], friction torque on the inner ring [N m]
     turning: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    done: int = 0  # rows of the record that are filled [-]
 
     @property
     def samples(self) -> int:
@@ -139,8 +141,8 @@ def with_form(
     model: VibrationModel,
     equations: Assembled,
 ) -> motion.DynamicsModel:
-    """The model of a simulation with form, supports, laws of the contacts, and samples as the
-    record of a vibration needs them.
+    """The model of a simulation with form, supports and laws of the contacts; the form grows over
+    the settling time before the start, if that is an equilibrium.
 
     Parameters
     ----------
@@ -158,31 +160,55 @@ def with_form(
     DynamicsModel
         model of the simulation
     """
-    options = model.options
-    interval = 1.0 / (OVERSAMPLED * options.sample_rate)
-    samples = round(options.duration * options.sample_rate)
     laws = equations.laws.copy()
     if base.guide is None:  # impacts lose what the restitution says
         laws[:, DAMPING] = damping_factor(base.normal.law, base.normal.restitution)
-    result = replace(
-        base,
-        options=replace(
-            base.options, end_time=samples / options.sample_rate, sample_interval=interval
-        ),
-        support=model.support,
-        surfaces=equations.surfaces,
-        race_laws=laws,
-    )
-    if options.settling == 0.0:
+    result = replace(base, support=model.support, surfaces=equations.surfaces, race_laws=laws)
+    time = model.options.settling
+    if time == 0.0 or base.options.start is not Start.QUASI_STATIC:
         return result
     masses = [] if model.support.inner_ring_fixed else [base.ring.mass + model.support.shaft_mass]
     settling = motion.Settling(
-        time=options.settling,
-        growth=GROWTH * options.settling,
-        damped=DAMPED * options.settling,
+        time=time,
+        growth=GROWTH * time,
+        damped=DAMPED * time,
         rate=0.5 * slowest_vibration(solution, masses),
     )
     return replace(result, settling=settling)
+
+
+def before_settling(bearing: Bearing, model: motion.DynamicsModel, speed: float) -> Bearing:
+    """The bearing with its balls where they are before the settling time, so that they are in the
+    places of the case at time zero.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    model : DynamicsModel
+        model of the simulation
+    speed : float
+        speed of the cage over that time [rad/s]
+
+    Returns
+    -------
+    Bearing
+        bearing at its start
+    """
+    if model.settling is None:
+        return bearing
+    azimuth = bearing.first_ball_azimuth - model.settling.time * speed
+    return replace(bearing, first_ball_azimuth=azimuth)
+
+
+def _sampled(model: motion.DynamicsModel, vibration: VibrationModel) -> motion.DynamicsModel:
+    """The model with samples as the record of a vibration needs them."""
+    rate = vibration.options.sample_rate
+    samples = round(vibration.options.duration * rate)
+    options = replace(
+        model.options, end_time=samples / rate, sample_interval=1.0 / (OVERSAMPLED * rate)
+    )
+    return replace(model, options=options)
 
 
 def vibration_run(
@@ -219,9 +245,9 @@ def vibration_run(
         raise ValueError(f"duration: takes {rows:.2g} rows, more than {MOST_SAMPLES:.2g}")
     operation = solution.operation
     whole = with_form(base or guided_model(solution, model, equations), solution, model, equations)
-    before = model.options.settling * equations.speeds[2] * model.options.start_speed_ratio
-    azimuth = solution.bearing.first_ball_azimuth - before
-    bearing = replace(solution.bearing, first_ball_azimuth=azimuth)
+    whole = _sampled(whole, model)
+    cage = equations.speeds[2] * model.options.start_speed_ratio
+    bearing = before_settling(solution.bearing, whole, cage)
     if base is not None:
         run = simulation(bearing, operation, whole)
     else:
@@ -248,26 +274,57 @@ def pieces(run: VibrationRun) -> Iterator[float]:
     float
         part done so far [-]
     """
+    begin_record(run)
+    settling = -run.simulation.state.time
+    for record in run.simulation.pieces():
+        keep_record(run, record)
+        yield (settling + float(record.time[-1])) / (settling + run.model.options.duration)
+    end_record(run)
+
+
+def begin_record(run: VibrationRun) -> None:
+    """Room for the record of a run.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        run, changed
+    """
     rows = OVERSAMPLED * run.samples
     run.motion = np.zeros((rows, 3 * BODIES))
     run.loads = np.zeros((rows, 2 * run.solution.bearing.balls))
     run.energy = np.zeros((rows, 3))
     run.turning = np.zeros((rows, 3))
-    settling = run.model.options.settling
-    done = 0
-    for record in run.simulation.pieces():
-        done = _keep(run, record, done)
-        yield (settling + float(record.time[-1])) / (settling + run.model.options.duration)
-    if done < rows:
-        run.motion[done:] = np.nan
+    run.done = 0
+
+
+def end_record(run: VibrationRun) -> None:
+    """Bring the speeds of a run to those that were simulated; mark a run that did not get there.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        run, changed
+    """
+    if run.done < len(run.motion):
+        run.motion[run.done :] = np.nan
     elif run.simulation.model.guide is None:
         simulated = run.assembled.speeds.copy()
         simulated[2:] = run.turning[:, :2].mean(axis=0)
         run.assembled = replace(run.assembled, speeds=simulated)
 
 
-def _keep(run: VibrationRun, record: Record, done: int) -> int:
-    """Write a record into the rows of a run; how many are written."""
+def keep_record(run: VibrationRun, record: Record) -> None:
+    """Write samples of the simulation into the record of a run.
+
+    Parameters
+    ----------
+    run : VibrationRun
+        run, changed
+    record : Record
+        next samples
+    """
+    done = run.done
     last = min(done + record.time.size, len(run.motion))
     part = slice(0, last - done)
     layout = run.simulation.layout
@@ -282,7 +339,7 @@ def _keep(run: VibrationRun, record: Record, done: int) -> int:
     means = [orbits.mean(axis=1), spin_speeds(turns, orbits).mean(axis=1)]
     run.turning[done:last] = np.stack([*means, -record.loads[:, MOMENT]], axis=1)[part]
     run.energy[done:last] = np.stack([stored, put_in, lost], axis=1)[part]
-    return last
+    run.done = last
 
 
 def computed(run: VibrationRun) -> VibrationRun:

@@ -35,6 +35,8 @@ from oilfilm.postprocess.contact.write import write_contact_netcdf
 from oilfilm.postprocess.dynamics.results import dynamics_summary
 from oilfilm.postprocess.slip.results import slip_summary
 from oilfilm.postprocess.traction.results import traction_summary
+from oilfilm.postprocess.vibration.summary import vibration_summary
+from oilfilm.postprocess.vibration.write import write_record
 
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.traction import require_fitting_tables, resisted_traction
@@ -46,6 +48,7 @@ from ..runs.films import Solve
 from ..runs.output_directory import scratch_folder
 from ..runs.stiffness_and_slip import run_slip
 from ..runs.traction_table import run_table
+from ..runs.vibration import run_vibration
 from .keys import digest, program_digest, value_in
 from .points import Limits, PointResult, Task
 from .shared_tables import ContactCache, tables_once
@@ -91,6 +94,8 @@ def compute(
         return slip_summary(run_slip(case, "case", 1)), {}
     if task.compute == "dynamics":
         return _dynamics(case, task, tables)
+    if task.compute == "vibration":
+        return _vibration(case, task)
     if task.compute == "table":
         return _table(case, task)
     if task.compute == "torque":
@@ -118,6 +123,18 @@ def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
         history = temporary / "history.nc"
         document = dynamics_summary(run_dynamics(case, "case", history, tables=tables))
         return document, {".nc": history.read_bytes()} if task.fields else {}
+
+
+def _vibration(case: Case, task: Task) -> Computed:
+    """Vibration over time; its record is a file if one is written."""
+    results = run_vibration(case, "case")
+    document = vibration_summary(results)
+    if not task.fields:
+        return document, {}
+    with scratch_folder() as temporary:
+        path = temporary / "results.nc"
+        write_record(results, path, document)
+        return document, {".nc": path.read_bytes()}
 
 
 def _table(case: Case, task: Task) -> Computed:

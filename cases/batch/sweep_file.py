@@ -78,7 +78,7 @@ class SweepFile(Table):
     schema_version: int = between(1, 1, "version of this format", 1)
     title: str = described("one line for tables and plots", "")
     case: Name = described("a case file, relative to this one, or the name of a shipped case", ...)
-    compute: Literal["run", "torque", "slip", "dynamics", "table"] = described(
+    compute: Literal["run", "torque", "slip", "dynamics", "vibration", "table"] = described(
         "what is computed at every point", "run"
     )
     fields: bool = described("also film maps or histories of every point (netCDF)", False)

@@ -5,6 +5,7 @@ Long work is announced before it begins, with its estimated time within a factor
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from textwrap import TextWrapper
 from typing import TYPE_CHECKING, Any
@@ -224,8 +225,10 @@ def report(
     as_json: bool,
     quiet: bool,
     notes: bool = False,
+    save: Callable[[], None] | None = None,
 ) -> int:
-    """Print a summary or its table, then warnings, and the parts that did not converge.
+    """Print a summary or its table, write the files, then tell the parts that did not converge:
+    pictures do not hold up the numbers.
 
     Parameters
     ----------
@@ -241,19 +244,26 @@ def report(
         True: neither table nor notes.
     notes : bool, default False
         True: notes as well.
+    save : Callable[[], None] | None, optional
+        Writes the files, also where nobody reads what is printed.
 
     Returns
     -------
     int
         Exit code.
     """
-    if as_json:
-        print_json(document)
-    elif not quiet:
-        print_table(table())
-        print_warnings(document.get("warnings", ()))
-        if notes:
-            print_notes(document["messages"])
+    try:
+        if as_json:
+            print_json(document)
+        elif not quiet:
+            print_table(table())
+            print_warnings(document.get("warnings", ()))
+            if notes:
+                print_notes(document["messages"])
+        sys.stdout.flush()
+    finally:
+        if save is not None:
+            save()
     if directory is not None and not quiet:
         hint = "" if notes or as_json else "; assumptions and remarks: --notes"
         print_message(f"results in {directory}{hint}")
@@ -576,6 +586,7 @@ def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[st
         costs = {
             "slip": slip_cost(first, 1)[1],
             "dynamics": dynamics_cost(first)[1],
+            "vibration": vibration_cost(first)[1],
             "table": table_cost(FILM_POINTS, 1, 1)[1],
         }
         each = costs.get(compute, TORQUE_SECONDS)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Callable
 from contextlib import AbstractContextManager
+from functools import partial
 from pathlib import Path
 from threading import Event
 from typing import TYPE_CHECKING, Annotated
@@ -117,9 +118,15 @@ def run_and_report(
     from oilfilm.postprocess.vibration.write import vibration_table, write_vibration
 
     hurry = Event()
-    save_with(lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set)
     document = vibration_summary(results)
-    return report(document, lambda: vibration_table(document), directory, as_json, quiet, notes)
+
+    def save() -> None:
+        save_with(
+            lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set
+        )
+
+    table = partial(vibration_table, document)
+    return report(document, table, directory, as_json, quiet, notes, save)
 
 
 @terminal.command()
@@ -137,9 +144,12 @@ def dynamics(
     """Simulate a bearing over time: balls, cage and inner ring."""
     terminal.enter_context(compiled_ahead("motion"))
     loaded = load_bearing(case, "a simulation needs a bearing")
-    if loaded.file.form is not None or loaded.file.support is not None:
+    formed = loaded.file.form is not None or loaded.file.support is not None
+    simulated = loaded.file.dynamics
+    if formed and not (simulated and simulated.model_fields_set - {"end_time_s"}):
         if any(option is not None for option in (restart, table, animation)):
-            raise CaseError(f"{case}: --restart, --table, --animate: not with [form] or [support]")
+            allowed = "with [form] or [support] they need [dynamics], which simulates friction"
+            raise CaseError(f"{case}: --restart, --table, --animate: {allowed}")
         return run_and_report(case, output, as_json=as_json, quiet=quiet, notes=notes)
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
@@ -147,6 +157,7 @@ def dynamics(
         raise CaseError(f"--animate {animation}: {allowed}")
     shown = _window(window, animation, loaded)
     from ..runs.dynamics import Interrupted, run_dynamics
+    from ..runs.vibration import NotSolvedError
 
     report_cost(dynamics_cost(loaded), quiet=quiet)
     with _history_folder(directory) as folder:
@@ -154,18 +165,24 @@ def dynamics(
         try:
             with terminal.progress_bar(quiet=quiet) as progress:
                 results = run_dynamics(loaded, case, history, restart, table, progress)
+        except NotSolvedError as problem:
+            print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
+            return terminal.NOT_CONVERGED
         except Interrupted as stop:
             _keep(loaded, stop.results, stop.simulation, directory)
             raise KeyboardInterrupt from None
-        from oilfilm.postprocess.dynamics.results import dynamics_summary
-        from oilfilm.postprocess.dynamics.write import dynamics_table
+        from oilfilm.postprocess.dynamics.results import dynamics_summary, dynamics_table
 
         hurry = Event()
-        save_with(lambda target: _write(results, target, hurry.is_set), directory, hurry.set)
         document = dynamics_summary(results)
-        if animation is not None and directory is not None:
-            _animate(directory, animation, shown)
-        return report(document, lambda: dynamics_table(document), directory, as_json, quiet, notes)
+
+        def save() -> None:
+            save_with(lambda target: _write(results, target, hurry.is_set), directory, hurry.set)
+            if animation is not None and directory is not None:
+                _animate(directory, animation, shown)
+
+        shape = partial(dynamics_table, document)
+        return report(document, shape, directory, as_json, quiet, notes, save)
 
 
 def _history_folder(directory: Path | None) -> AbstractContextManager[str | Path]:
@@ -184,7 +201,7 @@ def _write(
 
     Pictures and motion are left out when one is `hurried`.
     """
-    from oilfilm.postprocess.dynamics.write import write_dynamics
+    from oilfilm.postprocess.dynamics.plots import write_dynamics
     from oilfilm.postprocess.scene.vtk_history import write_motion
 
     problems = write_dynamics(results, directory, is_interrupted)
@@ -236,7 +253,7 @@ def _keep(
     if directory is None:
         return
     from oilfilm.bearing.dynamics.simulation import save_restart
-    from oilfilm.postprocess.dynamics.write import write_dynamics
+    from oilfilm.postprocess.dynamics.plots import write_dynamics
 
     from ..runs.dynamics import case_key
 

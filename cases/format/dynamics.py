@@ -57,7 +57,7 @@ class DynamicsTable(Table):
         0,
         1e9,
         "between rows of the history; left out, a 2000th of the simulated time, a 64th of a turn "
-        'with end_time = "steady"',
+        'with end_time = "steady"; with [form], the nearest multiple of the record\'s',
     )
     start: Annotated[str, OneOf(Start)] = described(
         "equilibrium; balls rolling on the outer race; or at rest there", "quasi-static"

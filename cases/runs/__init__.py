@@ -15,6 +15,7 @@ interrupt          - messages on standard error, work that an interrupt gives up
                      that it lets finish
 kernel_cache       - folders for compiled kernels when installation and home cannot be written
 measured           - a case in measured states, and the fit of its keys to them
+motion_model       - model of a time simulation of a case
 output_directory   - the folder of a result
 processes          - worker processes of all commands
 shaft              - run a shaft case: its equilibrium, its bearings, its vibrations
@@ -26,6 +27,7 @@ traction_table     - run `oilfilm table`: equilibrium of the bearing, then the t
 transient          - run of a contact over time, whose steps stay on disk while it runs, so that it
                      can go on
 verification       - the short verification of an installation
-vibration          - run the vibration of a bearing case
+vibration          - run the vibration of a bearing case; what form and supports add to a
+                     time simulation
 warm_up            - kernels compiled before a command needs them
 """

@@ -23,8 +23,8 @@ from oilfilm.ehl.arrays import Array
 
 from ..format.case import Case, ContactCase, load_case
 from .contact import run_contact
-from .dynamics import build_model
 from .kernel_cache import compiled_stamp
+from .motion_model import build_model
 
 
 def _films() -> None:

@@ -30,6 +30,17 @@ SIMULATION = (
     "energy_balance_error",
     "simulated_s",
 )
+LEVELS = (
+    "acceleration_m_s2",
+    "velocity_um_s",
+    "crest_factor",
+    "kurtosis_number",
+    "strongest_line",
+)
+ENVELOPE_LINES = tuple(
+    f"{body}_m_s2"
+    for body in ("shaft", "cage", "ball_pass_outer", "ball_pass_inner", "ball_spin_twice")
+)
 FILMS = tuple(
     f"film_{film}{suffix}_{unit}"
     for unit in ("um", "dimensionless")
@@ -108,6 +119,8 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
         return {}
     if "contacts" in summary:
         return _bearing(summary)
+    if "vibration" in summary:
+        return _vibration(summary)
     if "cage_speed_ratio" in summary:
         return {name: summary.get(name) for name in SIMULATION} | _loads(summary)
     if "operation" in summary and "surface" in summary:
@@ -135,6 +148,7 @@ def result_names(kind: str) -> tuple[str, ...]:
         "contact": dict.fromkeys((*CONTACT, *FILMS, TRACTION)),
         "slip": {"operation": {"balls": [], "minimum_preload_N": None}, "surface": None},
         "dynamics": {"cage_speed_ratio": None},
+        "vibration": {"vibration": {}},
         "table": {"tables": {"inner": table, "outer": table}},
     }
     names = tuple(main_results(nothing.get(kind, {"contacts": []})))
@@ -149,6 +163,15 @@ def result_names(kind: str) -> tuple[str, ...]:
     blocks += [f"decay.{own.key}" for own in DECAY]
     blocks += [f"self_heating.{own.key}" for own in HEATING]
     return (*names, "torque_N_mm.total", *torques, *blocks)
+
+
+def _vibration(summary: dict[str, Any]) -> dict[str, Any]:
+    """Cage speed, levels, and the envelope at the frequencies of the bodies."""
+    seen = summary["vibration"]
+    levels = {name: seen.get(name) for name in LEVELS}
+    lines = seen.get("envelope_lines", {}).get("with_slip", {})
+    envelope = {f"envelope_{name}": lines.get(name) for name in ENVELOPE_LINES}
+    return {name: summary.get(name) for name in SIMULATION} | levels | envelope
 
 
 def _bearing(summary: dict[str, Any]) -> dict[str, Any]:

@@ -1,7 +1,6 @@
 """Results of a time simulation.
 
 history - the history of a time simulation on disk
-plots   - pictures of a time simulation, from its history and summary
-results - results, quantities and summary; the history read back
-write   - files of a time simulation, its table
+plots   - files of a time simulation, and its pictures from history and summary
+results - results, quantities, summary and table; the history read back
 """

@@ -10,7 +10,7 @@ import h5netcdf
 import h5py
 import numpy as np
 
-from oilfilm.bearing.dynamics.arrays import CONTACT, ContactColumns, Layout
+from oilfilm.bearing.dynamics.arrays import CONTACT, SEAT, SENSOR, ContactColumns, Layout
 from oilfilm.bearing.dynamics.record import Record
 from oilfilm.bearing.dynamics.statistics import MECHANISMS
 from oilfilm.bearing.files import require_room
@@ -71,6 +71,16 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
         "ring_load": (load, record.loads[:, :6], "N, N m"),
         "cage_load": (load, record.loads[:, 6:], "N, N m"),
     }
+    if len(state) and state[:, [SEAT, SENSOR]].any():  # they move
+        axis = ("time", "axis")
+        outer = slice(SEAT, SENSOR)
+        speeds = state[:, layout.positions :]
+        quantities |= {
+            "outer_ring_position": (axis, state[:, outer], "m"),
+            "outer_ring_velocity": (axis, speeds[:, outer], "m/s"),
+            "outer_ring_acceleration": (axis, record.acceleration[:, outer], "m/s2"),
+            "sensor_acceleration": (("time",), record.acceleration[:, SENSOR], "m/s2"),
+        }
     for k, (name, unit) in enumerate(zip(ContactColumns._fields, RACE_UNITS, strict=True)):
         quantities[f"contact_{name}"] = (race, record.races[..., k], unit)
     return quantities

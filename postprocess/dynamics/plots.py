@@ -1,5 +1,6 @@
-"""Pictures of a time simulation, from its history and summary."""
+"""Files of a time simulation, and its pictures from history and summary."""
 
+import shutil
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -23,8 +24,10 @@ from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_sp
 from oilfilm.ehl.units import to_si
 
 from .. import plot_style
+from ..files import SUMMARY_FILE, write_json
 from ..quantities import FREQUENCIES
-from .results import PLOTTED, STATES, open_history
+from .history import HISTORY_FILE
+from .results import PLOTTED, STATES, DynamicsResults, dynamics_summary, open_history
 
 RUNNING = 0.02  # of the largest speed, below which a slip in percent says nothing [-]
 RACES = (("inner", plot_style.INNER_COLOUR), ("outer", plot_style.OUTER_COLOUR))
@@ -180,6 +183,34 @@ def averaged(data: xarray.Dataset) -> Any:
     """
     time = data["time"].to_numpy()
     return time >= (1.0 - AVERAGED_SHARE) * time[-1]
+
+
+def write_dynamics(
+    results: DynamicsResults, directory: Path, is_interrupted: Callable[[], bool] = lambda: False
+) -> tuple[str, ...]:
+    """Write summary, history and pictures.
+
+    Parameters
+    ----------
+    results : DynamicsResults
+        Results of the simulation.
+    directory : Path
+        Folder to write into.
+    is_interrupted : Callable[[], bool], default lambda: False
+        Asked before each picture; once it is true no further one is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
+    directory.mkdir(parents=True, exist_ok=True)
+    document = dynamics_summary(results)
+    write_json(document, directory / SUMMARY_FILE)
+    shutil.move(results.history, directory / HISTORY_FILE)
+    if not results.running.rows or is_interrupted():
+        return ()
+    return write_dynamics_plots(directory, document, is_interrupted)
 
 
 def write_dynamics_plots(

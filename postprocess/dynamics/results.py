@@ -1,4 +1,4 @@
-"""A time simulation: results, quantities, summary, and its history read from the file."""
+"""A time simulation: results, quantities, summary, table, and its history read from disk."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from rich.console import Group
 
 from oilfilm.bearing.dynamics._integration_kernels import EVALUATIONS, REJECTED, STEPS
 from oilfilm.bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
@@ -24,9 +25,20 @@ from oilfilm.bearing.dynamics.statistics import (
 from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
 from oilfilm.ehl.units import from_si
 
+from .. import vibration as seen
 from ..files import plain
 from ..netcdf_write import open_netcdf
-from ..quantities import CAGE_SPEED, Results, by_key, quantities, rows_of, values_of
+from ..quantities import (
+    CAGE_SPEED,
+    Results,
+    by_key,
+    facts_table,
+    number_table,
+    quantities,
+    rows_of,
+    titled,
+    values_of,
+)
 from .history import FORMAT, HISTORY_FILE
 
 NO_INTERVAL = "there are fewer samples than a confidence interval needs"
@@ -103,6 +115,8 @@ PLOTTED = by_key(
         "energy_J",
     )
 )
+HEADERS = ("ball", *STATES, "N", *STATES, "N")
+TITLE = "share of the time at the inner race, and at the outer race; largest load"
 HELD = 0.9  # gyroscopic couple over what friction holds, above which balls slip [-]
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
 
@@ -116,6 +130,7 @@ class DynamicsResults(Results):
     history: Path  # file with the records themselves
     # ends of further starts, without a history; None: one did not get there
     others: tuple[SimulationStatistics | None, ...] = ()
+    vibration: "seen.VibrationResults | None" = None  # of a case with form or supports
 
 
 def open_history(path: str | Path) -> xr.Dataset:
@@ -178,9 +193,12 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
         "frequencies_Hz": None if numbers is None else _frequencies(simulation, numbers),
         "balls": [] if numbers is None else _balls(simulation, numbers),
         **_starts(results, numbers),
+        **({} if results.vibration is None else seen.vibration_blocks(results.vibration)),
         "timing_s": results.timing,
     }
     messages = (*_messages(numbers), *_start_messages(results, document))
+    if results.vibration is not None:
+        messages = (*messages, *seen.vibration_messages(results.vibration))
     head = results.head(simulation.converged and balanced, messages)
     return head | dict(plain(document))
 
@@ -318,3 +336,72 @@ def _balls(simulation: Simulation, numbers: SimulationStatistics) -> list[dict[s
     }
     columns = {"ball": range(1, len(angles) + 1), "start_azimuth_deg": angles}
     return rows_of(columns | races | values_of(numbers, BALLS))
+
+
+def dynamics_table(document: dict[str, Any]) -> Group:
+    """A summary: speeds [r/min], energies [J], contact states [-] and largest loads [N].
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
+    rows = []
+    for ball in document["balls"]:
+        cells = [str(ball["ball"])]
+        for race in ("inner", "outer"):
+            cells += [f"{ball[race][state]:.3f}" for state in STATES]
+            cells.append(f"{ball[race]['largest_load_N']:.3g}")
+        rows.append(cells)
+    states = number_table(HEADERS, rows, title=TITLE, title_style="")
+    return titled(str(document["case"].get("title", "")), facts_table(_facts(document)), states)
+
+
+def _facts(document: dict[str, Any]) -> dict[str, str]:
+    counts = document["equation_counts"]
+    parts = f"{counts['ring']} ring + {counts['cage']} cage + {counts['balls']} balls"
+    run = f"{document['wall_s']:.1f} s, {document['steps']} steps"
+    facts = {
+        "equations": f"{document['equations']} ({document['load_type']}: {parts})",
+        "simulated": f"{document['simulated_s']:.6g} s in {run}",
+    }
+    speed = document["cage_speed_rpm"]
+    ratio = document["cage_speed_ratio"]
+    if speed is None:
+        return facts
+    width = document["cage_speed_interval_rpm"]
+    facts["cage"] = f"{speed:.2f}{'' if width is None else f' ± {width:.2g}'} r/min"
+    if ratio is not None:
+        kinematic = document["kinematic_cage_speed_rpm"]
+        facts["cage"] += f", {ratio:.4f} of the kinematic {kinematic:.2f}"
+    if document["steady"] is False:
+        left = document["cage_speed_to_come_rpm"]
+        facts["cage"] += ", not steady" + ("" if left is None else f": {left:+.3g} r/min to come")
+    facts["friction torque"] = f"{document['friction_torque_N_mm']:.4g} N mm"
+    facts["sliding"] = _sliding(document["balls"])
+    lost = document["energy"]["dissipated_J"]
+    supplied = sum(document["energy"]["input_J"].values())
+    largest = sorted(lost, key=lambda name: -abs(lost[name]))[:3]
+    parts = ", ".join(f"{name.replace('_', ' ')} {lost[name]:.3g}" for name in largest)
+    facts["energy"] = f"{supplied:.4g} J in, {sum(lost.values()):.4g} J lost ({parts})"
+    if films := document["energy"]["films_J"]:
+        where = "taken up" if films > 0.0 else "given, lifting balls"
+        facts["films"] = f"{abs(films):.3g} J {where}"
+    facts["balance"] = f"off by {document['energy_balance_error']:.1e} of the work"
+    vibration = document.get("vibration")
+    return facts if vibration is None else facts | seen.envelope_fact(vibration)
+
+
+def _sliding(balls: list[dict[str, Any]]) -> str:
+    """Mean sliding and friction of the ball that slides most, at both races."""
+    parts = []
+    for race in ("inner", "outer"):
+        most = max((ball[race] for ball in balls), key=lambda of: of["mean_sliding_m_s"])
+        friction = f"{most['mean_friction_N']:.3g} N of friction"
+        parts.append(f"{race} race {most['mean_sliding_m_s']:.3g} m/s, {friction}")
+    return f"{'; '.join(parts)} (means under load, ball that slides most)"

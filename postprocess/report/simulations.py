@@ -41,7 +41,8 @@ VIBRATION_PICTURES = {
     "ball_loads": "Loads of the balls",
 }
 LINES = (
-    "source order_number direction frequency_Hz displacement_um velocity_um_s acceleration_m_s2"
+    "source name order_number direction frequency_Hz displacement_um velocity_um_s "
+    "acceleration_m_s2"
 ).split()
 
 

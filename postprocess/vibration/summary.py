@@ -1,6 +1,6 @@
 """Summary of a vibration."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from math import log10
 from typing import Any
@@ -35,9 +35,11 @@ from .results import (
 
 PLACE = 0.5  # of the width of a line, within which its top is [-]
 WIDTH = 2.0  # of a line in Hann's window, over that of a bin [-]
-SLOW = ("shaft_m_s2", "cage_m_s2")  # lines that are no defect of a track
+SLOW = ("shaft", "cage")  # bodies without a track
+COMB = 5  # harmonics by which a body is told from others
 UNKNOWN = "unknown"
 PEAKS = 12  # largest of a spectrum that are listed
+SHOWN_PEAKS = 4  # of an envelope, in the terminal
 
 
 def vibration_summary(results: VibrationResults) -> dict[str, Any]:
@@ -54,7 +56,6 @@ def vibration_summary(results: VibrationResults) -> dict[str, Any]:
         The document.
     """
     run = results.run
-    seen = measured(results)
     document = {
         "simulated_s": run.model.options.duration,
         "steps": int(run.simulation.state.counters[STEPS]),
@@ -68,14 +69,31 @@ def vibration_summary(results: VibrationResults) -> dict[str, Any]:
             "kinematic": asdict(bearing_frequencies(run.solution)),
             "with_slip": asdict(spectral.passing(run.solution, run.assembled)),
         },
-        "vibration": _vibration(results, seen),
+        **vibration_blocks(results),
         "balls": _balls(run),
-        "films": _films(run),
         "wall_s": results.timing.get("vibration"),
         "timing_s": results.timing,
     }
-    head = results.head(results.converged, _messages(results))
+    messages = (*run.simulation.messages, *vibration_messages(results))
+    head = results.head(results.converged, messages)
     return head | dict(plain(document))
+
+
+def vibration_blocks(results: VibrationResults) -> dict[str, Any]:
+    """Levels, lines, names of peaks, and films of a vibration.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        Blocks of a summary.
+    """
+    seen = measured(results)
+    return {"vibration": _vibration(results, seen), "films": _films(results.run)}
 
 
 def _friction_torque(run: VibrationRun) -> float | None:
@@ -108,7 +126,6 @@ def _vibration(results: VibrationResults, seen: Measured) -> dict[str, Any]:
         "kurtosis_number": kurtosis(seen.acceleration),
         **_bands(results.run, seen),
         "lines": _lines(results.run, seen),
-        "peaks": _peaks(results.run, seen),
         "envelope_band_Hz": envelope_band(results),
         **_diagnosis(results, seen),
     }
@@ -152,6 +169,7 @@ def _lines(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
         rows.append(
             {
                 "source": line.source,
+                "name": line.name,
                 "order_number": line.order,
                 "direction": line.direction,
                 "frequency_Hz": line.frequency,
@@ -163,8 +181,10 @@ def _lines(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
     return rows
 
 
-def _peaks(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
-    """Largest lines of the velocity's spectrum, and the nearest expected one within its width."""
+def _peaks(
+    run: VibrationRun, seen: Measured, strengths: Mapping[str, float | None]
+) -> list[dict[str, Any]]:
+    """Largest lines of the velocity's spectrum with their names, and what of the form is there."""
     if run.model.options.start_speed_ratio != 1.0:
         return []
     result = spectrum(seen.velocity, seen.rate)
@@ -180,12 +200,14 @@ def _peaks(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
     for k in largest:
         frequency = float(result.frequency[k])
         near = [line for line in waves if abs(line.frequency - frequency) <= width]
-        name = min(near, key=lambda line: abs(line.frequency - frequency)).source if near else None
+        line = min(near, key=lambda line: abs(line.frequency - frequency)) if near else None
+        name = spectral.name_of(frequency, named, PLACE * width, strengths)
         rows.append(
             {
                 "frequency_Hz": frequency,
                 "velocity_um_s": from_si("x_um_s", float(size[k])),
-                "source": name or spectral.name_of(frequency, named, PLACE * width) or UNKNOWN,
+                "name": line.name if line else name or UNKNOWN,
+                "source": line.source if line else UNKNOWN,
             }
         )
     return rows
@@ -193,7 +215,8 @@ def _peaks(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
 
 def _diagnosis(results: VibrationResults, seen: Measured) -> dict[str, Any]:
     """Envelope at the frequencies of shaft, cage and passing balls, its largest peaks by name, and
-    the strongest line of a defect; None where two lines are closer than the record resolves.
+    the body whose track has the strongest of its first harmonics; None where two lines are closer
+    than the record resolves.
     """
     run = results.run
     signal = envelope(seen.acceleration, seen.rate, envelope_band(results))
@@ -202,30 +225,43 @@ def _diagnosis(results: VibrationResults, seen: Measured) -> dict[str, Any]:
     kinds = {"kinematic": bearing_frequencies(run.solution)}
     kinds["with_slip"] = spectral.passing(run.solution, run.assembled)
     lines: dict[str, dict[str, float | None]] = {}
+    strengths: dict[str, float | None] = {}
     for kind, frequencies in kinds.items():
         named = spectral.sums_and_harmonics(frequencies, shaft)
-        lines[kind] = {
-            f"{line.body.replace(' ', '_')}_m_s2": amplitude_at(
-                signal, seen.turned, line.frequency
-            )
+        alone = {
+            line: amplitude_at(signal, seen.turned, line.frequency)
             if spectral.is_resolved(line, named, width)
             else None
             for line in named
-            if line.terms == 1
+            if line.sideband == 0 and line.harmonic <= COMB
         }
-    races = {name: size for name, size in lines["with_slip"].items() if name not in SLOW}
-    sizes = {name: size for name, size in races.items() if size is not None}
-    told = len(sizes) == len(races)  # one that is not resolved may be the strongest
-    strongest = max(sizes, key=lambda name: sizes[name]) if told and sizes else None
+        first = {line.body: size for line, size in alone.items() if line.harmonic == 1}
+        lines[kind] = {f"{body.replace(' ', '_')}_m_s2": size for body, size in first.items()}
+        strengths = {
+            body: max(
+                (s for line, s in alone.items() if line.body == body and s is not None),
+                default=None,
+            )
+            for body in first
+        }
+    tracks = {body: size for body, size in strengths.items() if body not in SLOW}
+    sizes = {body: size for body, size in tracks.items() if size is not None}
+    told = len(sizes) == len(tracks)  # one that is not resolved may be the strongest
+    strongest = max(sizes, key=lambda body: sizes[body]) if told and sizes else None
     return {
+        "peaks": _peaks(run, seen, strengths),
         "envelope_lines": lines,
-        "envelope_peaks": _envelope_peaks(run, signal, seen.rate, named),
-        "strongest_line": None if strongest is None else strongest.removesuffix("_m_s2"),
+        "envelope_peaks": _envelope_peaks(run, signal, seen.rate, named, strengths),
+        "strongest_line": None if strongest is None else strongest.replace(" ", "_"),
     }
 
 
 def _envelope_peaks(
-    run: VibrationRun, signal: Array, rate: float, named: Sequence[spectral.NamedFrequency]
+    run: VibrationRun,
+    signal: Array,
+    rate: float,
+    named: Sequence[spectral.NamedFrequency],
+    strengths: Mapping[str, float | None],
 ) -> list[dict[str, Any]]:
     """Largest lines of an envelope's spectrum with their names; none in a run-up."""
     if run.model.options.start_speed_ratio != 1.0:
@@ -241,7 +277,8 @@ def _envelope_peaks(
         {
             "frequency_Hz": float(result.frequency[k]),
             "acceleration_m_s2": float(size[k]),
-            "source": spectral.name_of(float(result.frequency[k]), named, place) or UNKNOWN,
+            "name": spectral.name_of(float(result.frequency[k]), named, place, strengths)
+            or UNKNOWN,
         }
         for k in largest
     ]
@@ -282,10 +319,21 @@ def _films(run: VibrationRun) -> list[dict[str, Any]]:
     ]
 
 
-def _messages(results: VibrationResults) -> Iterator[str]:
+def vibration_messages(results: VibrationResults) -> Iterator[str]:
+    """Messages of a vibration: films, filters, bands, and what is not converged.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+
+    Yields
+    ------
+    str
+        Messages.
+    """
     run = results.run
     options = run.model.options
-    yield from run.simulation.messages
     if run.simulation.model.guide is not None:
         yield (
             "vibration: the cage turns the balls at the equilibrium's speed, without friction; "
@@ -343,3 +391,25 @@ def _uncertain_damping(run: VibrationRun) -> Iterator[str]:
 def _smooth(run: VibrationRun) -> bool:
     form = run.model.form
     return not (any(form.waves.values()) or form.profiles or form.defects or form.ball_diameters)
+
+
+def envelope_fact(vibration: dict[str, Any]) -> dict[str, str]:
+    """The largest peaks of an envelope by their names.
+
+    Parameters
+    ----------
+    vibration : dict[str, Any] | None
+        Block of a summary.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by its title; empty without peaks.
+    """
+    if not vibration["envelope_peaks"]:
+        return {}
+    peaks = [
+        f"{peak['name']} {peak['acceleration_m_s2']:.3g}"
+        for peak in vibration["envelope_peaks"][:SHOWN_PEAKS]
+    ]
+    return {"envelope": f"{', '.join(peaks)} m/s², {vibration['measured']}"}

@@ -19,7 +19,7 @@ from oilfilm.ehl.units import from_si
 
 from .. import plot_style
 from ..files import CsvTable
-from ..netcdf_write import StudyFiles, Variables, write_study
+from ..netcdf_write import StudyFiles, Variables, root_attributes, write_dataset, write_study
 from ..quantities import facts_table, number, number_table, titled
 from .results import (
     Measured,
@@ -34,7 +34,7 @@ from .results import (
     spectrum,
     waterfall,
 )
-from .summary import vibration_summary
+from .summary import envelope_fact, vibration_summary
 
 FULL = 0.9  # of the largest value that 16 bits hold
 LIMIT = 32767
@@ -51,10 +51,11 @@ MARKERS = {
 }
 AUDIO_FILE = "vibration.wav"
 LINE_KEYS = (
-    "source order_number direction frequency_Hz displacement_um velocity_um_s acceleration_m_s2"
+    "source name order_number direction frequency_Hz displacement_um velocity_um_s "
+    "acceleration_m_s2"
 ).split()
 SHOWN = 14  # lines at most
-HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
+HEADERS = ("line", "name", "Hz", "nm", "µm/s", "m/s²")
 
 
 def write_audio(signal: Array, rate: float, path: Path) -> float:
@@ -392,6 +393,22 @@ def write_vibration(
     return (*write_study(files, directory, draw), *problems)
 
 
+def write_record(results: VibrationResults, path: Path, document: dict[str, Any]) -> None:
+    """Write the record alone as netCDF, with its case and levels as attributes.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+    path : Path
+        File to write.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
+    variables = _variables(results, measured(results))
+    write_dataset(variables, root_attributes(document, "vibration"), path)
+
+
 def _tables(
     results: VibrationResults, seen: Measured, lines: list[dict[str, object]]
 ) -> dict[str, CsvTable]:
@@ -472,12 +489,14 @@ def vibration_table(document: dict[str, Any]) -> Group:
         )
     cage = document["cage_speed_rpm"]
     facts["cage"] = f"{cage:.1f} r/min, {number(document['cage_speed_ratio'], '.5f')} of rolling"
+    if document["friction_torque_N_mm"] is not None:
+        facts["friction torque"] = f"{number(document['friction_torque_N_mm'])} N mm"
+    facts |= envelope_fact(result)
     lines = sorted(result["lines"], key=lambda line: -(line["displacement_um"] or 0.0))[:SHOWN]
     rows = [
         [
             line["source"],
-            str(line["order_number"]),
-            line["direction"],
+            line["name"],
             f"{line['frequency_Hz']:.1f}",
             number(None if line["displacement_um"] is None else 1e3 * line["displacement_um"]),
             number(line["velocity_um_s"]),
@@ -488,5 +507,5 @@ def vibration_table(document: dict[str, Any]) -> Group:
     return titled(
         document["case"].get("title", ""),
         facts_table(facts),
-        number_table(HEADERS, rows, ("line", "direction")),
+        number_table(HEADERS, rows, ("line", "name")),
     )

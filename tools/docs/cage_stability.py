@@ -13,7 +13,7 @@ from oilfilm.bearing.dynamics.choices import LoadType
 from oilfilm.bearing.dynamics.simulation import from_state, simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, simulation_statistics
 from oilfilm.cases import Case, load_case
-from oilfilm.cases.runs.dynamics import build_model
+from oilfilm.cases.runs.motion_model import build_model
 
 PAGE = Path("docs/theory/cage_stability.md")
 TEMPLATE = Path("docs/theory/cage_stability.md.in")

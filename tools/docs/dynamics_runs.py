@@ -17,7 +17,7 @@ from oilfilm.bearing.dynamics.statistics import (
     simulation_statistics,
 )
 from oilfilm.cases import Case
-from oilfilm.cases.runs.dynamics import build_model
+from oilfilm.cases.runs.motion_model import build_model
 
 RPM = pi / 30.0  # [rad/s]
 

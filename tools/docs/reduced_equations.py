@@ -14,7 +14,7 @@ from oilfilm.bearing.dynamics.choices import LoadType
 from oilfilm.bearing.dynamics.simulation import Simulation, simulation
 from oilfilm.bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from oilfilm.cases import Case, load_case
-from oilfilm.cases.runs.dynamics import build_model
+from oilfilm.cases.runs.motion_model import build_model
 
 PAGE = Path("docs/theory/reduced_equations.md")
 TEMPLATE = Path("docs/theory/reduced_equations.md.in")

@@ -354,7 +354,7 @@ def of_shapes(runs: dict[str, Run], ups: dict[str, Run]) -> list[str]:
 def stiffnesses() -> dict[str, float]:
     """K of both races as printed, corrected, and of Hertz [N/m^1.5]."""
     from oilfilm.bearing.dynamics.simulation import simulation
-    from oilfilm.cases.runs.dynamics import build_model
+    from oilfilm.cases.runs.motion_model import build_model
 
     result = {}
     for key, name in (("printed", "planar as printed"), ("planar", "planar"), ("hertz", "hertz")):

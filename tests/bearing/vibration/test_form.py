@@ -123,9 +123,9 @@ def test_a_defect_of_a_ball_shows_twice_a_turn():
     """It meets both races: multiples of twice the spin with the cage beside; rings by the passing balls."""
     passes = Frequencies(cage=9.59, ball_pass_outer=76.7, ball_pass_inner=123.3, ball_spin=49.7)
     named = {one.name: one.frequency for one in sums_and_harmonics(passes, 25.0)}
-    assert named["2BSF"] == pytest.approx(99.4) and named["2 2BSF"] == pytest.approx(198.8)
-    assert named["2BSF - FTF"] == pytest.approx(99.4 - 9.59) and named["BPFI + f_r"] == pytest.approx(148.3)
-    assert named["BPFO"] == pytest.approx(76.7)
+    assert named["2*BSF"] == pytest.approx(99.4) and named["4*BSF"] == pytest.approx(198.8)
+    assert named["2*BSF-1*FTF"] == pytest.approx(99.4 - 9.59) and named["1*BPFI+1*f_r"] == pytest.approx(148.3)
+    assert named["1*BPFO"] == pytest.approx(76.7)
 
 
 def test_names_of_peaks():
@@ -134,15 +134,17 @@ def test_names_of_peaks():
     """
     passes = Frequencies(cage=9.59, ball_pass_outer=76.7, ball_pass_inner=123.3, ball_spin=49.7)
     named = sums_and_harmonics(passes, 25.0)
-    assert name_of(123.3, named, 2.0) == "BPFI"
-    assert name_of(98.3, named, 0.5) == "BPFI - f_r"
-    assert name_of(2 * 76.7, named, 2.0) == "2 BPFO"
-    assert name_of(2 * 49.7 + 9.59, named, 1.0) == "2BSF + FTF"
+    assert name_of(123.3, named, 2.0) == "1*BPFI"
+    assert name_of(98.3, named, 0.5) == "1*BPFI-1*f_r"
+    assert name_of(2 * 76.7, named, 2.0) == "2*BPFO"
+    assert name_of(2 * 49.7 + 9.59, named, 1.0) == "2*BSF+1*FTF"
     assert name_of(5.0, named, 1.0) is None
-    assert name_of(230.5, named, 1.0) == "3 BPFO"
-    assert name_of(2.0 * 99.4, named, 0.5) == "2 2BSF or BPFI + 3 f_r"
-    assert name_of(99.0, named, 1.0) == "2BSF or BPFI - f_r"
-    assert name_of(100.0, named, 1.0) == "2BSF"  # 4 f_r takes more than twice as many multiples
+    assert name_of(230.5, named, 1.0) == "3*BPFO"
+    assert name_of(2.0 * 99.4, named, 0.5) == "4*BSF or 1*BPFI+3*f_r"
+    assert name_of(99.0, named, 1.0) == "2*BSF or 1*BPFI-1*f_r"
+    assert name_of(100.0, named, 1.0) == "2*BSF"  # 4 f_r takes more than twice as many multiples
+    assert name_of(99.0, named, 1.0, {"ball spin twice": 0.1, "shaft": 0.1, "ball pass inner": 9.0}) == "1*BPFI-1*f_r"
+    assert name_of(20.0 * 76.7, named, 0.5) == "20*BPFO"
     assert all(line.frequency != pytest.approx(8.0 * 9.59) for line in named if line.body == "cage")
     ball = next(line for line in named if line.body == "ball spin twice" and line.terms == 1)
     assert not is_resolved(ball, named, 4.0)  # 4 f_r at 100 Hz

@@ -182,6 +182,38 @@ def test_tables_of_every_point(shared, tmp_path, monkeypatch):
     assert "tables.inner.load_N.first [N]" in header
 
 
+VIBRATION = """
+case = "6205_outer_defect"
+compute = "vibration"
+fields = true
+[fixed]
+"vibration.duration_s" = 0.05
+"vibration.settling_time_s" = 0.02
+"vibration.sample_rate_Hz" = 12800.0
+"vibration.contact_law" = "dry"
+"vibration.wave_filter" = "dry"
+"vibration.loss_time_us" = 2.0
+[sweep]
+"operation.radial_load_N" = [150.0, 300.0]
+"""
+
+
+def test_vibrations(tmp_path):
+    """Levels and lines are columns beside the keys, a label each; the records lie in the points' files."""
+    (tmp_path / "sweep.toml").write_text(VIBRATION, encoding="utf-8")
+    out = tmp_path / "out"
+    found = CliRunner().invoke(app, ["batch", str(tmp_path / "sweep.toml"), "-o", str(out), "--workers", "1", "--json"])
+    assert found.exit_code == 0, found.output
+    points = json.loads(found.stdout)["points"]
+    assert [point["keys"]["operation.radial_load_N"] for point in points] == [150.0, 300.0]
+    assert all(point["acceleration_m_s2"] > 0.0 for point in points)
+    assert {"envelope_ball_pass_outer_m_s2", "strongest_line", "cage_speed_ratio"} <= set(points[0])
+    for record in sorted((out / "points").glob("*.nc")):
+        with postprocess.open_results(record) as tree:
+            assert tree.attrs["kind"] == "vibration"
+            assert tree["acceleration"].size == 640
+
+
 def test_simulations(tmp_path):
     (tmp_path / "sweep.toml").write_text(DYNAMICS, encoding="utf-8")
     out = tmp_path / "out"

@@ -72,7 +72,7 @@ def test_known_names_are_columns_of_the_table(results):
     assert len(known) == len(set(known))
 
 
-@pytest.mark.parametrize("kind", ["contact", "slip", "dynamics", "table"])
+@pytest.mark.parametrize("kind", ["contact", "slip", "dynamics", "vibration", "table"])
 def test_other_kinds_have_names_of_their_own(kind):
     assert result_names(kind)
     assert not any(name.startswith("torque") for name in result_names(kind))

@@ -27,11 +27,11 @@ from oilfilm.cases.cli.main import app
 from oilfilm.cases.cli.over_time import _write
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.format.shipped import find_case
-from oilfilm.cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics
+from oilfilm.cases.runs.dynamics import Interrupted, case_key, run_dynamics
+from oilfilm.cases.runs.motion_model import build_model
 from oilfilm.postprocess import summary
 from oilfilm.postprocess.dynamics.plots import averaged, simulated_speeds
-from oilfilm.postprocess.dynamics.results import dynamics_summary, open_history
-from oilfilm.postprocess.dynamics.write import dynamics_table
+from oilfilm.postprocess.dynamics.results import dynamics_summary, dynamics_table, open_history
 from oilfilm.postprocess.report.html import figure, number
 from oilfilm.postprocess.report.page import report_page
 

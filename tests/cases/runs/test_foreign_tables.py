@@ -14,7 +14,7 @@ from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.format.shipped import find_case
-from oilfilm.cases.runs.dynamics import build_model
+from oilfilm.cases.runs.motion_model import build_model
 from oilfilm.ehl.traction_table.temperature import TemperatureTable
 
 from ..made_up_tables import made_up_tables
