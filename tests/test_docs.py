@@ -185,7 +185,7 @@ INDEX = (DOCS / "index.md").read_text(encoding="utf-8")
 
 def test_the_first_page_says_of_quality_what_the_readme_says():
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    head = "| what | measured | command |\n|---|---|---|\n"
+    head = "| question | answer | command |\n|---|---|---|\n"
     rows = readme.partition(head)[2].partition("\n\n")[0].splitlines()
     assert len(rows) >= 3
     own = INDEX.partition(head)[2].partition("\n\n")[0].splitlines()
