@@ -39,6 +39,7 @@ from oilfilm.ehl.oil.lubricant import (
 )
 from oilfilm.ehl.units import GIGAPASCAL, UNITS, ZERO_CELSIUS
 
+from .media import COOLPROP, medium_property, medium_text
 from .plugins import (
     OILS,
     PluginError,
@@ -52,6 +53,7 @@ from .plugins import (
 HEAT_DATA = "oil_heat.toml"
 
 OIL_DATA = "lubricants.toml"
+MEDIA_DATA = "media.toml"
 PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
 STEP = 0.5  # of the differences that give the temperature coefficients [K]
 MM2_S = UNITS["mm2_s"].si  # [m^2/s]
@@ -181,12 +183,13 @@ def limiting_coefficient(entry: dict[str, Any]) -> dict[str, Any] | None:
 
 
 def list_lubricants(name: str | None = None) -> tuple[str, ...]:
-    """Names of the shipped lubricants, in the order of the data file, and of those of plug-ins.
+    """Names of the shipped oils, in the order of the data file, and of those of plug-ins.
 
     Parameters
     ----------
     name : str | None, optional
-        the only name of interest; if it is shipped, plug-ins are not searched
+        the only name of interest: media have theirs, too, and if it is shipped, plug-ins are not
+        searched
 
     Returns
     -------
@@ -200,9 +203,28 @@ def list_lubricants(name: str | None = None) -> tuple[str, ...]:
     True
     """
     shipped = tuple(library_data(OIL_DATA))
-    if name is not None and matching_name(name, shipped):
-        return shipped
+    if name is not None:
+        shipped = (*shipped, *list_media())
+        if matching_name(name, shipped):
+            return shipped
     return tuple(dict.fromkeys((*shipped, *plugin_names(OILS))))
+
+
+def list_media() -> tuple[str, ...]:
+    """Names of the shipped media that are no oils: water, liquefied gases, refrigerants, an acid.
+
+    Returns
+    -------
+    tuple[str, ...]
+        names for `load_lubricant`
+
+    Examples
+    --------
+    >>> from oilfilm.bearing.library.lubricants import list_media
+    >>> {"water", "liquid nitrogen"} <= set(list_media())
+    True
+    """
+    return tuple(library_data(MEDIA_DATA))
 
 
 def lubricant_data(name: str) -> dict[str, Any]:
@@ -211,7 +233,7 @@ def lubricant_data(name: str) -> dict[str, Any]:
     Parameters
     ----------
     name : str
-        one of `list_lubricants()`
+        one of `list_lubricants()` or `list_media()`
 
     Returns
     -------
@@ -219,8 +241,10 @@ def lubricant_data(name: str) -> dict[str, Any]:
         `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units,
         `source`, and `verified` false if the number was not read in a source
     """
-    shipped = library_data(OIL_DATA)
-    return shipped[name] if name in shipped else _of_plugin(name)
+    for file in (OIL_DATA, MEDIA_DATA):
+        if name in library_data(file):
+            return library_data(file)[name]
+    return _of_plugin(name)
 
 
 @cache
@@ -255,7 +279,7 @@ def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     Parameters
     ----------
     name : str
-        one of `list_lubricants()`; case, spaces and hyphens do not matter
+        one of `list_lubricants()` or `list_media()`; case, spaces and hyphens do not matter
     temperature : float
         temperature of the oil [K]
     **laws : Any
@@ -283,14 +307,16 @@ def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     key = matching_name(name, names)
     if key is None:
         raise ValueError(f"lubricant {name!r} is unknown; known: {', '.join(names)}")
-    if not 150.0 < temperature < 700.0:
-        raise ValueError(f"temperature must lie between 150 and 700 K, got {temperature!r}")
     entry = lubricant_data(key)
+    if COOLPROP not in entry and not 150.0 < temperature < 700.0:
+        raise ValueError(f"temperature must lie between 150 and 700 K, got {temperature!r}")
     low, high = entry["range_C"]
     if not low <= temperature - ZERO_CELSIUS <= high:
         celsius = f"{temperature - ZERO_CELSIUS:.1f} C"
         text = f"lubricant {key!r}: {celsius} is outside {low} to {high} C"
         warnings.warn(Caution(text), stacklevel=2)
+    if COOLPROP in entry:
+        warnings.warn(medium_text(key, entry, temperature), stacklevel=2)
     constants = oil_constants(entry, temperature)
     laws = _laws_of_set(entry) | {name: law for name, law in laws.items() if law is not None}
     alpha = _coefficient_of_law(entry, laws.get("viscosity_law"), constants, temperature)
@@ -323,8 +349,12 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
         return log(colder / warmer) / (2.0 * STEP)
 
     law = heat_under_pressure(entry)
-    conductivity = _linear(entry["conductivity"], temperature)
-    specific_heat = _linear(entry["specific_heat"], temperature)
+    conductivity, specific_heat = (
+        _linear(entry[name], temperature)
+        if entry[name]["law"] != COOLPROP
+        else medium_property(entry, name, temperature)
+        for name in ("conductivity", "specific_heat")
+    )
     if isinstance(law, VolumeHeat):  # of its own over temperature
         tait = oil_constants(entry, temperature)["tait"]
         k, capacity = volume_heat(0.0, temperature, tait, law)
@@ -334,7 +364,7 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
         conductivity=conductivity,
         specific_heat=specific_heat,
         viscosity_temperature=fall(dynamic_viscosity),
-        expansion=fall(oil_density),
+        expansion=max(fall(oil_density), 0.0),  # water contracts up to 4 C
         under_pressure=law,
     )
 
@@ -373,6 +403,8 @@ def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
     data = entry["viscosity"]
     if callable(data["law"]):  # of a plug-in
         return float(data["law"](temperature))
+    if data["law"] == COOLPROP:
+        return medium_property(entry, "viscosity", temperature)
     return LAWS[data["law"]](entry | data, temperature, oil_density(entry, temperature))
 
 
@@ -572,7 +604,8 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
 
     exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T,
     constant beyond its ends; roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), the identity of
-    Roelands (1966) at constant z; modulus, scaled volume: by the constants of these laws.
+    Roelands (1966) at constant z; modulus, scaled volume: by the constants of these laws;
+    coolprop: of a liquid medium, zero where the viscosity falls with pressure.
 
     Parameters
     ----------
@@ -587,6 +620,8 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
         coefficient [1/Pa]
     """
     data = entry["pressure_viscosity"]
+    if data["law"] == COOLPROP:
+        return max(medium_property(entry, "pressure_viscosity", temperature), 0.0)
     if data["law"] == "exponent":
         viscosity = dynamic_viscosity(entry, temperature)
         return float(exp(data["a"] * log(viscosity) + data["b"]) / viscosity)
@@ -616,7 +651,7 @@ def oil_density(entry: dict[str, Any], temperature: float) -> float:
     """Density of an oil's data at ambient pressure.
 
     table: linear in T, continued beyond its ends; expansion: rho_r exp[-e (T - T_r)]; tait: by
-    the volume of the oil's Tait law.
+    the volume of the oil's Tait law; coolprop: of a liquid medium.
 
     Parameters
     ----------
@@ -631,6 +666,8 @@ def oil_density(entry: dict[str, Any], temperature: float) -> float:
         density [kg/m^3]
     """
     data = entry["density"]
+    if data["law"] == COOLPROP:
+        return medium_property(entry, "density", temperature)
     if data["law"] == "tait":
         tait = oil_constants(entry, temperature)["tait"]
         return float(data["value"] / relative_volume(0.0, temperature, tait))

@@ -18,7 +18,14 @@ from pathlib import Path
 from typing import Any
 
 IGNORED = " -_\t"
-SHORT = {"vg": "isovg"}  # beginnings of names that are left short: VG68 is ISO VG 68
+# beginnings of names that are left short: VG68 is ISO VG 68
+SHORT = {
+    "vg": "isovg",
+    "ln2": "liquidnitrogen",
+    "lox": "liquidoxygen",
+    "lh2": "liquidhydrogen",
+    "lng": "liquidmethane",
+}
 
 OILS = "oils"
 KINDS = (OILS,)

@@ -31,6 +31,7 @@ class Listing(StrEnum):
     BEARINGS = "bearings"
     MATERIALS = "materials"
     LUBRICANTS = "lubricants"
+    MEDIA = "media"
     GREASES = "greases"
     TYPICAL = "typical"
     PLUGINS = "plugins"
@@ -351,8 +352,15 @@ def listing(kind: str) -> dict[str, str]:
         return {key: _range(data) for key, data in library_data("typical.toml").items()}
     if kind == "plugins":
         return _plugins()
-    from oilfilm.bearing.library.lubricants import list_lubricants
+    from oilfilm.bearing.library.lubricants import list_lubricants, list_media, lubricant_data
 
+    if kind == "media":
+        media = {name: lubricant_data(name) for name in list_media()}
+        text = "{:g} to {:g} C; viscosity: {}"
+        return {
+            name: text.format(*data["range_C"], data["viscosity"]["source"])
+            for name, data in media.items()
+        }
     return {name: _oil(name) for name in list_lubricants()}
 
 

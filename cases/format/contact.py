@@ -202,7 +202,7 @@ class ContactTable(Table):
     moes_L: float | None = between(0, 1e3, "L = G (2U)^(1/4)")
     radius_ratio: float | None = between(1e-4, 1e4, "Rx/Ry with Moes' groups; 1 if left out")
     entrainment_angle_deg: float = within(360, "direction of the entrainment, x towards y", 0.0)
-    temperature_C: float = between(-100, 500, "temperature of an oil of the library", 40.0)
+    temperature_C: float = between(-270, 1300, "temperature of an oil of the library", 40.0)
 
 
 SPEED = "entrainment_speed_m_s"

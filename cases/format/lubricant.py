@@ -369,7 +369,7 @@ class OilTable(Table):
     viscosity_mPa_s: float | None = above(0, 1e6, "dynamic; or kinematic_viscosity_mm2_s")
     kinematic_viscosity_mm2_s: float | None = above(0, 1e6, "kinematic; or viscosity_mPa_s")
     viscosity_at_C: float | None = between(
-        -100, 500, "temperature of either; left out, operation.temperature_C"
+        -270, 1300, "temperature of either; left out, operation.temperature_C"
     )
     kinematic_viscosity_40C_mm2_s: float | None = above(
         0.31, 1e6, "of a data sheet; with that at 100 C, or viscosity_index, over temperature"
@@ -490,8 +490,8 @@ PAIR = "kinematic_viscosity_table_mm2_s"
 SHEET = (*POINTS, PAIR)  # viscosities of a data sheet
 SHEET_RANGE_C = (-40.0, 200.0)  # of viscosities by ASTM D341
 DENSITY_AT_15 = "density_15C_kg_m3"
-# 700 K, below which oilfilm.bearing.library.lubricants has its laws; the tables keep the lower end
-LIBRARY_TEMPERATURE_C = 426.85
+# between which oilfilm.bearing.library.lubricants has its laws of oils, the upper end 700 K
+LIBRARY_TEMPERATURE_C = (-100.0, 426.85)
 PRESSURE_VISCOSITY = "pressure_viscosity_1_GPa"
 ROELANDS_PRESSURE_KEY = "roelands_pressure_MPa"
 NUMBERS = {  # field of `Lubricant`: its key
@@ -612,11 +612,7 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
         return
     oil = oil_of(values.document["lubricant"], values.document.get("lubricants"))
     if oil.of_library:
-        allowed = f"allowed with an oil of the library: below {LIBRARY_TEMPERATURE_C:g}"
-        for path in (("operation", "temperature_C"), ("contact", "temperature_C")):
-            given = values.get(*path)
-            if given is not None and given >= LIBRARY_TEMPERATURE_C:
-                yield CaseProblem(path, f"found {shown(given)}", allowed)
+        yield from _beyond_oils(str(oil.keys["name"]), values)
     else:
         yield from _incomplete(oil.keys, moes=values.given("contact", "moes_M"))
     yield from _roelands_faults(oil.keys, values)
@@ -624,6 +620,19 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
     yield from free_volume_faults(oil.keys, values, of_library=oil.of_library)
     yield from _moes_pressure_scale(oil.keys, values)
     yield from _heat_faults(oil)
+
+
+def _beyond_oils(name: str, values: CaseValues) -> Iterator[CaseProblem]:
+    """Temperatures at which no oil of the library has its laws; a medium is held at its ends."""
+    key = matching_name(name, list_lubricants(name))
+    if key is None or "coolprop" in lubricant_data(key):
+        return
+    low, high = LIBRARY_TEMPERATURE_C
+    for path in (("operation", "temperature_C"), ("contact", "temperature_C")):
+        given = values.get(*path)
+        if given is not None and not low <= given < high:
+            allowed = f"allowed with an oil of the library: {low:g} to below {high:g}"
+            yield CaseProblem(path, f"found {shown(given)}", allowed)
 
 
 def _layer_faults(values: CaseValues) -> Iterator[CaseProblem]:

@@ -44,7 +44,9 @@ class OperationTable(Table):
     )
     tilt_mrad: Tilt | None = described('[about y, about z]; "free" where the moment decides')
     tilt: Literal["held", "free"] | None = described("without tilt_mrad: held at zero, or free")
-    temperature_C: float = between(-100, 500, "temperature of the oil in the contacts", 40.0)
+    temperature_C: float = between(
+        -270, 1300, "temperature of oil or medium in the contacts", 40.0
+    )
     temperature: Literal["given", "self-heated"] = described(
         "given: temperature_C; self-heated: that where friction and cooling agree", "given"
     )

@@ -16,7 +16,8 @@ t = sqrt(5) d: a linear trend and a Gaussian process with Matern's kernel of 5/2
 semi-axis along rolling. Below the least L_T the loss goes with L_T, as a small one does; beyond
 the ends of all other groups the law is held there. The error of y is that of 95 % of the contacts
 left out of the fit one by one, at this loss and load; it grows with the distance to the nearest
-solved contact, and beyond the largest L_T the low end goes on as the loss with L_T.
+solved contact, to the loss at the least L_T below it, and beyond the largest L_T the low end goes
+on as the loss with L_T.
 """
 
 from collections.abc import Sequence
@@ -260,8 +261,10 @@ def _factors(
     lost = s * (1.0 - s)
     parts = slope @ np.stack((CONDUCTIVITY, CAPACITY, FALL, EXPANSION), axis=1)
     spread = np.sqrt(np.square(parts * ranges).sum(axis=1))
-    # the law is steep in y far from the table: a range that holds both ends
-    law = np.minimum(lost * error, np.maximum(s, 1.0 - s))
+    # the law is steep in y far from the table: a range that holds both ends, of a contact below
+    # the least L_T the loss there
+    largest = np.where(light < 0.0, 1.0 / (1.0 + np.exp(light - y)), np.maximum(s, 1.0 - s))
+    law = np.minimum(lost * error, largest)
     inside = np.asarray(~outside.any(axis=1))
     return [
         ThermalReduction(*factor)

@@ -14,6 +14,7 @@ HOMES = {
     "lazy_loader": ("__init__.py",),
     "threadpoolctl": ("bearing/dynamics/simulation.py",),
     "skfem": ("ehl/finite_element/*.py", "ehl/solid/*.py", "ehl/solid/bodies/*.py"),
+    "CoolProp": ("bearing/library/media.py",),
     "pyamg": ("ehl/solid/bodies/elasticity.py",),
     "vtk": ("postprocess/scene/*.py",),
     "vtkmodules": ("postprocess/scene/*.py",),
