@@ -36,8 +36,7 @@ def medium_property(entry: dict[str, Any], name: str, temperature: float) -> flo
     float
         value in SI units
     """
-    low, high = (end + ZERO_CELSIUS for end in entry["range_C"])
-    at = min(max(temperature, low), high)
+    at = _held(entry, temperature)
     fluid = entry[COOLPROP]
     pressure = liquid_pressure(fluid, at)
     if name != "pressure_viscosity":
@@ -45,6 +44,12 @@ def medium_property(entry: dict[str, Any], name: str, temperature: float) -> flo
     ends = (_value(fluid, "V", at, p) for p in (pressure, pressure + PRESSURE_STEP))
     low_pressure, high_pressure = ends
     return log(high_pressure / low_pressure) / PRESSURE_STEP
+
+
+def _held(entry: dict[str, Any], temperature: float) -> float:
+    """The temperature, or the nearest end of the range of a medium [K]."""
+    low, high = (end + ZERO_CELSIUS for end in entry["range_C"])
+    return min(max(temperature, low), high)
 
 
 @cache
@@ -96,7 +101,7 @@ def medium_text(name: str, entry: dict[str, Any], temperature: float) -> str:
         text for the messages
     """
     slope = GIGAPASCAL * medium_property(entry, "pressure_viscosity", temperature)
-    pressure = liquid_pressure(entry[COOLPROP], temperature)
+    pressure = liquid_pressure(entry[COOLPROP], _held(entry, temperature))
     boils = f", liquid only above {1e-6 * pressure:.3g} MPa" if pressure > AMBIENT else ""
     return (
         f"lubricant {name!r}: an isoviscous liquid{boils}; d(ln eta)/dp, {slope:.2g} 1/GPa at low "
