@@ -19,6 +19,7 @@ from oilfilm.ehl.conditions import ContactConditions
 from ..geometry import Race
 from ..material import STEEL_EFFUSIVITY
 
+DRY_NOTE = "dry running: no film"  # why a loaded contact has no conditions
 RACES = (Race.INNER, Race.OUTER)  # order of the contacts of a ball
 
 
@@ -52,6 +53,11 @@ class BearingContact:
     row: int = 1  # number of the ball's row, from 1
     # gap between ball and race, undeformed, of a light ball between two films, else None [m]
     gap: float | None = None
+
+    @property
+    def dry(self) -> bool:
+        """Nothing lubricates this loaded contact."""
+        return self.note == DRY_NOTE
 
     @property
     def loaded(self) -> bool:

@@ -14,7 +14,7 @@ from oilfilm.ehl.oil.lubricant import Lubricant
 from ..geometry import Race, contact_modulus, reduced_radii, ring_material, row_directions
 from ..operation import BallKinematics, Curvature
 from ..quasistatic.solution import QuasistaticSolution
-from .contact import RACES, BearingContact, hertz_contacts
+from .contact import DRY_NOTE, RACES, BearingContact, hertz_contacts
 from .motion import BearingContacts, motion_map_of_axes
 
 # entrainment or rolling over the speed of the rings below which there is none [-]
@@ -147,6 +147,22 @@ def _motions(solution: QuasistaticSolution) -> list[_Motion]:
     return [_Motion(*row) for row in np.stack(columns, axis=1).tolist()]
 
 
+def entrainment_speeds(solution: QuasistaticSolution) -> list[float]:
+    """Mean speeds of ball and race at the contacts of an equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    list of float
+        Of all contacts, ball by ball, inner then outer [m/s].
+    """
+    return [abs(motion.speed) for motion in _motions(solution)]
+
+
 def _contact(
     solution: QuasistaticSolution,
     number: tuple[int, Race],
@@ -216,6 +232,8 @@ def _conditions(
 ) -> tuple[ContactConditions | None, str]:
     if hertz is None:
         return None, "unloaded"
+    if lubricant.dry:
+        return None, DRY_NOTE
     speed = abs(motion.speed)
     if speed <= STANDSTILL * _fastest(solution) * solution.bearing.pitch_diameter:
         return None, "no entrainment: ball and race move as one"

@@ -159,8 +159,9 @@ def may_be_driven(
     NDArray[np.bool_]
         shape (balls,)
     """
-    with_film = np.array([c.conditions is not None for c in contacts]).reshape(-1, 2)[:, 0]
-    return np.asarray((solution.inner_load > 0.0) & ~solution.cage_driven & with_film)
+    with_film = np.array([c.conditions is not None or c.dry for c in contacts])
+    inner = with_film.reshape(-1, 2)[:, 0]
+    return np.asarray((solution.inner_load > 0.0) & ~solution.cage_driven & inner)
 
 
 def sliding_ratio(balance: BalancedFriction, contacts: Sequence[BearingContact]) -> Array:

@@ -22,6 +22,7 @@ from oilfilm.ehl.oil.free_volume import (
     relative_volume,
 )
 from oilfilm.ehl.oil.lubricant import (
+    DRY,
     ROELANDS_LOG_OFFSET,
     ROELANDS_TEMPERATURE,
     DensityLaw,
@@ -204,7 +205,7 @@ def list_lubricants(name: str | None = None) -> tuple[str, ...]:
     """
     shipped = tuple(library_data(OIL_DATA))
     if name is not None:
-        shipped = (*shipped, *list_media())
+        shipped = (*shipped, *library_data(MEDIA_DATA))
         if matching_name(name, shipped):
             return shipped
     return tuple(dict.fromkeys((*shipped, *plugin_names(OILS))))
@@ -224,7 +225,7 @@ def list_media() -> tuple[str, ...]:
     >>> {"water", "liquid nitrogen"} <= set(list_media())
     True
     """
-    return tuple(library_data(MEDIA_DATA))
+    return tuple(name for name in library_data(MEDIA_DATA) if name != DRY)
 
 
 def lubricant_data(name: str) -> dict[str, Any]:
@@ -308,7 +309,7 @@ def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     if key is None:
         raise ValueError(f"lubricant {name!r} is unknown; known: {', '.join(names)}")
     entry = lubricant_data(key)
-    if COOLPROP not in entry and not 150.0 < temperature < 700.0:
+    if key not in library_data(MEDIA_DATA) and not 150.0 < temperature < 700.0:
         raise ValueError(f"temperature must lie between 150 and 700 K, got {temperature!r}")
     low, high = entry["range_C"]
     if not low <= temperature - ZERO_CELSIUS <= high:

@@ -165,7 +165,9 @@ def bearing_life(
     '857 million revolutions, a_ISO 20.5'
     """
     bearing = solution.bearing
-    reason = _not_covered(bearing) or ("" if solution.converged else "there is no equilibrium")
+    dry = "it runs dry, which no standard rates" if lubricant.dry else ""
+    lost = "" if solution.converged else "there is no equilibrium"
+    reason = dry or _not_covered(bearing) or lost
     if reason:
         return LifeRating(rating=rating, messages=(f"life: null, {reason}",))
     angle = rating.nominal_contact_angle

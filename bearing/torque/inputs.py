@@ -20,6 +20,7 @@ from ..friction.resistance import (
 )
 from ..geometry import Bearing
 from ..library.plugins import library_data
+from ..rating.dry_surface import DrySurface
 from ..supply.supply import InletOil, OilAtInlets, Supply, cavity_volume, oil_fraction
 from . import skf
 
@@ -82,6 +83,7 @@ class FrictionInput:
     solved_supply: InletOil | None = None
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
+    dry: DrySurface | None = None  # None: lubricated
     # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
     all_models: bool = False
 
@@ -108,6 +110,11 @@ class FrictionInput:
         dict[str, Assumption]
             by the name of the part
         """
+        if self.dry is not None:
+            value, low, high = self.dry.friction
+            text = f"friction of {self.dry.name} {value:g} ({low:g} to {high:g})"
+            own = Assumption(text, low / value, high / value)
+            return dict.fromkeys(("sliding", "spin", "curvature"), own)
         found = {}
         if self.hysteresis is None:
             text = "share of the elastic energy lost in rolling"

@@ -25,6 +25,7 @@ from .inputs import FrictionInput
 from .skf import bearing_kind, mean_diameter
 
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
+OF_OIL = "a model of oil and grease, the bearing runs dry"
 AS_PRINTED = "skf_as_printed"
 COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
@@ -275,6 +276,8 @@ def _skf_inputs(
 ) -> tuple[skf.SkfBearing, skf.SkfOperation] | str:
     """Bearing and operation as SKF's model takes them, or what is missing."""
     bearing = solution.bearing
+    if lubricant.dry:
+        return OF_OIL
     if friction.series is None or bearing.bore is None or bearing.outside_diameter is None:
         return "needs bearing.skf_series, bore_mm and outside_diameter_mm"
     radial, axial = ring_loads(solution)
@@ -423,6 +426,8 @@ def palmgren_model(
     ModelTorque
         torque [N m], or the reason why there is none
     """
+    if lubricant.dry:
+        return ModelTorque(note=OF_OIL)
     kind = bearing_kind(solution.bearing).value.replace("_", " ")
     radial, axial = ring_loads(solution)
     factor = friction.load_factor

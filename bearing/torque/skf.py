@@ -58,6 +58,7 @@ class Lubrication(Enum):
     OIL_JET = "oil jet"
     GREASE = "grease"
     OIL_AIR = "oil air"
+    DRY = "dry"
 
 
 # K_rs of the replenishment factor, Rolling bearings 10000 EN (2013), pages 104 to 106
@@ -67,6 +68,7 @@ STARVATION = {
     Lubrication.OIL_JET: 3e-8,
     Lubrication.GREASE: 6e-8,
     Lubrication.OIL_AIR: 6e-8,
+    Lubrication.DRY: 0.0,
 }
 
 

@@ -32,6 +32,7 @@ class Listing(StrEnum):
     MATERIALS = "materials"
     LUBRICANTS = "lubricants"
     MEDIA = "media"
+    DRY_SURFACES = "dry_surfaces"
     GREASES = "greases"
     TYPICAL = "typical"
     PLUGINS = "plugins"
@@ -352,6 +353,15 @@ def listing(kind: str) -> dict[str, str]:
         return {key: _range(data) for key, data in library_data("typical.toml").items()}
     if kind == "plugins":
         return _plugins()
+    if kind == "dry_surfaces":
+        from oilfilm.bearing.rating.dry_surface import MM3, list_dry_surfaces, load_dry_surface
+
+        surfaces = (load_dry_surface(name) for name in list_dry_surfaces())
+        text = "mu {:g} ({:g} to {:g}), wear {:.2g} ({:.2g} to {:.2g}) mm3/(N m)"
+        return {
+            one.name: text.format(*one.friction, *(end / MM3 for end in one.wear))
+            for one in surfaces
+        }
     from oilfilm.bearing.library.lubricants import list_lubricants, list_media, lubricant_data
 
     if kind == "media":

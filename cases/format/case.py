@@ -14,6 +14,7 @@ from oilfilm.bearing.library.bearings import warn_of_estimates as warn_of_dimens
 from oilfilm.bearing.library.lubricants import load_grease
 from oilfilm.bearing.material import Material
 from oilfilm.bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
+from oilfilm.bearing.rating.dry_surface import DrySurface
 from oilfilm.bearing.rating.load_rating import capacity
 from oilfilm.bearing.supply.supply import Supply
 from oilfilm.bearing.supply.track import TrackPasses
@@ -40,7 +41,7 @@ from .document import (
 from .dynamics import cage_friction, guiding_land
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_frequencies
 from .fits import HeatingInput
-from .friction import SHEAR_ASSUMED, friction, rheology
+from .friction import SHEAR_ASSUMED, friction, rheology, with_dry_friction
 from .library import material_table, materials
 from .load_cases import load_case_files, spectrum_tables
 from .lubricant import (
@@ -150,6 +151,7 @@ class Case(AnyCase):
     # layer that films stand behind [m], or the flow that gives each its own; None: flooded
     inlet_layer: InletLayer | Supply | None = None
     pour_point: float | None = None  # of the oil [K]; None: not known
+    dry: DrySurface | None = None  # None: lubricated
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -388,6 +390,10 @@ def oil_of_file(file: BearingFile | ContactFile) -> Oil:
 
 def _bearing_case(file: BearingFile) -> Case:
     _warn(file)
+    given_friction = file.friction
+    assert file.bearing.ball_material is not None  # checked before
+    dry_friction, dry = with_dry_friction(given_friction, file.bearing.ball_material)
+    file = file.model_copy(update={"friction": dry_friction})
     if file.form is not None:  # its files are judged before a run
         surface_form(file.form)
     frequency_response(file.support)
@@ -407,7 +413,7 @@ def _bearing_case(file: BearingFile) -> Case:
     rated = bearings.rating(file.bearing, file.lubricant.contamination_factor)
     # 3. the films, and the friction of balls on races
     rings = fits.elastic_rings(file.rings, file.fit, delivered, library)
-    assumptions = replace(model(file.model, file.friction), rings=rings)
+    assumptions = replace(model(file.model, given_friction), rings=rings)
     bodies = (bearing.ball_material, bearing.inner_ring_material)
     films = case_films(file.ehl, rheology(oil, fluid), bodies, _starvation(file))
     torque = friction(
@@ -419,6 +425,7 @@ def _bearing_case(file: BearingFile) -> Case:
         angular=delivered.angular_contact,
         assumed=file.assumed,
     )
+    torque = replace(torque, dry=dry)
     inlet = _inlet(file, bearing, fluid, torque)
     traction = None
     if (
@@ -449,6 +456,7 @@ def _bearing_case(file: BearingFile) -> Case:
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
         inlet_layer=_inlet_layer(file, torque),
         pour_point=pour_point(oil, fluid.name),
+        dry=dry,
     )
 
 

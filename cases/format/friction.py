@@ -12,12 +12,15 @@ from oilfilm.bearing.friction.resistance import Cage
 from oilfilm.bearing.library.bearings import named_designation
 from oilfilm.bearing.library.catalogue import nearest_series
 from oilfilm.bearing.library.lubricants import limiting_coefficient, lubricant_data
+from oilfilm.bearing.library.plugins import matching_name
 from oilfilm.bearing.operation import BallKinematics
+from oilfilm.bearing.rating.dry_surface import DrySurface, list_dry_surfaces, load_dry_surface
 from oilfilm.bearing.supply.supply import CAPTURED, PrescribedInlet, Supply
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import Lubrication, series_of
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.oil.assumed_heat import BaseOil
+from oilfilm.ehl.oil.lubricant import DRY
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS, Constant
 from oilfilm.ehl.units import to_si
@@ -89,6 +92,9 @@ class FrictionTable(LawTable):
     )
     oil: Literal["mineral", "synthetic", "transmission fluid"] = described(
         "base oil, for SKF's mu_EHL", "mineral"
+    )
+    dry_surface: str | None = described(
+        "of dry running: a name of `oilfilm list dry_surfaces`, as mos2 film; else by the balls"
     )
     boundary_coefficient: float = above(
         0, 1, "of asperities that touch: SKF's mu_bl, and of the films with [surface]", 0.12
@@ -185,6 +191,7 @@ def _constant_relations(law: str, constant: Constant) -> Iterator[Relation]:
 RELATIONS: tuple[Relation, ...] = (
     Needs("friction.coefficient", Where("friction.traction", "coulomb")),
     Needs("friction.traction_table", Where("friction.traction", "table")),
+    OnlyWith("friction.dry_surface", (Where("friction.lubrication", DRY),)),
     OnlyWith("friction.traction_table", (Where("friction.traction", "table"),)),
     *(
         relation
@@ -227,10 +234,46 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
     Iterator[CaseProblem]
         The problems.
     """
+    dry = values.get("friction", "lubrication") == Lubrication.DRY.value
+    oil = values.get("lubricant", "name")
+    if dry != (oil == DRY) and values.given("lubricant"):
+        allowed = f'allowed together: no [lubricant] with friction.lubrication = "{DRY}"'
+        yield CaseProblem(("friction", "lubrication"), f"found with oil {shown(oil)}", allowed)
+    surface = values.get("friction", "dry_surface")
+    if surface is not None and matching_name(surface, list_dry_surfaces()) is None:
+        allowed = f"allowed: {', '.join(list_dry_surfaces())}"
+        yield CaseProblem(("friction", "dry_surface"), f"unknown name {shown(surface)}", allowed)
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
         finding = f"{shown(name)} cannot be read: there is no such file from the working directory"
         yield CaseProblem(("friction", "traction_table"), finding, made_by(name))
+
+
+def with_dry_friction(
+    table: FrictionTable, ball_material: str
+) -> tuple[FrictionTable, DrySurface | None]:
+    """Coulomb's friction of a bearing that runs dry, and the surface that it is of.
+
+    Parameters
+    ----------
+    table : FrictionTable
+        The checked table [friction].
+    ball_material : str
+        Material of the balls, whose surface stands for one that is not named.
+
+    Returns
+    -------
+    table
+        With the coefficient of the surface where it gives none; as it was of a lubricated bearing.
+    surface
+        None of a lubricated bearing.
+    """
+    if table.lubrication != DRY:
+        return table, None
+    surface = load_dry_surface(table.dry_surface or ball_material)
+    mu = surface.friction[0] if table.coefficient is None else table.coefficient
+    given = {"traction": table.traction or "coulomb", "coefficient": mu}
+    return table.model_copy(update=given), surface
 
 
 def made_by(name: str) -> str:

@@ -14,6 +14,7 @@ from oilfilm.bearing.material import (
     load_material,
 )
 from oilfilm.ehl.oil.assumed_heat import BaseOil
+from oilfilm.ehl.oil.lubricant import DRY
 
 from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
 from .fields import OneOf, Table, above, between, described, name_in_si, numbers_from_si
@@ -160,7 +161,19 @@ def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
         spelled["lubricants"] = {name: _with_class(oil) for name, oil in oils.items()}
     if "lubricant" in spelled:
         spelled["lubricant"] = _with_class(spelled["lubricant"])
-    return _with_base_oil(spelled)
+    return _with_base_oil(_with_dry(spelled))
+
+
+def _with_dry(document: dict[str, Any]) -> dict[str, Any]:
+    """The document of a bearing that runs dry with both of its words, where it has one."""
+    oil, friction = document.get("lubricant"), document.get("friction", {})
+    if "bearing" not in document or not isinstance(friction, dict):
+        return document
+    if oil is None and friction.get("lubrication") == DRY:
+        return {**document, "lubricant": {"name": DRY}}
+    if isinstance(oil, dict) and oil.get("name") == DRY:
+        return {**document, "friction": {"lubrication": DRY, **friction}}
+    return document
 
 
 def _with_class(oil: Any) -> Any:

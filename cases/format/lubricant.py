@@ -625,7 +625,7 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
 def _beyond_oils(name: str, values: CaseValues) -> Iterator[CaseProblem]:
     """Temperatures at which no oil of the library has its laws; a medium is held at its ends."""
     key = matching_name(name, list_lubricants(name))
-    if key is None or "coolprop" in lubricant_data(key):
+    if key is None or key not in list_lubricants():
         return
     low, high = LIBRARY_TEMPERATURE_C
     for path in (("operation", "temperature_C"), ("contact", "temperature_C")):

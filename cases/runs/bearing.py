@@ -23,6 +23,7 @@ from oilfilm.bearing.friction.friction_sources import FilmTraction, LawTraction
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution, with_refined
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution, bearing_frequencies
+from oilfilm.bearing.rating.dry_running import DryRunning, dry_running
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from oilfilm.bearing.rating.life import bearing_life
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
@@ -573,8 +574,20 @@ def _friction(
         "heating": heating,
         "tensions": tensions,
         "conductances": conductances,
+        "dry": _dry(case, state, contacts),
         **torque_over_supply(case, state, contacts, films.films, torque),
     }
+
+
+def _dry(
+    case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> DryRunning | None:
+    """Wear and heat of a bearing that runs dry; None of others, and at rest."""
+    mu = None if case.friction is None else case.friction.coefficient
+    if case.dry is None or mu is None or not (state.converged and state.operation.shaft_speed):
+        return None
+    transfer = case.file.friction.heat_transfer_W_K
+    return dry_running(state, contacts, case.dry, mu, transfer)
 
 
 def _operating(

@@ -33,6 +33,7 @@ ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
 # Layer at flooded inlets [m], assumed: the order of what a ball of a 6208 carries along against
 # the centrifugal acceleration, (eta u/(rho g))^(1/2) with u^2/r for g (after Derjaguin, 1943).
 # Half and double of it change the rolling torque of 6208_full_ceramic by -8 and +7 %.
+DRY = "dry"  # name of the lubricant that is none
 FLOODED_LAYER = 1e-4
 # ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
 ROELANDS_LOG_OFFSET = 9.67
@@ -408,6 +409,11 @@ class Lubricant:
         if self.temperature is not None:
             require_positive(self, "temperature")
         _require_constants(self)
+
+    @property
+    def dry(self) -> bool:
+        """Nothing lubricates: contacts have no film."""
+        return self.name == DRY
 
     @property
     def piezoviscous(self) -> bool:

@@ -69,6 +69,24 @@ CONTACT_STRENGTH = quantities(  # of ceramic rings; no standard rates them
     ("static_safety_makers_high", "the same, high", "high_safety"),
     null="the rings have no fracture toughness, or no contact is loaded",
 )
+DRY_VALUES = (  # name, unit, field, title
+    ("friction_coefficient", "", "friction", "coefficient of friction"),
+    ("power", "_W", "power", "friction power of the contacts"),
+    ("bulk_rise", "_K", "bulk", "rise of the bearing over its surroundings"),
+    ("flash_rise", "_K", "flash", "largest flash temperature of a contact over it"),
+    ("wear", "_mm3_h", "wear", "volume worn, all contacts"),
+    ("inner_wear", "_um_h", "inner_depth", "depth worn into the inner track"),
+    ("outer_wear", "_um_h", "outer_depth", "depth worn into the outer track"),
+    ("film_supply", "_h", "film_life", "time for which the cage feeds the film, an estimate"),
+)
+DRY_RUNNING = quantities(
+    *(
+        (f"{name}{part}{unit}", f"{text}{end}", f"{field}.{part.strip('_') or 'value'}")
+        for name, unit, field, text in DRY_VALUES
+        for part, end in (("", ""), ("_low", ", low end"), ("_high", ", high end"))
+    ),
+    null="the bearing is lubricated, at rest, or no cage feeds a film",
+)
 ROW = quantities("axial_position_mm", "offset_um")
 LIFE_RATING = quantities(
     ("basic_reference_rating_Mrev", "rating life", "basic_life", "L10"),

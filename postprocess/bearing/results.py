@@ -26,6 +26,7 @@ from oilfilm.bearing.heating.network import Conductance
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.invariants import CheckedState, broken_laws
 from oilfilm.bearing.quasistatic.solution import Frequencies, QuasistaticSolution
+from oilfilm.bearing.rating.dry_running import DryRunning
 from oilfilm.bearing.rating.duty_cycle import DutyCycle
 from oilfilm.bearing.rating.life import LifeRating
 from oilfilm.bearing.supply.oil_balance import GrooveOil
@@ -95,6 +96,7 @@ class BearingResults(Results):
     conductances: Array | None = None
     measured: MeasuredComparison | None = None  # None where the case names no table
     reference_speed: float | None = None  # ISO 15312 [rad/s]; None: not known
+    dry: DryRunning | None = None  # None of a lubricated bearing, and at rest
 
     @cached_property
     def films(self) -> tuple[ContactFilm | None, ...]:

@@ -87,6 +87,7 @@ from .contact_quantities import (
     finite_body_block,
     finite_body_messages,
 )
+from .dry import dry_block, dry_messages
 from .results import BearingResults, distinct_contacts
 from .torque import (
     decay_block,
@@ -163,6 +164,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "clearance": clearance_block(results),
         "strength": strength_block(results),
         "life": life_block(results),
+        "dry_running": dry_block(results),
         "duty_cycle": duty_cycle_block(results),
         "load_cases": load_case_blocks(results),
         "frequencies_Hz": values_of(results.frequencies, FREQUENCIES),
@@ -240,6 +242,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from rating_messages(results)
     yield from duty_cycle_messages(results)
     yield from strength_messages(results)
+    yield from dry_messages(results)
     yield from torque_messages(results)
     yield from rolling_messages(results)
     yield from supply_messages(results)

@@ -28,6 +28,7 @@ from .contact_quantities import (
     contact_records,
     contact_values,
 )
+from .dry import dry_rows
 from .measured import residual_lines
 from .results import BearingResults
 from .summary import (
@@ -204,7 +205,7 @@ def _bearing_table(results: BearingResults) -> Table:
     rows = {titles.get(key, key): text for key, text in rows.items()}
     rows |= row_lines(state) | ring_lines(state)
     rows |= frequency_lines(results) | rating_rows(results) | duty_cycle_rows(results)
-    rows |= strength_rows(results)
+    rows |= strength_rows(results) | dry_rows(results)
     return quantities.facts_table(rows | torque_rows(results) | supply_rows(results))
 
 

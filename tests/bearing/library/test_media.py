@@ -65,7 +65,7 @@ def test_beyond_its_range_a_medium_is_held_and_says_so():
 
 
 def test_hot_water_says_the_pressure_it_needs():
-    with pytest.warns(UserWarning, match="liquid only above 0.476 MPa"):
+    with pytest.warns(UserWarning, match="liquid only above 0.477 MPa"):
         load_lubricant("water", 150.0 + 273.15)
 
 

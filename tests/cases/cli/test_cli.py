@@ -278,7 +278,9 @@ def test_init_writes_a_valid_case_once(tmp_path):
     assert oilfilm("init", "no/such/folder/case").exit_code == 2
 
 
-@pytest.mark.parametrize("kind", ["cases", "bearings", "materials", "lubricants", "media", "greases", "typical"])
+@pytest.mark.parametrize(
+    "kind", ["cases", "bearings", "materials", "lubricants", "media", "dry_surfaces", "greases", "typical"]
+)
 def test_list(kind):
     names = json.loads(oilfilm("list", kind, "--json").stdout)[kind]
     listed = oilfilm("list", kind).stdout
