@@ -35,7 +35,7 @@ BLOK = 1.11  # of a band whose heat is that of Hertz' pressure [-]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DryRunning:
-    """What dry running does to a bearing, each as value, low and high end."""
+    """Results of dry running, each as value, low and high end."""
 
     surface: DrySurface
     friction: Range  # mu [-]
