@@ -166,7 +166,8 @@ def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
 
 def _with_dry(document: dict[str, Any]) -> dict[str, Any]:
     """The document of a bearing that runs dry with both of its words, where it has one."""
-    oil, friction = document.get("lubricant"), document.get("friction", {})
+    oil = document.get("lubricant")
+    friction = document.get("friction", {})
     if "bearing" not in document or not isinstance(friction, dict):
         return document
     if oil is None and friction.get("lubrication") == DRY:

@@ -7,6 +7,7 @@ atlas              - films of the film atlas of all contacts, as summary and in 
 bearing_quantities - quantities of a bearing beside those of its contacts (`contacts`), each
                      declared once
 contact_quantities - contacts of a bearing
+dry                - results of a bearing that runs dry
 measured           - measured numbers beside computed ones
 plots              - figures: films or pressures of every ball, torque by all models, strength,
                      decay
