@@ -180,6 +180,13 @@ def test_the_page_of_commands_names_every_command_and_option():
             assert parameter.param_type_name == "argument" or any(option in page for option in parameter.opts)
 
 
+def test_equations_are_typeset_for_the_site():
+    pytest.importorskip("latex2mathml")
+    site = importlib.import_module("site_pages")
+    text = site.equations("Film:\n\n```math\nh = \\frac{x^2}{2R}\n```\n\nwith $`R`$ and `$x$`.\n")
+    assert text.count("<math") == 2 and "<mfrac>" in text and "`$x$`" in text
+
+
 INDEX = (DOCS / "index.md").read_text(encoding="utf-8")
 
 

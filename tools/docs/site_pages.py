@@ -6,10 +6,11 @@ import ast
 import re
 import tomllib
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"
+FIRST = {"first_film", "film_maps_6208", "motor_bearing"}  # of the examples
 
 
 def on_config(config: Any) -> Any:
@@ -29,8 +30,24 @@ def on_files(files: Any, config: Any) -> Any:
     return files
 
 
+def equations(markdown: str) -> str:
+    """Equations in LaTeX as MathML, which browsers draw themselves: nothing is loaded from elsewhere."""
+    from latex2mathml.converter import convert
+
+    def typeset(latex: str, display: Literal["block", "inline"]) -> str:
+        return convert(latex.replace("\\!", "").strip(), display=display)
+
+    blocks = re.sub(
+        r"^```math\n(.*?)^```$",
+        lambda found: f'<div class="equation">{typeset(found[1], "block")}</div>',
+        markdown,
+        flags=re.DOTALL | re.MULTILINE,
+    )
+    return re.sub(r"\$`([^`\n]+)`\$", lambda found: typeset(found[1], "inline"), blocks)
+
+
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
-    """A link that shows the name of a file shows the title of its page."""
+    """A link that shows the name of a file shows the title of its page; equations are typeset."""
     folder = (ROOT / "docs" / page.file.src_uri).parent
 
     def named(link: re.Match[str]) -> str:
@@ -40,7 +57,7 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         title = target.read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ").strip()
         return f"[{title}]({link[2]}{link[3] or ''})"
 
-    return re.sub(r"\[([\w/]+\.md)\]\(([\w./]+\.md)(#[\w-]+)?\)", named, markdown)
+    return equations(re.sub(r"\[([\w/]+\.md)\]\(([\w./]+\.md)(#[\w-]+)?\)", named, markdown))
 
 
 def changelog() -> str:
@@ -52,7 +69,8 @@ def changelog() -> str:
 def examples() -> str:
     """Every script of `docs/examples`: its title, its text, its picture, its code."""
     lines = ["# Examples", "", "Scripts of at most sixty lines, each with its picture; every one is run as a test.", ""]
-    for path in sorted((ROOT / "docs" / "examples").glob("*.py")):
+    paths = (ROOT / "docs" / "examples").glob("*.py")
+    for path in sorted(paths, key=lambda path: (path.stem not in FIRST, path.stem)):
         source = path.read_text(encoding="utf-8")
         title, _, text = (ast.get_docstring(ast.parse(source)) or path.stem).partition("\n")
         lines += [f"## {title.rstrip('.')}", "", text.strip(), ""]
