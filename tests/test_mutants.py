@@ -61,6 +61,7 @@ def test_left_alone(tmp_path, code):
     assert changes(tmp_path, code) == []
 
 
+@pytest.mark.slow
 def test_every_mutant_of_a_module_is_a_program():
     path = ROOT / "bearing" / "rating" / "life.py"
     text = path.read_text(encoding="utf-8")

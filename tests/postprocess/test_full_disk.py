@@ -39,6 +39,7 @@ def test_a_file_is_there_as_a_whole_or_not_at_all(small_files, tmp_path):
     assert (tmp_path / "a").read_bytes() == b"1" * 19_000
 
 
+@pytest.mark.slow
 def test_hdf5_never_sees_the_error(tmp_path):
     """A history on a disk that is full ends with the error of the disk, and what was written can be read."""
     code = f"""
@@ -87,6 +88,7 @@ def test_there_is_room_or_an_error(small_files, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_hdf5_of_a_mesh_is_not_begun_without_room(bearing_folder, tmp_path):
     """It would end the program with a segmentation fault."""
     words = ["export", str(bearing_folder), "--format", "xdmf", "-o", str(tmp_path / "a.xdmf")]

@@ -28,7 +28,7 @@ COARSE = Path(__file__).with_name("expected_coarse.json")
 COARSE_POINTS = 65
 # elastic rings by finite elements, films of vibrations: among the slow tests
 SLOW = ("61808_split_housing", "6208_finite_bodies", "6208_steel_seats", "6205_outer_defect", "6208_run_up")
-SLOW += ("6208_waviness",)
+SLOW += ("6208_waviness", "61808_loose_rings")
 MAIN = ("6208_full_ceramic", "moes_20_10")  # on their own grid, too
 CLOSED, FILM = 1e-6, 5e-3
 LIGHT = 0.02  # of the heaviest ball's load
@@ -90,7 +90,13 @@ def test_numbers(stem):
     compare(numbers(stem), json.loads(EXPECTED.read_text(encoding="utf-8"))[stem])
 
 
-@pytest.mark.parametrize("stem", json.loads(COARSE.read_text(encoding="utf-8")))
+@pytest.mark.parametrize(
+    "stem",
+    [
+        pytest.param(stem, marks=pytest.mark.slow) if stem in SLOW else stem
+        for stem in json.loads(COARSE.read_text(encoding="utf-8"))
+    ],
+)
 def test_numbers_on_a_coarse_grid(stem):
     compare(numbers(stem, COARSE_POINTS), json.loads(COARSE.read_text(encoding="utf-8"))[stem])
 

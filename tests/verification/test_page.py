@@ -252,6 +252,7 @@ run.main()
     assert errors.endswith(b"oilfilm: interrupted\n")
 
 
+@pytest.mark.slow
 def test_sweep_command(tmp_path):
     result = call("--robustness", "4", "--seed", "7741", "--quick", "-o", str(tmp_path), "--json")
     document = json.loads(result.stdout)

@@ -164,6 +164,7 @@ def test_sensitivity_varies_what_is_assumed():
         assert sum(point.values[key] != base.values[key] for key in sweep.keys) == 1
 
 
+@pytest.mark.slow
 def test_sensitivities_are_in_the_summary(tmp_path):
     text = HEAD + '[fixed]\n"ehl.film_maps" = "none"\n[sensitivity]\n'
     batch = run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool)
@@ -416,6 +417,7 @@ def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatc
     assert finished(tmp_path / "out", sweep) == set(written) != set()
 
 
+@pytest.mark.slow
 def test_a_full_disk_is_told_with_what_is_kept(tmp_path, monkeypatch):
     import errno
 
@@ -630,6 +632,7 @@ def test_a_worker_of_another_version_is_refused(tmp_path):
         compute_point(task)
 
 
+@pytest.mark.slow
 def test_a_worker_without_the_folder_sends_its_files(tmp_path):
     sweep = sweep_from_text(QUICK, "sweep.toml")
 
@@ -710,6 +713,7 @@ def test_validate_init_and_list_know_sweeps(tmp_path, monkeypatch):
     assert "oilfilm batch" in answer.stderr
 
 
+@pytest.mark.slow
 def test_a_lost_point_is_the_machines_failure(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "quick.toml").write_text(QUICK)

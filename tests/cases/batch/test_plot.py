@@ -49,6 +49,7 @@ def results(tmp_path_factory):
     return load_results(run_batch(sweep_from_text(TEXT, "sweep.toml"), folder, HerePool))
 
 
+@pytest.mark.slow
 def test_the_lines_of_the_figure_are_the_numbers_asked_for(results):
     """Sliding moments of Table 3, N mm: printed values are half of the true ones."""
     shown = quantities(results)

@@ -179,6 +179,7 @@ def test_kernels_are_compiled_by_one_worker(tmp_path):
         assert stamp.exists()
 
 
+@pytest.mark.slow
 def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatch):
     (tmp_path / "sweep.toml").write_text(FEW)
     words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-o", "out", "--workers", "1"]
@@ -201,6 +202,7 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatc
     assert document["converged"] is True
 
 
+@pytest.mark.slow
 def test_workers_import_what_their_parent_does(tmp_path):
     """Not what bears the same name in the folder in which the command is given, where Python 3.11 looks first."""
     code = "if __name__ == '__main__':\n    from oilfilm import ehl; from oilfilm.cases.batch.pools import LocalPool\n"

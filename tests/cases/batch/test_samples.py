@@ -85,6 +85,7 @@ def test_correlations_that_cannot_be_are_told():
     assert any("no distribution has all of these correlations" in message for message in messages(QUICK + text))
 
 
+@pytest.mark.slow
 def test_designs_are_in_the_summary(tmp_path):
     """The load decides the largest load, the speed nearly nothing of it; bands say from how many points."""
     keys = f"{LOAD} = [400.0, 3000.0]\n{SPEED} = [5000.0, 5500.0]\n"
@@ -107,6 +108,7 @@ def test_designs_are_in_the_summary(tmp_path):
     assert len(batch_table(results).renderables) >= 5
 
 
+@pytest.mark.slow
 def test_indices_of_a_design_with_gaps_are_null_with_the_reason(tmp_path, monkeypatch):
     from oilfilm.cases.batch.compute import failure
 

@@ -104,6 +104,7 @@ def test_a_whole_batch_waits_for_no_shard(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_the_command_in_shards(whole, tmp_path, monkeypatch):
     folder, _ = whole
     monkeypatch.chdir(tmp_path)
@@ -181,6 +182,7 @@ def test_a_point_that_cannot_be_a_case_fails_with_its_message(tmp_path, monkeypa
     assert [point.values["bearing.balls"] for point in results.points] == [8, 40, 9]
 
 
+@pytest.mark.slow
 def test_a_batch_too_large_for_memory_has_the_same_columns(whole, tmp_path, monkeypatch):
     """Written some points at a time; counts in place of a list of points."""
     folder, sweep = whole
@@ -223,6 +225,7 @@ def test_a_point_beyond_its_time_fails(tmp_path):
         pass
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the limit is of the kernel")
 def test_a_point_beyond_its_memory_fails():
     words = "from oilfilm.cases.batch.compute import limited; from oilfilm.cases.batch.points import Limits\n"
@@ -231,6 +234,7 @@ def test_a_point_beyond_its_memory_fails():
     assert "MemoryError" in answer.stderr
 
 
+@pytest.mark.slow
 def test_a_point_within_limits_is_the_same(whole, tmp_path):
     folder, sweep = whole
     limits = Limits(seconds=120.0, memory=4.0)
@@ -239,6 +243,7 @@ def test_a_point_within_limits_is_the_same(whole, tmp_path):
     assert files(folder) == files(tmp_path / "out")
 
 
+@pytest.mark.slow
 def test_an_executor_of_the_users_own(whole, tmp_path, monkeypatch):
     folder, sweep = whole
     (tmp_path / "mine.py").write_text(
@@ -256,6 +261,7 @@ def test_an_executor_of_the_users_own(whole, tmp_path, monkeypatch):
         executor_factory("mine:fails")()
 
 
+@pytest.mark.slow
 def test_a_folder_without_a_point_is_no_earlier_batch(whole, tmp_path, monkeypatch):
     (tmp_path / "late.py").write_text("def fails():\n    raise RuntimeError('no nodes free')\n")
     monkeypatch.syspath_prepend(tmp_path)

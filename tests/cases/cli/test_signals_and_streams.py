@@ -159,6 +159,7 @@ def test_a_signal_before_the_commands_are_loaded():
     assert (answer.returncode, answer.stderr) == (3, "oilfilm: interrupted\n")
 
 
+@pytest.mark.slow
 def test_a_signal_to_all_processes_of_a_command_is_told_once(tmp_path):
     """As a service manager sends it: neither the server of processes nor a worker prints a traceback."""
     path = tmp_path / "sweep.toml"
@@ -213,6 +214,7 @@ def test_closed_and_full_streams(words, redirection, expected, tmp_path):
     assert "Traceback" not in answer.stderr
 
 
+@pytest.mark.slow
 def test_work_goes_on_when_nobody_reads_its_messages(tmp_path):
     """Standard error is a pipe whose reader has gone."""
     command = f"(sleep 0.5; {' '.join(OILFILM)} run 209_radial_8900N -o out >run.txt; echo $? >code) 2>&1 | true"

@@ -96,6 +96,7 @@ def test_several_goals_are_one_by_weights_and_their_front_is_what_nothing_better
     assert value.argmax() in (0, 1) and (noise > 0.0).all()
 
 
+@pytest.mark.slow
 def test_a_search_is_the_same_in_one_piece_and_resumed(tmp_path):
     path = tmp_path / "study.toml"
     path.write_text(STUDY)

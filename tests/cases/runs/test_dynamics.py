@@ -246,6 +246,7 @@ def test_an_interrupted_run_goes_on(tmp_path):
         run_dynamics(case, "case", tmp_path / "y.nc", restart=tmp_path / "bad.npz")
 
 
+@pytest.mark.slow
 def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
     """A real signal, at any moment: no time counts twice, and the restart reaches the end of an uninterrupted run."""
     path = short(tmp_path / "case.toml", "7008_axial", ("interval_us = 50.0", "interval_us = 5.0"), ("0.004", "0.012"))
@@ -379,6 +380,7 @@ def test_a_ring_that_is_moved_and_oil_that_warms(tmp_path):
     assert "do not follow the temperature" in told
 
 
+@pytest.mark.slow
 def test_the_shipped_unbalance_moves_the_ring_as_its_stiffness_says(tmp_path):
     """The centre goes round with the ring at F/|k - m w^2 + i c w| of the equilibrium's stiffness."""
     case = load_case("7008_unbalance")

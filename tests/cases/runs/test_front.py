@@ -55,6 +55,7 @@ def test_pictures(result, tmp_path):
     oilfilm.run("moes_20_10").plot().savefig(tmp_path / "picture.png")
 
 
+@pytest.mark.slow
 def test_oil_and_temperature_of_a_designation():
     result = oilfilm.run("6206", speed_rpm=3000, radial_N=500, oil="ISO VG 68", temperature_C=60, films="atlas")
     assert result.summary["case"]["lubricant"]["name"] == "iso vg 68"

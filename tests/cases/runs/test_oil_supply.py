@@ -365,12 +365,14 @@ def points(sweep, **wanted):
             yield case_of_document(point.document)
 
 
+@pytest.mark.slow
 def test_the_sweep_over_the_supply_has_a_minimum_under_the_largest_load():
     cases = points("6208_over_oil_supply", radial_load_N=3000.0, inner_speed_rpm=5000.0)
     torques = [summary(run_case(case))["torque_N_mm"]["total"] for case in cases]
     assert 0 < torques.index(min(torques)) < len(torques) - 1
 
 
+@pytest.mark.slow
 def test_the_sweep_over_the_inlet_film_ends_flooded():
     shares, torques = [], []  # [-], [N mm]
     for case in points("6208_over_inlet_film", radial_load_N=900.0):
@@ -423,6 +425,7 @@ def test_a_sweep_draws_supply_and_temperature_a_line_for_each_load_and_speed():
     assert len([text for text in texts if text.replace(".", "").isdigit()]) == 6  # four loads, two speeds
 
 
+@pytest.mark.slow
 def test_the_supply_does_not_cool_and_a_hundred_times_as_much_oil_does():
     """Fig. 5 of Yao et al. (2022): at 5000 r/min under 900 N only the other oil makes the temperature fall."""
     alone = list(points("6208_self_heating_over_supply", radial_load_N=900.0, inner_speed_rpm=5000.0))
@@ -439,6 +442,7 @@ def solved(layer, more="", points=257):
     return with_film(layer).replace('film_maps = "none"\n', ehl)
 
 
+@pytest.mark.slow
 def test_films_of_a_bearing_solved_behind_a_layer():
     """Each of them its own, and the total torque is that of these films."""
     document = found(solved(0.2))
@@ -461,6 +465,7 @@ def test_films_of_a_bearing_solved_behind_a_layer():
     assert flooded_films["torque_N_mm"]["total"] == pytest.approx(document["torque_N_mm"]["total"], rel=0.15)
 
 
+@pytest.mark.slow
 def test_the_same_layer_three_ways():
     """Films solved behind it, by the law, and flooded with the law's beside: one bound, one kappa, one film shown."""
     ways = [solved(0.2, points=129).replace('"solved"', f'"{how}"') for how in ("solved", "tabulated", "none")]

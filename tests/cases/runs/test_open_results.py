@@ -97,6 +97,7 @@ def test_stiffness(tmp_path, computed):
         np.testing.assert_allclose(found, [point["stiffness"][3][2] for point in document["points"]])
 
 
+@pytest.mark.slow
 def test_dynamics(tmp_path, computed):
     _, tree = opened(computed("dynamics", tmp_path), "dynamics")
     with tree:

@@ -180,6 +180,7 @@ def test_kappa_of_the_solved_film_stands_beside_that_of_the_viscosity():
     assert any("loaded contacts without a resolved film: 2 at the inner race" in m for m in found["messages"])
 
 
+@pytest.mark.slow
 def test_life_with_the_film_of_each_contact():
     """A third of the balls is loaded; the life lies above that of the thinnest film for all, its ends enclose it."""
     text = CASE.replace("[lubricant]", "[lubricant]\ncontamination_factor = 0.5")

@@ -43,6 +43,7 @@ def found(text):
     return document["self_heating"], document
 
 
+@pytest.mark.slow
 def test_friction_and_cooling_agree():
     """M w is what shaft and housing give off, h split over them by their seats; the oil is thinner at the balance."""
     warm, document = found(TEXT)
@@ -83,6 +84,7 @@ def test_oil_carries_heat_away():
     assert heat == pytest.approx(cooled["power_W"], abs=1e-3)
 
 
+@pytest.mark.slow
 def test_fits_and_rings_of_different_temperature_take_clearance_as_it_warms():
     rings = "[temperatures]\ninner_ring_C = 60.0\nouter_ring_C = 50.0\nball_C = 55.0\n"
     warm, document = found(TEXT + rings + "[fit]\ninner_ring_interference_um = 5.0\n")

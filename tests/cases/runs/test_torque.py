@@ -225,6 +225,7 @@ def test_the_five_terms_with_their_inputs():
     assert torque["models"]["integrated"]["drag"] > 0.0
 
 
+@pytest.mark.slow
 def test_torque_over_the_supply_has_a_minimum():
     """Below it asperities, above it rolling resistance and churning; at more speed the same supply starves more."""
     base = TEXT.replace("points = 65", 'film_maps = "none"').replace("radial_load_N = 2000.0", "radial_load_N = 3000.0")
@@ -312,6 +313,7 @@ def test_carreau_needs_its_constants():
     assert case_from_text(full, "case.toml").rheology.carreau_modulus == 7.0e6
 
 
+@pytest.mark.slow
 def test_range_of_a_slow_bearing_has_sharing_and_roughness():
     """A 6304 at 100 r/min, whose films part the surfaces only in part; the same at 6000 r/min has no such range."""
     document, slow, fast = rough_states()
@@ -338,6 +340,7 @@ def rough_states():
     return summary(results[0])["torque_N_mm"], *(one.torque for one in results)
 
 
+@pytest.mark.slow
 def test_balls_that_left_the_load_zone_are_named():
     """A 6306 C3 at 800 N radial, 150 N axial turns more easily than at 100 N: five balls ride between two films."""
     text = case_of_designation("6306 C3", FirstOperation(speed=1500.0, radial_load=800.0, axial_load=150.0))

@@ -175,6 +175,7 @@ def test_a_measured_profile(tmp_path, monkeypatch):
         load_case("case.toml")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_an_interrupted_run_keeps_its_steps_and_goes_on(tmp_path, results):
     case = tmp_path / "waves.toml"

@@ -101,6 +101,7 @@ def test_a_model_says_where_it_is_beyond_its_range(old, new, expected):
     assert not any("torque_N_mm.models.skf" in message for message in found(CASE)["messages"])
 
 
+@pytest.mark.slow
 def test_the_first_warning_says_that_there_are_two_temperatures():
     result = found(CASE + HEATED)
     first = result["warnings"][0]
@@ -108,6 +109,7 @@ def test_the_first_warning_says_that_there_are_two_temperatures():
     assert first.startswith("two temperatures: loads, clearance, films, torque and life are those of")
 
 
+@pytest.mark.slow
 def test_a_case_can_be_computed_at_the_temperature_of_its_balance():
     own = CASE.replace("temperature_C = 70.0", 'temperature_C = 70.0\ntemperature = "self-heated"')
     result = found(own + HEATED)

@@ -108,6 +108,7 @@ def linear(length, points):
     return abs(film[0, abs(grid.X).argmin()])
 
 
+@pytest.mark.slow
 def test_waviness_agrees_with_a_linear_solve_at_its_frequency():
     """Waves of two semi-axes, 64 nodes a wave: to 1 %."""
     found = left(waves(2.0))
@@ -135,6 +136,7 @@ def test_a_short_wave_needs_the_characteristic():
     assert left(waves(0.5, scheme=Scheme.UPSTREAM)).ratio < 0.8 * fine
 
 
+@pytest.mark.slow
 def test_a_film_wave_is_carried_unchanged():
     """In the flat zone the content of a step is that of the last one, moved by a node, to 1.5e-3 of the waviness."""
     run = waves(0.5, passed=3.0)

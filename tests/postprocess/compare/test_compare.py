@@ -200,6 +200,7 @@ def rows(path):
         return list(csv.DictReader(file))
 
 
+@pytest.mark.slow
 def test_a_cut_is_a_row_of_the_field(folder, tmp_path):
     found = rows(write_line_cut(folder, tmp_path / "cut.csv"))
     with open_results(folder) as tree:
@@ -211,6 +212,7 @@ def test_a_cut_is_a_row_of_the_field(folder, tmp_path):
     assert list(found[0]) == ["x [mm]", "film [um]", "pressure [GPa]"]
 
 
+@pytest.mark.slow
 def test_a_cut_beside_the_centre_has_the_hertz_pressure_there(folder, tmp_path):
     found = rows(write_line_cut(folder, tmp_path / "cut.csv", "ball02/outer", "x", 0.6))
     with open_results(folder) as tree:
@@ -219,6 +221,7 @@ def test_a_cut_beside_the_centre_has_the_hertz_pressure_there(folder, tmp_path):
     assert largest == pytest.approx(0.8 * hertz, rel=1e-2)  # sqrt(1 - 0.6^2), linear over 0.14
 
 
+@pytest.mark.slow
 def test_wrong_contacts_and_lines_are_told(folder, tmp_path):
     with pytest.raises(ValueError, match="did you mean 'ball01/inner'"):
         open_contact(folder, "ball1/inner")
@@ -253,6 +256,7 @@ def test_the_foot_of_an_interferogram_has_the_step_of_its_fringes(folder, monkey
     assert figure.get_supxlabel().startswith("from fringe to fringe 200 nm of film")
 
 
+@pytest.mark.slow
 def test_pictures_of_interferograms(folder, moes_results, tmp_path):
     path = write_interferogram(folder, tmp_path / "fringes.png", "ball01/outer")
     assert path.read_bytes()[:4] == b"\x89PNG"

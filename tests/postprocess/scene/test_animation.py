@@ -126,6 +126,7 @@ def test_steps_are_the_history(history):
     assert step.field_data["coordinates"][0] == "mm"
 
 
+@pytest.mark.slow
 def test_steps_need_no_drawing(history):
     """Written in a process that can import neither pyvista nor VTK's rendering."""
     code = """
@@ -144,6 +145,7 @@ write_motion(Path(sys.argv[1]))
     assert not list(history.rglob(".*"))
 
 
+@pytest.mark.slow
 def test_a_gif_has_a_frame_for_each_row(history, tmp_path):
     from PIL import Image
 

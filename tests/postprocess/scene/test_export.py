@@ -75,6 +75,7 @@ def test_films_of_a_bearing(bearing_folder, bearing_results, tmp_path, suffix):
     assert (start, first) == (len(mesh.points), len(quads))
 
 
+@pytest.mark.slow
 def test_groups_are_the_contacts(bearing_folder, bearing_results, tmp_path):
     solved = [c for c, s in zip(bearing_results.contacts, bearing_results.solutions, strict=True) if s is not None]
     names = [f"ball{c.ball:02d}/{c.race.value}" for c in solved]

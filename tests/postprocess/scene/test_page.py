@@ -88,6 +88,7 @@ def test_a_click_tells_the_numbers_of_a_contact(page, bearing_folder, tmp_path):
     assert said and said.group(1) == f"true|{contact}|{contact}|"
 
 
+@pytest.mark.slow
 def test_the_page_of_a_bearing_knows_its_contacts(page, bearing_folder, tmp_path):
     """Every film has a place and its numbers, with signs of units, in the page."""
     text = export_html(bearing_folder, tmp_path / "scene.html").read_text(encoding="utf-8")
@@ -168,6 +169,7 @@ print(json.dumps({"numbers": numbers, "up": up, "shown": "numbers" in plotter.ac
 """
 
 
+@pytest.mark.slow
 def test_a_click_shows_numbers_and_the_slider_turns(page, bearing_results, bearing_folder):
     import json
     import sys

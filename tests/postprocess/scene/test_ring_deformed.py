@@ -86,6 +86,7 @@ def test_export_without_films(folder, tmp_path, suffix):
         export_results(folder, tmp_path / "films.msh")
 
 
+@pytest.mark.slow
 def test_export_beside_films(bearing_folder, folder, tmp_path):
     directory = tmp_path / "run"
     directory.mkdir()
@@ -100,6 +101,7 @@ def test_picture_of_rigid_rings_says_what_is_missing(bearing_folder, tmp_path):
         screenshot(bearing_folder, tmp_path / "scene.png", SceneOptions(quantity="displacement"))
 
 
+@pytest.mark.slow
 def test_picture_in_the_colours_of_the_displacement(folder, tmp_path):
     from matplotlib.image import imread
 

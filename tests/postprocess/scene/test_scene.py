@@ -56,6 +56,7 @@ def scene(drawing, bearing_folder):
     return build_scene(bearing_folder, SceneOptions(quantity="pressure"), off_screen=True, for_page=True)
 
 
+@pytest.mark.slow
 def test_cage_axes_loads_and_rotation_stand_in_the_scene(scene, bearing_results):
     """Of a radial load: no axial arrow; a case without [operation] has no rotation."""
     names = set(scene.plotter.actors)
@@ -172,6 +173,7 @@ def test_bad_requests(bearing_folder, tmp_path):
         SceneOptions(quantity="temperature")
 
 
+@pytest.mark.slow
 def test_importing_the_scene_opens_nothing():
     code = "import sys, oilfilm.postprocess.scene.scene; print('pyvista' in sys.modules)"
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

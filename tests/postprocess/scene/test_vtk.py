@@ -202,6 +202,7 @@ def von_mises(stress):
     return np.sqrt(0.5 * pairs + 3.0 * (xy**2 + yz**2 + xz**2))
 
 
+@pytest.mark.slow
 def test_writing_needs_no_rendering_library():
     code = (
         "import sys, oilfilm.postprocess.scene.vtk, oilfilm.postprocess.scene.vtk_history, vtkmodules.vtkIOXML; "

@@ -76,6 +76,7 @@ def test_a_ball_of_a_6208():
     assert abs(difference.tilt) < 1e-15
 
 
+@pytest.mark.slow
 def test_a_ring_of_a_6208_whose_ellipse_touches_the_shoulder():
     """By a prototype of finite elements: constant -0.31 um, tilt +0.150 um over b, 1/R_y +2.2 %.
 

@@ -43,6 +43,7 @@ def table():
     return build_temperature_table(contact_at, TEMPERATURES, LIMITS, OPTIONS)
 
 
+@pytest.mark.slow
 def test_at_its_temperatures_it_is_the_table_there(table):
     assert [table.at(one) for one in TEMPERATURES] == list(table.tables)
 
