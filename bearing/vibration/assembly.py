@@ -657,6 +657,8 @@ def _ball_heights(
         return np.zeros((2, 1, 2))
     radius = 0.5 * bearing.ball_diameter
     equal = not form.defects_of(FormBody.BALL)
+    profile = form.profiles.get(FormBody.BALL)
+    equal &= profile is None or profile.ndim == 1
     equal &= all(wave.ball == 0 for wave in form.waves.get(FormBody.BALL, ()))
     rows = [
         heights(form, FormBody.BALL, ball + 1) for ball in range(1 if equal else bearing.balls)

@@ -4,7 +4,7 @@ Heights count outwards from the material, against the other body, over the angle
 (from the load line at time zero, turning with it) or around a ball in the plane of its rolling.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from math import isfinite, pi
 
@@ -15,6 +15,21 @@ from oilfilm.ehl.arrays import Array
 
 MOST_ORDERS = 24  # of a profile that lines are looked for of
 LEAST_ORDER = 0.05  # of its strongest one, below which an order is none of these [-]
+# deviation of balls from a sphere, from valley to crest, and range of diameters in a lot, by the
+# grade of ISO 3290-1 (2014) [m]
+GRADES = {
+    "G3": (0.08e-6, 0.13e-6),
+    "G5": (0.13e-6, 0.25e-6),
+    "G10": (0.25e-6, 0.5e-6),
+    "G16": (0.4e-6, 0.8e-6),
+    "G20": (0.5e-6, 1.0e-6),
+    "G28": (0.7e-6, 1.4e-6),
+    "G40": (1.0e-6, 2.0e-6),
+    "G100": (2.5e-6, 5.0e-6),
+}
+GRADED_ORDERS = 100  # of a form that is drawn, from 2 on
+GRADED_DECAY = 2.0  # amplitude over order, of ground surfaces; estimate, 1.5 to 2.5 [-]
+GRADED_POINTS = 4096
 POINTS = 65536  # of a height over a turn: linear between, order 500 to 3e-4
 
 
@@ -76,7 +91,8 @@ class SurfaceForm:
     """Differences of the surfaces of a bearing from circles and grooves."""
 
     waves: dict[FormBody, tuple[Wave, ...]] = field(default_factory=dict)
-    profiles: dict[FormBody, Array] = field(default_factory=dict)  # heights over a turn, even [m]
+    # heights over a turn, even; of balls also a row for each [m]
+    profiles: dict[FormBody, Array] = field(default_factory=dict)
     ball_diameters: tuple[float, ...] = ()  # of each ball over the nominal one [m]
     defects: tuple[Defect, ...] = ()
 
@@ -130,12 +146,12 @@ def waves_of(form: SurfaceForm, place: FormBody) -> tuple[Wave, ...]:
     profile = form.profiles.get(place)
     if profile is None:
         return form.waves.get(place, ())
-    orders = np.fft.rfft(profile)[1 : profile.size // 2]
-    amplitude = 2.0 * abs(orders) / profile.size
+    orders = np.fft.rfft(np.atleast_2d(profile))[:, 1 : profile.shape[-1] // 2]
+    amplitude = 2.0 * np.sqrt((abs(orders) ** 2).mean(axis=0)) / profile.shape[-1]
     strongest = np.argsort(amplitude)[::-1][:MOST_ORDERS]
     shown = sorted(k for k in strongest if amplitude[k] > LEAST_ORDER * amplitude.max())
     own = (
-        Wave(order=int(k) + 1, amplitude=float(amplitude[k]), phase=float(np.angle(orders[k])))
+        Wave(order=int(k) + 1, amplitude=float(amplitude[k]), phase=float(np.angle(orders[0, k])))
         for k in shown
     )
     return (*form.waves.get(place, ()), *own)
@@ -165,9 +181,50 @@ def heights(form: SurfaceForm, place: FormBody, ball: int = 0) -> Array:
             total += wave.amplitude * np.cos(wave.order * angle + wave.phase)
     profile = form.profiles.get(place)
     if profile is not None:
-        even = np.append(profile, profile[0])
+        own = np.atleast_2d(profile)[max(ball, 1) - 1 if profile.ndim > 1 else 0]
+        even = np.append(own, own[0])
         total += np.interp(angle, np.linspace(0.0, 2.0 * pi, even.size), even)
     return total
+
+
+def graded(form: SurfaceForm, grade: str, balls: int, seed: int) -> SurfaceForm:
+    """A form whose even bodies have the form of a grade, drawn at random within its limits.
+
+    Orders from 2 on have amplitudes in proportion to order^-`GRADED_DECAY` and random phases; from
+    valley to crest they are the deviation of the grade. No standard limits the waviness of races:
+    they have that of the balls, which is an assumption.
+
+    Parameters
+    ----------
+    form : SurfaceForm
+        form as given
+    grade : str
+        grade of ISO 3290-1, a key of `GRADES`
+    balls : int
+        number of balls [-]
+    seed : int
+        seed of the random numbers [-]
+
+    Returns
+    -------
+    SurfaceForm
+        form with profiles of even bodies, and diameters of the balls
+    """
+    deviation, lot = GRADES[grade]
+    draw = np.random.default_rng(seed)
+    profiles = dict(form.profiles)
+    order = np.arange(2, GRADED_ORDERS + 1)
+    for place in FormBody:
+        rows = balls if place is FormBody.BALL else 1
+        spectrum = np.zeros((rows, GRADED_POINTS // 2 + 1), dtype=np.complex128)
+        phases = draw.uniform(0.0, 2.0 * pi, (rows, order.size))
+        spectrum[:, order] = order**-GRADED_DECAY * np.exp(1j * phases)
+        drawn = np.fft.irfft(spectrum, axis=1)
+        drawn *= deviation / np.ptp(drawn, axis=1, keepdims=True)
+        if not form.waves.get(place) and place not in form.profiles:
+            profiles[place] = drawn if place is FormBody.BALL else drawn[0]
+    diameters = form.ball_diameters or tuple(draw.uniform(-0.5 * lot, 0.5 * lot, balls).tolist())
+    return replace(form, profiles=profiles, ball_diameters=diameters)
 
 
 def hollow(defect: Defect, radius: float) -> Array:

@@ -395,7 +395,7 @@ def _bearing_case(file: BearingFile) -> Case:
     dry_friction, dry = with_dry_friction(given_friction, file.bearing.ball_material)
     file = file.model_copy(update={"friction": dry_friction})
     if file.form is not None:  # its files are judged before a run
-        surface_form(file.form)
+        surface_form(file.form, 1)
     frequency_response(file.support)
     if file.measured is not None:
         case_table(("measured",), file.measured)

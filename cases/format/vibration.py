@@ -6,7 +6,15 @@ from typing import Annotated, Literal
 import numpy as np
 
 from oilfilm.bearing.dynamics.support import Sensor, Support
-from oilfilm.bearing.vibration.form import Defect, DefectKind, FormBody, SurfaceForm, Wave
+from oilfilm.bearing.vibration.form import (
+    GRADES,
+    Defect,
+    DefectKind,
+    FormBody,
+    SurfaceForm,
+    Wave,
+    graded,
+)
 from oilfilm.bearing.vibration.inputs import (
     ContactLaw,
     Direction,
@@ -89,6 +97,12 @@ class DefectTable(Table):
 
 class FormTable(Table):
     """Form of the surfaces: what they differ by from circles; `oilfilm vibration`."""
+
+    quality: Annotated[str, OneOf(*GRADES)] | None = described(
+        "grade of the balls by ISO 3290-1: their form and diameters, and the form of races, which "
+        "no standard limits, are drawn within it where no other is given"
+    )
+    seed: int = between(0, 2**31 - 1, "of these random numbers", 58_201)
 
     inner_waviness: tuple[WaveTable, ...] = described(
         "[[form.inner_waviness]], orders of the inner race", (), **WAVES
@@ -173,6 +187,7 @@ class VibrationTable(Table):
 
 SENSOR = ("sensor_mass_kg", "sensor_frequency_Hz", "sensor_damping_ratio")
 RELATIONS: tuple[Relation, ...] = (
+    OnlyWith("form.seed", (Where("form.quality"),), default=58_201),
     *together(*(f"support.{name}" for name in SENSOR)),
     Needs("support.seat_damping_N_s_m", Where("support.seat_stiffness_N_um", nonzero=True)),
     Needs("support.seat_stiffness_N_um", Where("support.sensor_mass_kg")),
@@ -246,6 +261,7 @@ def vibration(
     form: FormTable | None,
     support: SupportTable | None,
     table: VibrationTable | None,
+    balls: int,
     speed: float,
     end_time: float | None,
 ) -> VibrationModel:
@@ -259,6 +275,8 @@ def vibration(
         The checked table [support], where there is one.
     table : VibrationTable | None
         The checked table [vibration], where there is one.
+    balls : int
+        Number of balls [-].
     speed : float
         Speed of the inner ring [rad/s].
     end_time : float | None
@@ -275,19 +293,21 @@ def vibration(
         If a profile cannot be read.
     """
     return VibrationModel(
-        form=SurfaceForm() if form is None else surface_form(form),
+        form=SurfaceForm() if form is None else surface_form(form, balls),
         support=Support() if support is None else _support(support),
         options=_options(table or VibrationTable(), speed, end_time),
     )
 
 
-def surface_form(table: FormTable) -> SurfaceForm:
+def surface_form(table: FormTable, balls: int) -> SurfaceForm:
     """Form of the surfaces.
 
     Parameters
     ----------
     table : FormTable
         The checked table.
+    balls : int
+        Number of balls [-].
 
     Returns
     -------
@@ -315,12 +335,13 @@ def surface_form(table: FormTable) -> SurfaceForm:
         for place, (key, file) in files.items()
         if file
     }
-    return SurfaceForm(
+    form = SurfaceForm(
         waves=waves,
         profiles=profiles,
         ball_diameters=tuple(table.si()["ball_diameter"] or ()),
         defects=tuple(defect.build(Defect) for defect in table.defects),
     )
+    return form if table.quality is None else graded(form, table.quality, balls, table.seed)
 
 
 def _support(table: SupportTable) -> Support:

@@ -199,7 +199,9 @@ def case_with_form(case: Case, name: str) -> FormedCase:
         speed = case.operation.inner_speed
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of the profiles, which the case has told
-            model = vibration(file.form, file.support, file.vibration, speed, end_time)
+            model = vibration(
+                file.form, file.support, file.vibration, case.bearing.balls, speed, end_time
+            )
         response = frequency_response(file.support)
         state = interruptible(partial(case_equilibrium, case))
         if not state.converged:

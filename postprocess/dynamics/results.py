@@ -81,7 +81,7 @@ SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ra
         null="nothing drifts, or not as an exponential",
     ),
     *quantities(("friction_torque_N_mm", "friction torque", "friction_torque")),
-    *quantities(("table_exceeded_share", "", "table_exceeded"), null="there is no traction table"),
+    *quantities(("table_exceeded", "", "table_exceeded"), null="there is no traction table"),
     *quantities(("gyroscopic_speed_rad_s", "", "gyroscopic_speed")),
     *quantities(("gyroscopic_load_ratio", "", "gyroscopic_load"), null="there is no friction"),
 )
@@ -117,6 +117,7 @@ PLOTTED = by_key(
 )
 HEADERS = ("ball", *STATES, "N", *STATES, "N")
 TITLE = "share of the time at the inner race, and at the outer race; largest load"
+SAME = 0.01  # of the cage speed of the equilibrium, beyond which a difference is told [-]
 HELD = 0.9  # gyroscopic couple over what friction holds, above which balls slip [-]
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
 
@@ -196,7 +197,11 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
         **({} if results.vibration is None else seen.vibration_blocks(results.vibration)),
         "timing_s": results.timing,
     }
-    messages = (*_messages(numbers), *_start_messages(results, document))
+    messages = (
+        *_messages(numbers),
+        *_other_speed(simulation, numbers),
+        *_start_messages(results, document),
+    )
     if results.vibration is not None:
         messages = (*messages, *seen.vibration_messages(results.vibration))
     head = results.head(simulation.converged and balanced, messages)
@@ -258,6 +263,21 @@ def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
     if still:
         bodies = " and ".join(still)
         yield f"dynamics: no whirl: the centre of {bodies} stays on the axis or is fixed"
+
+
+def _other_speed(simulation: Simulation, numbers: SimulationStatistics | None) -> Iterator[str]:
+    """A cage that does not turn as in the equilibrium, whose speed other commands take."""
+    state = simulation.point.equilibrium
+    if state is None or numbers is None or len(simulation.data.schedule) > 1:
+        return
+    rolling = state.cage_speed
+    if abs(numbers.cage_speed - rolling) > SAME * abs(rolling):
+        there = from_si("speed_rpm", rolling)
+        yield (
+            f"dynamics: the cage turns at {numbers.cage_speed / rolling:.3f} of the "
+            f"{there:.1f} r/min of rolling balls in equilibrium, which run, vibration without "
+            "[dynamics] and frequencies take: their defect frequencies are off by as much"
+        )
 
 
 def _transient(numbers: SimulationStatistics) -> str:

@@ -369,7 +369,10 @@ def vibration_messages(results: VibrationResults) -> Iterator[str]:
             "coarse for the band at this speed; lengthen duration_s or raise sample_rate_Hz"
         )
     if _smooth(run):
-        yield "vibration: no form of the surfaces is given: what is left is varying compliance"
+        yield (
+            "vibration: no form of the surfaces is given: what is left is varying compliance; "
+            '[form] quality = "G10" draws that of a grade'
+        )
 
 
 def _uncertain_damping(run: VibrationRun) -> Iterator[str]:

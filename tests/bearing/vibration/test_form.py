@@ -14,9 +14,11 @@ from oilfilm.bearing.vibration.form import (
     FormBody,
     SurfaceForm,
     Wave,
+    graded,
     heights,
     hollow,
     rolled,
+    waves_of,
 )
 from oilfilm.bearing.vibration.lines import is_resolved, name_of, sums_and_harmonics
 
@@ -117,6 +119,22 @@ def test_laws_of_contacts():
     values = np.array([forces(law, d)[0] for d in steps])
     work = float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(steps)))
     assert_allclose(forces(law, 5e-6)[2] - forces(law, 1e-8)[2], work, rtol=1e-6)
+
+
+def test_a_grade_gives_what_is_not_given():
+    """ISO 3290-1, G10: 0.25 um from valley to crest on each body, diameters within 0.5 um; no two balls are alike."""
+    wave = Wave(order=7, amplitude=1e-7)
+    form = graded(SurfaceForm(waves={FormBody.INNER: (wave,)}), "G10", 9, 73_019)
+    assert FormBody.INNER not in form.profiles  # as given
+    assert_allclose(np.ptp(form.profiles[FormBody.OUTER]), 0.25e-6)
+    balls = form.profiles[FormBody.BALL]
+    assert_allclose(np.ptp(balls, axis=1), 0.25e-6)
+    assert len({round(float(row[0]), 15) for row in balls}) == 9
+    assert np.ptp(form.ball_diameters) <= 0.5e-6
+    assert_allclose(heights(form, FormBody.BALL, 4)[::16], balls[3], atol=1e-12)
+    again = graded(SurfaceForm(), "G10", 9, 73_019)
+    assert_allclose(again.profiles[FormBody.BALL], balls)  # the seed draws the same
+    assert [wave.order for wave in waves_of(form, FormBody.BALL)][:3] == [2, 3, 4]
 
 
 def test_a_defect_of_a_ball_shows_twice_a_turn():
