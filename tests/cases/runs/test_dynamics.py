@@ -514,3 +514,21 @@ def test_a_window_of_an_animation_is_checked_first(tmp_path, options, fault):
     done = run(path, "-o", str(tmp_path / "out"), *options)
     assert done.exit_code == 2
     assert fault in " ".join((done.output + done.stderr).split())
+
+
+def test_a_cage_that_leaves_the_speed_of_other_commands_is_told(tmp_path):
+    """A fast, lightly loaded 7012AC spins otherwise than in the equilibrium: 4646 r/min, `run` has 4405."""
+    path = tmp_path / "case.toml"
+    path.write_text(
+        'schema_version = 1\n[bearing]\nname = "7012AC"\n[lubricant]\nname = "iso vg 32"\n'
+        "[operation]\ninner_speed_rpm = 10000.0\naxial_load_N = 400.0\ntemperature_C = 60.0\n"
+        '[ehl]\nfilm_maps = "none"\n[dynamics]\nend_time_s = 0.04\n'
+        "[friction]\ntraction_maximum = 0.05\ntraction_maximum_slide = 0.03\ntraction_limit = 0.03\n",
+        encoding="utf-8",
+    )
+    found = run(path, "--json", "--quiet")
+    assert found.exit_code == 0, found.output
+    document = json.loads(found.stdout)
+    assert document["cage_speed_rpm"] > 1.02 * 4405.0
+    assert any("of rolling balls in equilibrium" in message for message in document["messages"])
+    assert document["gyroscopic_load_ratio"] > 0.0
