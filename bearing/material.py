@@ -28,6 +28,7 @@ MAY_BE_UNKNOWN = (
 )
 # sqrt(k rho c) of hardened bearing steel, k 21, rho 7850, c 460, as the library has it
 STEEL_EFFUSIVITY = 8708.0  # [W s^(1/2)/(m^2 K)]
+ROOM = 293.15  # [K]
 # fields of brittle materials, with their ranges
 STRENGTH = ("bending_strength", "weibull_modulus", "fracture_toughness")
 
@@ -75,6 +76,9 @@ class Material:
     weibull_modulus_range: tuple[float, float] | None = None  # [-]
     fracture_toughness: float | None = None  # K_Ic [Pa m^(1/2)]; None if not known
     fracture_toughness_range: tuple[float, float] | None = None  # [Pa m^(1/2)]
+    # rises from 20 C [K] and the strains that they make [-], the integral of the expansion; None:
+    # by its mean coefficient
+    expansion_points: tuple[tuple[float, float], ...] | None = None
     unverified: tuple[str, ...] = ()  # fields whose values no source was read for
 
     def __post_init__(self) -> None:
@@ -88,6 +92,31 @@ class Material:
             raise ValueError(f"poisson_ratio must lie in [0, 0.5), got {self.poisson_ratio!r}")
         if self.thermal_expansion is not None and not isfinite(self.thermal_expansion):
             raise ValueError(f"thermal_expansion must be finite, got {self.thermal_expansion!r}")
+
+    def thermal_strain(self, rise: float) -> float | None:
+        """Strain of a rise of the temperature from 20 C.
+
+        Parameters
+        ----------
+        rise : float
+            temperature less 20 C [K]
+
+        Returns
+        -------
+        float | None
+            by the integral of the expansion where the library has it, beyond its ends by the mean
+            coefficient [-]; None without either
+        """
+        if self.thermal_expansion is None:
+            return None
+        if self.expansion_points is None:
+            return self.thermal_expansion * rise
+        rises, strains = zip(*self.expansion_points, strict=True)
+        held = min(max(rise, rises[0]), rises[-1])
+        above = next(n for n in range(1, len(rises)) if held <= rises[n])
+        share = (held - rises[above - 1]) / (rises[above] - rises[above - 1])
+        inside = strains[above - 1] + share * (strains[above] - strains[above - 1])
+        return float(inside + self.thermal_expansion * (rise - held))
 
     @property
     def effusivity(self) -> float:
@@ -180,12 +209,21 @@ def load_material(name: str) -> Material:
             f"{field}: {value['source']}" for field, value in entry.items() if field != "kind"
         ),
         kind=MaterialKind(entry.get("kind", "other")),
+        expansion_points=_expansion_points(entry.get("expansion")),
         unverified=tuple(
             field for field, key in FIELDS.items() if not entry.get(key, {}).get("verified", True)
         ),
         **{field: numbers[key] for field, key in given.items()},
         **{f"{field}_range": ends[given[field]] for field in STRENGTH if field in given},
     )
+
+
+def _expansion_points(data: dict[str, Any] | None) -> tuple[tuple[float, float], ...] | None:
+    """Rises from 20 C [K] and strains of an entry; None without them."""
+    if data is None:
+        return None
+    pairs = zip(data["temperature_K"], data["strain_um_m"], strict=True)
+    return tuple((float(kelvin) - ROOM, 1e-6 * float(strain)) for kelvin, strain in pairs)
 
 
 def material_data(name: str) -> dict[str, Any]:

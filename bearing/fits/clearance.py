@@ -98,7 +98,7 @@ class _Cylinder:
 
 
 def thermal_growth(material: Material, diameter: float, rise: float) -> float:
-    """Growth of a diameter by a temperature rise, alpha D dT.
+    """Growth of a diameter by a temperature rise, from 20 C where the expansion is known over it.
 
     Parameters
     ----------
@@ -121,12 +121,13 @@ def thermal_growth(material: Material, diameter: float, rise: float) -> float:
     """
     if rise == 0.0:
         return 0.0
-    if material.thermal_expansion is None:
+    strain = material.thermal_strain(rise)
+    if strain is None:
         raise ValueError(
             f"material {material.name!r} has no thermal_expansion, which a change of temperature "
             "needs"
         )
-    return material.thermal_expansion * diameter * rise
+    return strain * diameter
 
 
 def centrifugal_growth(material: Material, diameter: float, other: float, speed: float) -> float:

@@ -26,6 +26,7 @@ LIBRARY_FIELDS = (
     *("kind", "thermal_expansion", "thermal_conductivity", "specific_heat"),
     *("bending_strength", "weibull_modulus", "fracture_toughness"),
     *("bending_strength_range", "weibull_modulus_range", "fracture_toughness_range"),
+    "expansion_points",
 )
 # tables whose keys with the word "material" name one
 MATERIAL_TABLES = ("bearing", "fit", "contact")
@@ -97,6 +98,10 @@ def _material(name: str, table: MaterialTable) -> Material:
         ends = values.get(f"{field}_range")
         if ends and field in given and not ends[0] <= given[field] <= ends[1]:
             values[f"{field}_range"] = None
+    if given.get("thermal_expansion", values.get("thermal_expansion")) != values.get(
+        "thermal_expansion"
+    ):
+        values["expansion_points"] = None  # a coefficient of the case's own
     values |= given
     return Material(name=name, **{**values, "kind": MaterialKind(values["kind"])})
 

@@ -58,6 +58,12 @@ RING_STRENGTH = quantities(  # hoop stress, tension positive, of the cylinder fr
     ("failure_probability", "probability of failure"),
     ("failure_probability_low", "its lower end", "failure_low"),
     ("failure_probability_high", "its upper end", "failure_high"),
+    ("slow_crack_growth_h", "time to failure by slow crack growth, an estimate", "growth"),
+    ("slow_crack_growth_low_h", "its lower end", "growth_low"),
+    ("slow_crack_growth_high_h", "its upper end", "growth_high"),
+    ("thermal_shock_K", "step of surface temperature whose tension is the strength", "shock"),
+    ("thermal_shock_low_K", "its lower end", "shock_low"),
+    ("thermal_shock_high_K", "its upper end", "shock_high"),
     null="its seat has no diameter, or the material no strength",
 )
 CONTACT_STRENGTH = quantities(  # of ceramic rings; no standard rates them

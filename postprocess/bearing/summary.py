@@ -111,6 +111,7 @@ RELUBRICATION = "relubrication_interval_h"
 HOT_HALVINGS = 3.0  # of the interval of a grease from which its temperature is named
 SMALL_TENSION = 1e3  # of a loose seat, not worth a message [Pa]
 PROBABILITY = "failure_probability"
+SHORT_GROWTH = 20_000.0 * 3600.0  # of a crack, below which it is named, 20 000 h [s]
 NEXT_TO_NONE = 1e-9  # of a probability of failure, in the terminal [-]
 NO_STANDARD = (
     "strength: no standard rates ceramic rings; hoop tension by Lame's cylinders, probability of "
@@ -1274,6 +1275,14 @@ def strength_messages(results: BearingResults) -> Iterator[str]:
             yield Caution(
                 f"strength: the {name} has a hoop tension of {tension:.4g} MPa, {share:.0%} of "
                 f"the bending strength of {ring.material.name}, beyond {LARGE_SHARE:.0%}"
+            )
+    for ring in brittle:
+        if ring.growth_low is not None and ring.growth_low < SHORT_GROWTH:
+            hours = from_si("time_h", ring.growth_low)
+            yield Caution(
+                f"strength: a crack may grow through the {ring.race.value} ring within "
+                f"{hours:.3g} h at the low end of its exponent and strength "
+                "(slow_crack_growth_low_h)"
             )
     for name in dict.fromkeys(ring.material.name for ring in brittle if _assumed(ring)):
         yield f"strength: the Weibull modulus of {name} is assumed, its range read in sources"

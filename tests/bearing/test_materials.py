@@ -12,6 +12,8 @@ CAGES = ("brass", "bronze", "pa66", "pa66 glass filled", "peek", "phenolic", "pv
 
 def is_documented(key, number):
     """Whether a number of a material is known, in its range, and sourced, as unverified exactly where it says so."""
+    if key == "expansion":  # points over the temperature
+        return bool(number["source"]) and len(number["temperature_K"]) == len(number["strain_um_m"])
     low, high = number["range"]
     source = number["source"]
     sourced = bool(source) and number.get("verified", True) == (not source.startswith("unverified"))
@@ -64,3 +66,20 @@ def test_impossible_thermal_data_name_the_field(field, value):
     data = {"name": "x", "youngs_modulus": 2e11, "poisson_ratio": 0.3, "density": 7800.0}
     with pytest.raises(ValueError, match=field):
         Material(**data, **{field: value})
+
+
+def test_expansion_is_its_integral_where_it_is_known():
+    """304 at 77 K: -280e-5 by NIST's polynomial; by the mean coefficient of warm steel a quarter more."""
+    steel = load_material("stainless steel")
+    assert steel.thermal_strain(77.0 - 293.15) == pytest.approx(-2.80e-3, rel=0.01)
+    assert steel.thermal_expansion * (77.0 - 293.15) / steel.thermal_strain(77.0 - 293.15) > 1.25
+    assert steel.thermal_strain(100.0) == pytest.approx(1.65e-3)  # beyond the data by the coefficient
+    assert steel.thermal_strain(0.0) == 0.0
+    alumina = load_material("alumina")
+    # NIST's densities of sintered alumina, 3.984 and 3.834 g/cm3 at 20 and 1500 C
+    assert alumina.thermal_strain(1480.0) == pytest.approx((3.984 / 3.834) ** (1 / 3) - 1.0, rel=1e-3)
+    for material in (steel, alumina):
+        strains = [material.thermal_strain(rise) for rise in range(-250, 1400, 50)]
+        assert strains == sorted(strains)
+    nitride = load_material("silicon nitride")
+    assert nitride.thermal_strain(100.0) == nitride.thermal_expansion * 100.0

@@ -11,7 +11,13 @@ from scipy.integrate import quad
 
 from oilfilm.bearing import Fit, Operation, Race, TemperatureRise, load_material
 from oilfilm.bearing.fits.clearance import clearance_budget, groove_diameters
-from oilfilm.bearing.fits.ring_strength import bar_volume, failure_probability, ring_strengths, strength_map
+from oilfilm.bearing.fits.ring_strength import (
+    RingStrength,
+    bar_volume,
+    failure_probability,
+    ring_strengths,
+    strength_map,
+)
 
 RPM = pi / 30.0
 NITRIDE, STEEL = load_material("silicon nitride"), load_material("bearing steel")
@@ -126,3 +132,42 @@ def test_map(ceramic):
     assert strength_map(replace(ceramic, bore=None), still(), None, None, 293.15) is None
     unknown = replace(STEEL, thermal_expansion=None)
     assert strength_map(ceramic, still(), replace(SEAT, shaft_material=unknown), None, 293.15) is None
+
+
+def growing(tension, material):
+    return RingStrength(
+        race=Race.INNER,
+        material=material,
+        seat_pressure=0.0,
+        fit_tension=tension,
+        rotation_tension=0.0,
+        groove_tension=0.0,
+    )
+
+
+def test_slow_crack_growth_is_the_integral_of_its_law():
+    """v = A K^n by steps: a bar under rising tension and a ring under constant tension, the same first crack."""
+    n, strength, tension = 20.0, 800e6, 200e6
+    steps = 100_000
+    step = 1.0 / steps
+
+    def time_of(stress):
+        """Time in t_0, K_Ic of the first crack at `strength` in t_0 = 1 gives A."""
+        total = 0.0
+        for index in range(steps):
+            total += step * stress((index + 0.5) * step) ** n
+        return total
+
+    damage = time_of(lambda t: strength * t)  # integral of sigma^n dt to the break
+    ring = growing(tension, load_material("silicon nitride"))
+    assert ring.growth_life(n, strength) == pytest.approx(10.0 * damage / tension**n, rel=1e-6)
+
+
+def test_ends_of_growth_and_shock_enclose_them():
+    ring = growing(100e6, load_material("silicon nitride"))
+    assert ring.growth_low < ring.growth < ring.growth_high
+    assert ring.shock_low < ring.shock < ring.shock_high
+    # 800 MPa (1 - 0.26)/(310 GPa 3.3e-6/K)
+    assert ring.shock == pytest.approx(578.7, abs=0.1)
+    assert growing(-1e6, load_material("silicon nitride")).growth is None
+    assert growing(1e6, load_material("bearing steel")).growth is None
