@@ -171,6 +171,13 @@ class Bearing:
         return self.curvature_centre_distance * sine
 
     @property
+    def free_tilt(self) -> float:
+        """Tilt of a ring to either side at which balls of an unloaded row touch both races,
+        A sin(free angle) over the radius of the inner groove's centres [rad].
+        """
+        return self.free_axial_position / self.inner_centre_radius
+
+    @property
     def inner_centre_radius(self) -> float:
         """Radius of the circle of the inner groove's centres of curvature, [m]."""
         cosine = 1.0 - 0.5 * self.diametral_clearance / self.curvature_centre_distance

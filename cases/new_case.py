@@ -19,7 +19,11 @@ from oilfilm.bearing.library.catalogue import SPINDLE_ANGLE, size_of, with_desig
 from oilfilm.bearing.library.designation import Designation, series_and_bore
 from oilfilm.bearing.library.lubricants import load_lubricant
 from oilfilm.bearing.library.plugins import library_data
-from oilfilm.bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
+from oilfilm.bearing.rating.geometry_estimate import (
+    CatalogueData,
+    MeasuredStiffness,
+    estimate_bearing,
+)
 from oilfilm.bearing.rating.life import viscosity_ratio
 from oilfilm.bearing.torque.skf import palmgren_torque, viscous_factor
 from oilfilm.ehl.oil.assumed_heat import heat_of
@@ -50,7 +54,10 @@ GRADES = tuple(f"iso vg {grade}" for grade in (10, 15, 22, 32, 46, 68, 100, 150,
 OIL_RISE = 20.0  # of the circulating oil, which sets its flow [K]; assumed
 SUPPLY_TEMPERATURE = 40.0  # of circulating oil [C]; assumed
 
-SETS_TEXT = "balls that come into question, of which --bpfo-per-turn of oilfilm init chooses"
+SETS_TEXT = (
+    "balls that come into question, of which --bpfo-per-turn or --stiffness of oilfilm init "
+    "chooses"
+)
 RATINGS = ("basic_dynamic_rating_kN", "basic_static_rating_kN")
 # keys of the balls and what follows from them
 INTERIOR = ("ball_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm")
@@ -362,6 +369,39 @@ class MakersNumbers:
     static_rating: float | None = None  # [kN]
     # ball passages of the outer ring in a turn of the inner one [-]
     outer_passages: float | None = None
+    stiffness: float | None = None  # along the load of the new case [N/um]
+
+    def stiffness_of(
+        self, given: FirstOperation, *, angular: bool = False
+    ) -> MeasuredStiffness | None:
+        """The stiffness at the loads of a new case.
+
+        Parameters
+        ----------
+        given : FirstOperation
+            Loads that the user prescribes, one of them above zero.
+        angular : bool, default False
+            Of angular contact, which a radial load alone would not seat.
+
+        Returns
+        -------
+        MeasuredStiffness | None
+            None where none was measured.
+
+        Raises
+        ------
+        ValueError
+            If it is unknown along which load.
+        """
+        if self.stiffness is None:
+            return None
+        radial, axial = (given.radial_load or 0.0, given.axial_load or 0.0)
+        if (radial > 0.0) == (axial > 0.0) or (angular and axial <= 0.0):
+            which = "--axial" if angular else "--radial or --axial"
+            raise ValueError(f"--stiffness: needs the load along which it was measured, {which}")
+        return MeasuredStiffness(
+            stiffness=to_si("stiffness_N_um", self.stiffness), radial_load=radial, axial_load=axial
+        )
 
 
 def case_of_designation(
@@ -399,20 +439,23 @@ def case_of_designation(
         entry = _with_normal_clearance({**size, **entry}, designation)
     if "width_mm" not in entry:
         raise ValueError(f"bearing {entry['name']!r}: its source gives no width; {_by_size(name)}")
-    entry = _with_makers_numbers(entry, known)
+    entry = _with_makers_numbers(entry, known, given)
     return _text(entry["name"], entry, designation, given)
 
 
-def _with_makers_numbers(entry: dict[str, Any], known: MakersNumbers) -> dict[str, Any]:
+def _with_makers_numbers(
+    entry: dict[str, Any], known: MakersNumbers, given: FirstOperation
+) -> dict[str, Any]:
     """The entry with ratings of the user's own, and the balls that explain them where the
     catalogue's are an estimate.
     """
     ratings = (known.dynamic_rating, known.static_rating)
-    _check_positive({"C": ratings[0], "C0": ratings[1], "bpfo-per-turn": known.outer_passages})
-    if not any((*ratings, known.outer_passages)):
+    measured = {"bpfo-per-turn": known.outer_passages, "stiffness": known.stiffness}
+    _check_positive({"C": ratings[0], "C0": ratings[1], **measured})
+    if not any((*ratings, *measured.values())):
         return entry
     own = dict(zip(RATINGS, ratings, strict=True))
-    given = {key: value for key, value in own.items() if value is not None}
+    rated = {key: value for key, value in own.items() if value is not None}
     if "balls" in entry["estimated"]:
         data = CatalogueData(
             bore=1e-3 * entry["bore_mm"],
@@ -423,11 +466,17 @@ def _with_makers_numbers(entry: dict[str, Any], known: MakersNumbers) -> dict[st
             dynamic_rating=_newtons(ratings[0] or entry.get(RATINGS[0])),
             static_rating=_newtons(ratings[1] or entry.get(RATINGS[1])),
         )
-        found = estimate_bearing(data, known.outer_passages)
+        stiffness = known.stiffness_of(given, angular=data.contact_angle > 0.0)
+        found = estimate_bearing(data, known.outer_passages, stiffness)
         entry = {**entry, **{key: found[key] for key in (*INTERIOR, "ball_sets")}, "own": True}
         ranges = {key: found["range"][key] for key in INTERIOR}
         entry = {**entry, "range": {**entry["range"], **ranges}}
-    return {**entry, **given, "source": f"{entry['source']}; C, C_0 as given to oilfilm init"}
+    elif any(measured.values()):
+        name = next(key for key, value in measured.items() if value)
+        raise ValueError(f"--{name}: the balls of {entry['name']} are not estimated")
+    told = "; C, C_0 as given to oilfilm init" * bool(rated)
+    told += "; balls by what was measured" * any(measured.values())
+    return {**entry, **rated, "source": f"{entry['source']}{told}"}
 
 
 def _newtons(rating: float | None) -> float | None:
@@ -447,7 +496,7 @@ def _by_size(name: str) -> str:
 
 
 def case_of_dimensions(
-    size: BoundaryDimensions, given: FirstOperation, outer_passages: float | None = None
+    size: BoundaryDimensions, given: FirstOperation, known: MakersNumbers = MakersNumbers()
 ) -> str:
     """Text of a case file for a bearing whose internal geometry is estimated.
 
@@ -457,8 +506,8 @@ def case_of_dimensions(
         Boundary dimensions [mm], ratings [kN] and contact angle [deg].
     given : FirstOperation
         Speed and loads that the user prescribes.
-    outer_passages : float | None, optional
-        Measured ball passages of the outer ring in a turn of the inner one [-].
+    known : MakersNumbers, default MakersNumbers()
+        Ball passages and stiffness that were measured.
 
     Returns
     -------
@@ -471,7 +520,7 @@ def case_of_dimensions(
         If a value is impossible; the message names it.
     """
     _check_size(size)
-    _check_positive({"bpfo-per-turn": outer_passages})
+    _check_positive({"bpfo-per-turn": known.outer_passages, "stiffness": known.stiffness})
     entry = estimate_bearing(
         CatalogueData(
             bore=1e-3 * size.bore,
@@ -481,7 +530,8 @@ def case_of_dimensions(
             dynamic_rating=_newtons(size.dynamic_rating),
             static_rating=_newtons(size.static_rating),
         ),
-        outer_passages,
+        known.outer_passages,
+        known.stiffness_of(given, angular=size.contact_angle > 0.0),
     )
     name = f"{size.bore:g} x {size.outside_diameter:g} x {size.width:g}"
     return _text(name, entry, None, given)

@@ -200,7 +200,7 @@ def as_document(value: Any, arrays: dict[str, Any]) -> Any:
     if isinstance(value, Enum):
         return value.value
     if is_dataclass(value):
-        parts = {f.name: as_document(getattr(value, f.name), arrays) for f in fields(value)}
+        parts = {name: as_document(getattr(value, name), arrays) for name in _hints(type(value))}
         return {"class": type(value).__name__, **parts}
     if isinstance(value, tuple | list):
         return [as_document(part, arrays) for part in value]
@@ -272,6 +272,7 @@ def _derived(kind: Any) -> list[Any]:
 
 @lru_cache(maxsize=256)
 def _hints(kind: Any) -> dict[str, Any]:
-    """Types of the fields of a dataclass."""
+    """Types of the fields of a dataclass, but for those that files have no place for."""
     hints = get_type_hints(kind)
-    return {field.name: hints[field.name] for field in fields(kind)}
+    stored = (field.name for field in fields(kind) if field.metadata.get("stored", True))
+    return {name: hints[name] for name in stored}

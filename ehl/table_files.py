@@ -360,6 +360,9 @@ def _name_and_unit(header: str) -> tuple[str, str]:
     if unit_of_key(header) is not NO_UNIT:
         name = without_unit(header)
         return name, header[len(name) + 1 :]
+    name, _, text = header.rpartition("_")
+    if name and text in FOREIGN and text != "min":  # as in h_min
+        return name, text
     return ("", header) if header and _unit(header) is not None else (header, "")
 
 

@@ -48,11 +48,12 @@ class FilmThickness(NamedTuple):
     heat: float = 0.0  # by the law of the thermal reduction [m]
     supply: float = 0.0  # by what is not known of the layer [m]
     oil: float = 0.0  # by the ranges of the oil's heat properties [m]
+    pressure_viscosity: float = 0.0  # by the ends of an estimated coefficient [m]
 
     @property
     def error(self) -> float:
         """All parts together [m]."""
-        return hypot(self.computed, self.heat, self.supply, self.oil)
+        return hypot(*self[1:])
 
     @property
     def relative_error(self) -> float:

@@ -12,6 +12,7 @@ from math import inf
 import numpy as np
 
 from oilfilm.ehl.closed_form import starvation
+from oilfilm.ehl.closed_form.film import film_error_nijenbanning
 from oilfilm.ehl.closed_form.thermal_reduction import (
     NO_HEAT,
     InletHeat,
@@ -355,8 +356,12 @@ def _operating(
             if minimum.value > central.value:
                 minimum = minimum._replace(value=central.value)
                 heat = heat._replace(minimum=heat.minimum._replace(value=central.value / least))
+    # 3. pressure-viscosity coefficient
+    error = film_error_nijenbanning(film.conditions)
+    central = central._replace(pressure_viscosity=error * central.value)
+    minimum = minimum and minimum._replace(pressure_viscosity=error * minimum.value)
     film = replace(film, central=central, minimum=minimum, heat=heat, rolling_fraction=rolling)
-    # 3. asperities
+    # 4. asperities
     return film if asperities is None else with_asperities(film, contact, asperities)
 
 

@@ -32,7 +32,8 @@ CLEARANCE_TOLERANCE = 1.0e-9  # [m]
 ITERATIONS = 8
 DIFFERENCES = (0.01, 0.5e-6)  # of ln n [-] and of the clearance [m]
 LARGEST_RATIO = 2.0  # of speeds in one iteration
-LARGEST_SHIFT = 0.05  # of ln n, of the first balance from the speed of the case [-]
+LARGEST_SHIFT = 0.1  # of ln n, of the first balance from the speed of the case [-]
+FIRST_SHIFTS = (0.0, 1.0, -1.0, 3.0, -3.0)  # of its temperature [K]
 SLOWEST = 0.1  # of the speed it starts from: where the branch begins
 TURN_TOLERANCE = 0.5  # of the film temperature at the turn, about which the speed is flat [K]
 TURN_STEPS = 3  # of the parabola through the fastest balances
@@ -206,16 +207,22 @@ class _BranchPoint:
 
 
 def _first_point(newton: _Newton, start: HeatState) -> _BranchPoint:
-    """The balance at the start, or, where the films leave a little of it, that at its temperature
+    """The balance at the start, or, where the films leave a little of it, one at a temperature
     and a speed beside it.
     """
     at = np.array([0.0, start.clearance])
     if abs(start.resulting_temperature - start.film_temperature) <= TEMPERATURE_TOLERANCE:
         return _BranchPoint(start.film_temperature, at, start)
-    found = newton.solve(start.film_temperature, at)
-    if found is None or abs(found[0][0]) > LARGEST_SHIFT:
-        raise ValueError("no steady temperature at the speed of the case")
-    return _BranchPoint(start.film_temperature, *found)
+    for beside in FIRST_SHIFTS:
+        temperature = start.film_temperature + beside
+        try:
+            found = newton.solve(temperature, at)
+        except ValueError:  # no equilibrium of the ring on the way
+            found = None
+        if found is not None and abs(found[0][0]) <= LARGEST_SHIFT:
+            return _BranchPoint(temperature, *found)
+        newton.matrix = None
+    raise ValueError("no steady temperature near the speed of the case")
 
 
 def _follow(

@@ -57,6 +57,7 @@ BALL_RANGE = 0.07  # relative, of estimates from ratings: docs/user/libraries.md
 PITCH_RANGE = 0.015
 BALLS_RANGE = 0.1
 MAKER = "C and C_0: NSK, Rolling Bearings, B8 to B17 and B50 to B61"
+Ends = tuple[float, float]  # of a range
 CLEARANCE_CLASSES = ("C2", "CN", "CM", "C3", "C4", "C5")
 # factors of ISO 15 by the series of deep groove bearings [-], from memory, unverified
 DIAMETER_SERIES = {"618": 0.45, "619": 0.62, "60": 0.84, "62": 1.48, "63": 1.92, "64": 2.56}
@@ -507,6 +508,27 @@ def _geometry(designation: Designation, size: tuple[float, float, float]) -> Geo
     return from_dimensions(bore * MM, outside * MM, radians(designation.contact_angle), limit)
 
 
+def grooves_of(contact_angle: float) -> tuple[tuple[float, float], tuple[Ends, Ends]]:
+    """Assumed conformities of the grooves.
+
+    Parameters
+    ----------
+    contact_angle : float
+        nominal contact angle, zero for a deep groove bearing [deg]
+
+    Returns
+    -------
+    conformities
+        of inner and outer groove [-]
+    ranges
+        of each [-]
+    """
+    if 0.0 < contact_angle <= SPINDLE_ANGLE:
+        return (SPINDLE_CONFORMITY,) * 2, (SPINDLE_CONFORMITY_RANGE,) * 2
+    ranges = (INNER_CONFORMITY_RANGE, OUTER_CONFORMITY_RANGE)
+    return (INNER_CONFORMITY, OUTER_CONFORMITY), ranges
+
+
 def estimated_entry(
     size: tuple[float, float, float],
     contact_angle: float,
@@ -532,11 +554,7 @@ def estimated_entry(
         keys with `source`, `estimated` and `range`
     """
     ball = geometry.ball_diameter
-    inner, outer = INNER_CONFORMITY, OUTER_CONFORMITY
-    inner_range, outer_range = INNER_CONFORMITY_RANGE, OUTER_CONFORMITY_RANGE
-    if 0.0 < contact_angle <= SPINDLE_ANGLE:
-        inner = outer = SPINDLE_CONFORMITY
-        inner_range = outer_range = SPINDLE_CONFORMITY_RANGE
+    (inner, outer), (inner_range, outer_range) = grooves_of(contact_angle)
     lengths = {
         "ball_diameter_mm": (ball, geometry.ball_range),
         "pitch_diameter_mm": (geometry.pitch_diameter, geometry.pitch_range),

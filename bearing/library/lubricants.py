@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from oilfilm.ehl.messages import Caution
-from oilfilm.ehl.oil.assumed_heat import BaseOil, heat_of, line_through
+from oilfilm.ehl.oil.assumed_heat import BaseOil, assumed_pressure_viscosity, heat_of, line_through
 from oilfilm.ehl.oil.free_volume import (
     DoolittleFreeVolume,
     TaitVolume,
@@ -335,11 +335,20 @@ def load_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
 
 
 def _with_ranges(oil: Lubricant, base_oil: str | None) -> Lubricant:
-    """An oil that stands for a class, with the ranges of its heat properties; else as it is."""
+    """An oil that stands for a class, with the ranges of its heat properties and of its
+    pressure-viscosity coefficient; else as it is.
+    """
     if base_oil is None or oil.thermal is None:
         return oil
-    ranges = heat_of(replace(oil, thermal=None), BaseOil(base_oil)).ranges
-    return replace(oil, thermal=replace(oil.thermal, ranges=ranges))
+    kind = BaseOil(base_oil)
+    ranges = heat_of(replace(oil, thermal=None), kind).ranges
+    _, *ends = assumed_pressure_viscosity(oil.viscosity / oil.density, kind)
+    low, high = (end / oil.pressure_viscosity for end in ends)
+    return replace(
+        oil,
+        thermal=replace(oil.thermal, ranges=ranges),
+        pressure_viscosity_ends=(min(low, 1.0), max(high, 1.0)),
+    )
 
 
 def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:

@@ -18,6 +18,7 @@ from ..operation import Curvature
 from .kinematics import EDGE_COSINE, stiffness_at, stiffness_series
 
 CLOSE = 1e-13  # width of an interval over its end [-]
+SLOPE_STEP = 1e-4  # of a displacement, for the slope there [-]
 FIRST_STEP = 1e-6  # of the search for an interval [m]
 MOST_STEPS = 100
 
@@ -88,17 +89,8 @@ def loads_at_rest(bearing: Bearing, radial: float, axial: float) -> tuple[Array,
     angles
         contact angles, shape (Z,) [rad]
     """
-    series = [stiffness_series(bearing, race, Curvature.OPERATING) for race in Race]
-    distance = bearing.curvature_centre_distance
-    facing = distance - 0.5 * bearing.diametral_clearance
+    balls = _balls_at_rest(bearing)
     across = bearing.azimuth_directions[0]
-
-    def balls(shift: float, along: float) -> tuple[Array, Array]:
-        gap = facing + shift * across
-        length = np.hypot(gap, along)
-        yields = sum(stiffness_at(one, gap / length) ** (-2.0 / 3.0) for one in series)
-        load = (np.maximum(length - distance, 0.0) / yields) ** 1.5
-        return load, np.arctan2(along, gap)
 
     def along_at(shift: float) -> float:
         def surplus(along: float) -> float:
@@ -113,6 +105,50 @@ def loads_at_rest(bearing: Bearing, radial: float, axial: float) -> tuple[Array,
 
     shift = _root(surplus) if radial else 0.0
     return balls(shift, along_at(shift))
+
+
+def stiffness_at_rest(bearing: Bearing, radial: float, axial: float) -> float:
+    """Stiffness of one row at rest along a radial or an axial load of the inner ring, dF/dx.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials of the row
+    radial, axial : float
+        loads, one above zero, the other zero [N]
+
+    Returns
+    -------
+    float
+        stiffness [N/m]
+    """
+    balls = _balls_at_rest(bearing)
+    across = bearing.azimuth_directions[0]
+
+    def force(x: float) -> float:
+        load, angle = balls(0.0, x) if axial else balls(x, 0.0)
+        return float(np.sum(load * (np.sin(angle) if axial else np.cos(angle) * across)))
+
+    position = _root(lambda x: force(x) - (axial or radial))
+    step = SLOPE_STEP * position
+    return (force(position + step) - force(position - step)) / (2.0 * step)
+
+
+def _balls_at_rest(bearing: Bearing) -> Callable[[float, float], tuple[Array, Array]]:
+    """Loads and contact angles of the balls by a radial and an axial displacement [m]."""
+    series = [stiffness_series(bearing, race, Curvature.OPERATING) for race in Race]
+    distance = bearing.curvature_centre_distance
+    facing = distance - 0.5 * bearing.diametral_clearance
+    across = bearing.azimuth_directions[0]
+
+    def balls(shift: float, along: float) -> tuple[Array, Array]:
+        gap = facing + shift * across
+        length = np.hypot(gap, along)
+        yields = sum(stiffness_at(one, gap / length) ** (-2.0 / 3.0) for one in series)
+        load = (np.maximum(length - distance, 0.0) / yields) ** 1.5
+        return load, np.arctan2(along, gap)
+
+    return balls
 
 
 def _root(surplus: Callable[[float], float]) -> float:

@@ -10,10 +10,11 @@ the next best pair misses by some percent. docs/user/libraries.md has the errors
 Other makers rate higher: SKF's C of Explorer bearings are 1.04 to 1.06 of NSK's of the same size,
 with the same balls, their C_0 equal. `ball_sets` knows both ways to rate, and weighs how the balls
 fill section and pitch circle; several sets come into question, which a measured frequency of ball
-passage tells apart.
+passage tells apart. A measured stiffness goes with the grooves as much as with the balls: it is
+weighed by its span over the grooves' range.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import asin, cos, degrees, hypot, isfinite, log, pi
 from typing import Any
@@ -29,15 +30,18 @@ from ..library.catalogue import (
     TYPICAL_BALL,
     Geometry,
     ball_sizes,
+    clearance_class,
     estimated_entry,
     from_dimensions,
     from_ratings,
     full_complement,
+    grooves_of,
     nearest_series,
     typical_fill,
     typical_number,
 )
 from ..material import load_material
+from ..quasistatic.thrust import stiffness_at_rest
 from .load_rating import dynamic_rating, static_rating
 
 BALL_TO_SECTION = (0.20, 0.38)  # smallest and largest D over D_o - d that are tried [-]
@@ -57,7 +61,7 @@ SECTION_SCATTER = 0.02
 BPFO_SCATTER = 0.005  # of the logarithm of a measured frequency: contact angle and slip, assumed
 LARGEST_SURPLUS = 12.0  # of the sum of squares over the least, of a set that is listed [-]
 MOST_SETS = 4
-MOST_OFF = 4.0  # scatters of a measured frequency from the nearest set
+MOST_OFF = 4.0  # scatters of a measured frequency or stiffness from the nearest set
 FINEST_STEP = INCH / 64.0  # between ball sizes that makers use up to an inch, as 12.303 mm
 WORST_FACTOR = 0.2  # of the logarithm of a rating, beyond which a set is not weighed [-]
 RATING_TOLERANCE = 0.1  # of the logarithms of ratings, within which a pair comes into question [-]
@@ -192,10 +196,18 @@ def _pair(data: CatalogueData, bearing: Bearing) -> RatedPair:
     )
 
 
-def _bearing(data: CatalogueData, ball: float, balls: int) -> Bearing:
-    """A bearing with this ball, in steel."""
+def _bearing(
+    data: CatalogueData,
+    ball: float,
+    balls: int,
+    conformities: tuple[float, float] = (INNER_CONFORMITY, OUTER_CONFORMITY),
+    clearance: float | None = None,
+) -> Bearing:
+    """A bearing with this ball, in steel; clearance [m], by default that of the angle."""
     steel = load_material("bearing steel")
-    inner, outer = INNER_CONFORMITY * ball, OUTER_CONFORMITY * ball
+    inner, outer = (one * ball for one in conformities)
+    if clearance is None:
+        clearance = contact_angle_to_clearance(data.contact_angle, inner, outer, ball)
     return Bearing(
         name="estimate",
         ball_diameter=ball,
@@ -203,7 +215,7 @@ def _bearing(data: CatalogueData, ball: float, balls: int) -> Bearing:
         balls=balls,
         inner_groove_radius=inner,
         outer_groove_radius=outer,
-        diametral_clearance=contact_angle_to_clearance(data.contact_angle, inner, outer, ball),
+        diametral_clearance=clearance,
         ball_material=steel,
         inner_ring_material=steel,
         outer_ring_material=steel,
@@ -226,11 +238,54 @@ class BallSet:
         return f"{diameter} (BPFO {self.outer_passages:.3f} a turn)"
 
 
-def ball_sets(data: CatalogueData, outer_passages: float | None = None) -> tuple[BallSet, ...]:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuredStiffness:
+    """Stiffness of a bearing at rest along its load, one of both loads."""
+
+    stiffness: float  # [N/m]
+    radial_load: float = 0.0  # [N]
+    axial_load: float = 0.0  # [N]
+
+    def misfit(self, data: CatalogueData, ball: float, balls: int) -> float:
+        """Square of the difference from balls with typical grooves, over half the span that the
+        grooves' range gives; logarithms.
+
+        Parameters
+        ----------
+        data : CatalogueData
+            boundary dimensions; a deep groove bearing has the middle of the clearance class CN
+        ball : float
+            diameter of the balls [m]
+        balls : int
+            their number [-]
+
+        Returns
+        -------
+        float
+            misfit [-]
+        """
+        angle = degrees(data.contact_angle)
+        conformities, ranges = grooves_of(angle)
+        play = None if angle else 0.5e-6 * sum(clearance_class(data.bore / MILLIMETRE, "CN"))
+        usual, tight, wide = (
+            log(self._of(_bearing(data, ball, balls, pair, play)))
+            for pair in (conformities, *zip(*ranges, strict=True))
+        )
+        return ((log(self.stiffness) - usual) / (0.5 * abs(tight - wide))) ** 2
+
+    def _of(self, bearing: Bearing) -> float:
+        return stiffness_at_rest(bearing, self.radial_load, self.axial_load)
+
+
+def ball_sets(
+    data: CatalogueData,
+    outer_passages: float | None = None,
+    stiffness: MeasuredStiffness | None = None,
+) -> tuple[BallSet, ...]:
     """Balls that come into question, the likeliest first.
 
     Sum of (difference/scatter)^2 over ratings, fill and section, and a measured number of
-    passages; ratings by the way to rate of `RATING_STYLES` that fits better.
+    passages or stiffness; ratings by the way to rate of `RATING_STYLES` that fits better.
 
     Parameters
     ----------
@@ -238,6 +293,8 @@ def ball_sets(data: CatalogueData, outer_passages: float | None = None) -> tuple
         boundary dimensions, and ratings as far as known [m], [N]
     outer_passages : float | None, optional
         measured ball passages of the outer ring in a turn of the inner one [-]
+    stiffness : MeasuredStiffness | None, optional
+        measured stiffness, weighed among the sets that come into question
 
     Returns
     -------
@@ -261,6 +318,8 @@ def ball_sets(data: CatalogueData, outer_passages: float | None = None) -> tuple
     ]
     ranked = sorted((one for one in sets if one is not None), key=lambda one: one.misfit)
     chosen = [one for one in ranked if one.misfit <= ranked[0].misfit + LARGEST_SURPLUS]
+    if stiffness is not None and chosen:
+        chosen = _weighed(chosen, data, stiffness)
     if outer_passages is not None and ranked:
         best = ranked[0].outer_passages
         if abs(log(best / outer_passages)) > MOST_OFF * BPFO_SCATTER:
@@ -269,6 +328,22 @@ def ball_sets(data: CatalogueData, outer_passages: float | None = None) -> tuple
                 f"the nearest {best:.3f}"
             )
     return tuple(chosen[:MOST_SETS])
+
+
+def _weighed(
+    sets: Sequence[BallSet], data: CatalogueData, stiffness: MeasuredStiffness
+) -> list[BallSet]:
+    """Sets with a measured stiffness among their misfits, those of another one left out."""
+    off = [stiffness.misfit(data, one.ball_diameter, one.balls) for one in sets]
+    found = [
+        replace(one, misfit=one.misfit + more)
+        for one, more in zip(sets, off, strict=True)
+        if more < MOST_OFF**2
+    ]
+    if not found:
+        value = stiffness.stiffness * 1e-6
+        raise ValueError(f"a stiffness of {value:g} N/um, which no balls have that fit in")
+    return sorted(found, key=lambda one: one.misfit)
 
 
 def _ball_set(
@@ -311,7 +386,11 @@ def _log_factor(
     return None if published is None else log(published / rating(bearing, data.contact_angle))
 
 
-def estimate_bearing(data: CatalogueData, outer_passages: float | None = None) -> dict[str, Any]:
+def estimate_bearing(
+    data: CatalogueData,
+    outer_passages: float | None = None,
+    stiffness: MeasuredStiffness | None = None,
+) -> dict[str, Any]:
     """Keys of a case's [bearing] table for a bearing whose boundary dimensions alone are known.
 
     The internal geometry follows from the ratings where the data have any (`estimate_geometry`),
@@ -324,6 +403,8 @@ def estimate_bearing(data: CatalogueData, outer_passages: float | None = None) -
         boundary dimensions and ratings of the catalogue [m], [N]
     outer_passages : float | None, optional
         measured ball passages of the outer ring in a turn of the inner one [-]
+    stiffness : MeasuredStiffness | None, optional
+        measured stiffness
 
     Returns
     -------
@@ -350,28 +431,32 @@ def estimate_bearing(data: CatalogueData, outer_passages: float | None = None) -
         round(length / MILLIMETRE, 9) for length in (data.bore, data.outside_diameter, data.width)
     )
     angle = round(degrees(data.contact_angle), 9)
-    geometry, sets = _geometry(data, outer_passages)
+    geometry, sets = _geometry(data, outer_passages, stiffness)
     entry = estimated_entry((bore, outside, width), angle, geometry, ratings)
     series = nearest_series(bore, outside, angular=data.contact_angle > 0.0)
     return {**entry, "skf_series": series, "ball_sets": [one.text for one in sets]}
 
 
 def _geometry(
-    data: CatalogueData, outer_passages: float | None
+    data: CatalogueData, outer_passages: float | None, stiffness: MeasuredStiffness | None
 ) -> tuple[Geometry, tuple[BallSet, ...]]:
     """Geometry with its intervals, and the sets of balls that come into question."""
     rated = data.dynamic_rating is not None or data.static_rating is not None
-    if not rated and outer_passages is None:
+    if not rated and outer_passages is None and stiffness is None:
         arguments = (data.bore, data.outside_diameter, data.contact_angle, data.width)
         return from_dimensions(*arguments), ()
     if rated:
         _check_ratings(data)
-    sets = ball_sets(data, outer_passages)
+    sets = ball_sets(data, outer_passages, stiffness)
     if not sets:
         raise ValueError("no standard balls fit in that have these ratings")
     best = sets[0]
-    what = "the ratings" * rated + " and " * (rated and outer_passages is not None)
-    what += "the measured ball passages" * (outer_passages is not None)
+    known = {
+        "the ratings": rated,
+        "the measured ball passages": outer_passages is not None,
+        "the measured stiffness": stiffness is not None,
+    }
+    what = " and ".join(name for name, given in known.items() if given)
     basis = f"ball, balls: estimated from {what}"
     geometry = from_ratings(best.ball_diameter, data.pitch, best.balls, basis)
     diameters = [one.ball_diameter for one in sets]

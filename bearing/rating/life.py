@@ -48,6 +48,9 @@ ROWS_EXPONENT = 0.7  # of the number of rows in C_r
 ROTATING = 3.0  # exponents of the equivalent ball load of a ring that turns relative to the load
 STATIONARY = 10.0 / 3.0  # and of one that stands
 LARGEST_LOAD_SHARE = 0.5  # P/C_r up to which the life formula holds
+# P/C_r below which balls may slide: rule for ball bearings, SKF, "Requisite minimum load"
+# (www.skf.com, bearing selection process) [-]
+MINIMUM_LOAD_SHARE = 0.01
 SMALLEST_KAPPA = 0.1
 LARGEST_KAPPA = 4.0
 LARGEST_A_ISO = 50.0
@@ -98,6 +101,11 @@ class LifeRating:
     static_safety_factor: float | None = None  # S_0 = C_0/P_0 [-]
     shaft_speed: float = 0.0  # of one ring against the other [rad/s]
     messages: tuple[str, ...] = ()
+
+    @property
+    def minimum_load(self) -> float | None:
+        """Equivalent load that keeps the balls rolling, by a rule of makers [N]."""
+        return None if self.dynamic_rating is None else MINIMUM_LOAD_SHARE * self.dynamic_rating
 
     @property
     def diagram_ratio(self) -> float | None:

@@ -171,6 +171,12 @@ def init(
             "--bpfo-per-turn", metavar="X", help="Measured BPFO over speed; chooses the balls."
         ),
     ] = None,
+    stiffness: Annotated[
+        float | None,
+        typer.Option(
+            metavar="X", help="Measured along --radial or --axial [N/um]; chooses the balls."
+        ),
+    ] = None,
     speed: Annotated[float | None, typer.Option(help="Speed [r/min].")] = None,
     radial: Annotated[float | None, typer.Option(help="Radial load [N].")] = None,
     axial: Annotated[float | None, typer.Option(help="Axial load [N].")] = None,
@@ -197,8 +203,15 @@ def init(
 
     size = {"bore": bore, "outside": outside, "width": width}
     given = [f"--{key}" for key, value in size.items() if value is not None]
-    known = MakersNumbers(dynamic_rating=dynamic, static_rating=static, outer_passages=passages)
-    numbers = {"--C": dynamic, "--C0": static, "--bpfo-per-turn": passages}
+    known = MakersNumbers(
+        dynamic_rating=dynamic, static_rating=static, outer_passages=passages, stiffness=stiffness
+    )
+    numbers = {
+        "--C": dynamic,
+        "--C0": static,
+        "--bpfo-per-turn": passages,
+        "--stiffness": stiffness,
+    }
     more = [key for key, value in numbers.items() if value is not None and bearing is None]
     more += ["--angle"] * (angle != 0.0)
     asked = {"speed": speed, "radial": radial, "axial": axial}
@@ -232,7 +245,7 @@ def init(
                 static_rating=static,
                 contact_angle=angle,
             )
-            text = checked(case_of_dimensions(dimensions, operation, passages))
+            text = checked(case_of_dimensions(dimensions, operation, known))
         else:
             text = _shipped_text(template or "6208_full_ceramic")
     except ValueError as error:

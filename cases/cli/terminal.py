@@ -20,6 +20,7 @@ from contextlib import AbstractContextManager, ExitStack, contextmanager, suppre
 from contextvars import ContextVar
 from pathlib import Path
 from time import monotonic
+from types import FrameType
 from typing import TYPE_CHECKING, Annotated, ParamSpec, TypeVar
 
 import typer
@@ -29,7 +30,7 @@ from oilfilm.bearing.library.plugins import PluginError
 from oilfilm.ehl.foreign_files import DamagedFileError, visible
 
 from ..format.rules import CaseError
-from ..runs.interrupt import interrupt, print_message
+from ..runs.interrupt import SIGNALS, interrupt, print_message
 from ..runs.kernel_cache import ensure_kernel_cache
 from ..runs.output_directory import DIGESTS, damaged_files
 
@@ -196,7 +197,13 @@ def exit_code(command: Callable[[], int | None]) -> int:
         Exit code.
     """
     main = threading.current_thread() is threading.main_thread()
-    previous = signal.signal(signal.SIGTERM, interrupt) if main else None
+    came: list[int] = []  # signals
+
+    def note(number: int, frame: FrameType | None) -> None:
+        came.append(number)
+        interrupt(number, frame)
+
+    previous = {one: signal.signal(one, note) for one in SIGNALS} if main else {}
     try:
         return command() or 0
     except CaseError as error:
@@ -214,14 +221,14 @@ def exit_code(command: Callable[[], int | None]) -> int:
     except typer.Exit as stop:
         return stop.exit_code
     except Exception as error:
-        if _is_of_an_interrupt(error):
+        if came or _is_of_an_interrupt(error):
             print_message("oilfilm: interrupted")
             return INTERRUPTED
         print_message(f"oilfilm: {_machine_failure(error)}; details: {_log(error)}")
         return FAILED
     finally:
-        if main:
-            signal.signal(signal.SIGTERM, previous)
+        for one, handler in previous.items():
+            signal.signal(one, handler)
 
 
 def _print_errors(messages: Iterable[str]) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.foreign_files import DamagedFileError
-from oilfilm.ehl.table_files import DataTable, Quantity, columns_of, read_table
+from oilfilm.ehl.table_files import Column, DataTable, Quantity, columns_of, read_table
 
 from .rules import InvalidKeyError, KeyPath
 
@@ -29,6 +29,8 @@ HEIGHTS = (
     "value",
 )
 HEIGHT = Quantity("height_um", HEIGHTS)
+# columns that number the points of a turn
+COUNTS = ("count", "encoder", "index", "point", "punkt", "no.", "nr", "sample", "step", "inkrem")
 TURN = 360.0  # [deg]
 CLOSING = 2.5  # gap between neighbours over the median one that still closes a turn [-]
 LEAST_GAP = 1.0  # gap that is always allowed [deg]
@@ -174,11 +176,24 @@ def _orders(angle: Array, height: Array, points: int) -> Any:
 
 def _angles_and_heights(key: KeyPath, file: str, allowed: str) -> tuple[Array, Array]:
     """Angles [deg] and heights [m] in the order of the file."""
-    if len(case_table(key, file, allowed).columns) == 1:
+    table = case_table(key, file, allowed)
+    if len(table.columns) == 1 or _is_counted(table):
         height = case_columns(key, file, [HEIGHT], allowed)[HEIGHT.key]
         return np.arange(height.size, dtype=np.float64) * (TURN / height.size), height
     columns = case_columns(key, file, [ANGLE, HEIGHT], allowed)
     return columns[ANGLE.key] * (180.0 / np.pi), columns[HEIGHT.key]
+
+
+def _is_counted(table: DataTable) -> bool:
+    """Tell whether a column counts the points evenly, and none has an angle."""
+
+    def named(column: Column, words: Sequence[str]) -> bool:
+        return any(word in f"{column.name} {column.unit}".lower() for word in words)
+
+    if any(named(column, ANGLE.words) for column in table.columns):
+        return False
+    counts = [column.values for column in table.columns if named(column, COUNTS)]
+    return len(counts) == 1 and len(set(np.diff(counts[0]).tolist())) == 1
 
 
 def _one_turn(

@@ -306,7 +306,8 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
         finding = "its constants give no viscosity that rises with pressure"
         raise InvalidKeyError(("lubricant", "viscosity_law"), finding)
     if key not in keys:
-        return {**given, "pressure_viscosity": of_constants}
+        known = {"pressure_viscosity": of_constants, "pressure_viscosity_ends": (1.0, 1.0)}
+        return {**given, **known}
     difference = abs(keys[key] / GIGAPASCAL - of_constants)
     if difference > PRESSURE_VISCOSITY_TOLERANCE * of_constants:
         finding = (
@@ -795,6 +796,8 @@ def lubricant(oil: Oil, temperature: float) -> Lubricant:
         base, of_library = _of_library(given, temperature, own=bool(constants))
         _warn_of_unverified(base.name, keys)
         measured_at = measured_at if constants else of_library
+        if PRESSURE_VISCOSITY in keys:
+            given["pressure_viscosity_ends"] = (1.0, 1.0)
         given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
     given.setdefault("temperature", temperature)
     given |= constants
@@ -1039,10 +1042,11 @@ def _set_viscosity(given: dict[str, Any], oil: Oil, temperature: float) -> Walth
         if VISCOSITY_AT not in keys:  # of this temperature, to the last digit
             own = _own_viscosity(keys, given["density"])
             given["viscosity"] = given["viscosity"] if own is None else own
-    estimated = 0.0  # checked before: the isoviscous law needs none
-    if line is not None and _by_class(keys):
-        estimated = assumed_pressure_viscosity(line.at(temperature), _base_oil(keys))[0]
-    given.setdefault("pressure_viscosity", estimated)
+    if "pressure_viscosity" not in given and line is not None and _by_class(keys):
+        value, *ends = assumed_pressure_viscosity(line.at(temperature), _base_oil(keys))
+        given["pressure_viscosity"] = value
+        given["pressure_viscosity_ends"] = tuple(end / value for end in ends)
+    given.setdefault("pressure_viscosity", 0.0)  # the isoviscous law needs none
     return line
 
 

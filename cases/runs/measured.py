@@ -22,6 +22,8 @@ from oilfilm.ehl.foreign_files import DamagedFileError
 from oilfilm.ehl.table_files import Quantity, columns_of, read_table
 from oilfilm.ehl.units import from_si
 from oilfilm.postprocess import BearingResults, summary
+from oilfilm.postprocess.batch.results import main_results
+from oilfilm.postprocess.batch.store import read_batch
 from oilfilm.postprocess.bearing.measured import MeasuredComparison
 from oilfilm.postprocess.files import read_summary
 
@@ -128,8 +130,8 @@ def compare_with(source: Path, file: Path, progress: Progress | None = None) -> 
     Parameters
     ----------
     source : Path
-        Case file, name of a shipped case, or directory of results of `oilfilm run` or
-        `oilfilm temperatures`.
+        Case file, name of a shipped case, or directory of results of `oilfilm run`,
+        `oilfilm temperatures` or `oilfilm batch`.
     file : Path
         The measured table.
     progress : Progress | None, optional
@@ -162,8 +164,10 @@ def compare_with(source: Path, file: Path, progress: Progress | None = None) -> 
         raise CaseError(str(error)) from None
     if "warm_up" in document:
         return compare_temperatures(document, str(source), file)
+    if document.get("kind") == "batch":
+        return compare_batch(source, file)
     if "contacts" not in document:
-        raise CaseError(f"{source}: allowed: results of 'oilfilm run' or 'oilfilm temperatures'")
+        raise CaseError(f"{source}: allowed: results of 'oilfilm run', 'temperatures' or 'batch'")
     case = case_of_document(document["case"], str(source))
     assert isinstance(case, Case)  # with contacts of a bearing
     return compare_measured(case, str(source), file, progress)
@@ -284,6 +288,72 @@ def compare_temperatures(document: dict[str, Any], name: str, file: Path) -> Mea
         measured={key: columns[key] for key in keys},
         computed=computed,
     )
+
+
+def compare_batch(source: Path, file: Path) -> MeasuredComparison:
+    """Measured numbers beside those of a batch over speed, loads or temperature; linear between
+    its points.
+
+    Parameters
+    ----------
+    source : Path
+        Directory of the batch.
+    file : Path
+        The measured table.
+
+    Returns
+    -------
+    MeasuredComparison
+        Measured and computed values; nan outside the points.
+
+    Raises
+    ------
+    CaseError
+        If the batch varies what the table has not, or has nothing of what was measured.
+    """
+    batch = read_batch(source)
+    points = [point for point in batch.points if point.converged]
+    columns = read_measured(file)
+    keys = {key: key.removeprefix("operation.") for key in batch.keys}
+    known = {one.key for one in (*STATES, TEMPERATURE)} & columns.keys()
+    strange = [key for key, name in keys.items() if name not in known]
+    if strange or not keys or not points:
+        varied = ", ".join(strange) or "nothing"
+        raise CaseError(f"{source}: varies {varied}, of which {file} has no column; {ALLOWED}")
+    numbers = [main_results(point.summary) for point in points]
+    wanted = [one.key for one in RESULTS if one.key in columns and one.key in numbers[0]]
+    if not wanted:
+        raise CaseError(f"{source}: nothing of what was measured in {file}; {ALLOWED}")
+    at = np.array([[float(point.values[key]) for key in keys] for point in points])
+    states = {name: columns[name] for name in keys.values()}
+    there = np.column_stack(list(states.values()))
+    computed = {
+        key: _between(at, np.array([one[key] for one in numbers], dtype=np.float64), there)
+        for key in wanted
+    }
+    return MeasuredComparison(
+        file=str(file),
+        source=f"{source}, linear between {len(points)} points",
+        states=states,
+        measured={key: columns[key] for key in wanted},
+        computed=computed,
+    )
+
+
+def _between(at: Array, values: Array, there: Array) -> Array:
+    """Values of points linear between them, as rows of their coordinates; nan outside."""
+    low = at.min(axis=0)
+    scale = np.where(at.max(axis=0) > low, at.max(axis=0) - low, 1.0)
+    at = (at - low) / scale
+    there = (there - low) / scale
+    if at.shape[1] == 1:
+        order = at[:, 0].argsort()
+        line = (at[order, 0], values[order])
+        return np.interp(there[:, 0], *line, np.nan, np.nan)
+    try:
+        return np.asarray(scipy.interpolate.LinearNDInterpolator(at, values)(there))
+    except scipy.spatial.QhullError:
+        raise CaseError("the points of the batch lie on a line; allowed: one key varied") from None
 
 
 def _parts(

@@ -67,6 +67,8 @@ def temperatures(
     given = case.file.operation.model_copy(update={"temperature": "given"})
     cold = replace(case, file=case.file.model_copy(update={"operation": given}), film_maps="none")
     results = run_case(cold)
+    if not results.quasistatic.converged:
+        raise CaseError(f"{name}: no temperatures: {results.quasistatic.message}")
     if cold.heating is None or results.heating is None:
         raise CaseError(
             f"{name}: temperatures need friction.heat_transfer_W_K, and a ring that turns"
@@ -82,14 +84,17 @@ def temperatures(
         heating, at, factor = _nearest_balance(problem, results.heating)
         if at.state is None or not at.converged:
             raise CaseError(f"{name}: no balance of heat at any speed tried: {at.note}")
-        branch = balances_over_speed(
-            at_speed(problem, factor), at.state, _by_film_temperature(notify)
-        )
-        stable = heating.stability
-        if duration is None:
-            longest = None if stable is None else stable.longest_time
-            duration = LOST_COURSE if longest is None else COURSE * longest
-        course = warm_up(problem, duration, None, lambda t: notify(2, 3, f"course, {t:.0f} s"))
+        try:
+            branch = balances_over_speed(
+                at_speed(problem, factor), at.state, _by_film_temperature(notify)
+            )
+            stable = heating.stability
+            if duration is None:
+                longest = None if stable is None else stable.longest_time
+                duration = LOST_COURSE if longest is None else COURSE * longest
+            course = warm_up(problem, duration, None, lambda t: notify(2, 3, f"course, {t:.0f} s"))
+        except ValueError as error:
+            raise CaseError(f"{name}: {error}") from None
     return TemperatureResults(
         version=version(),
         case=case.document,

@@ -152,6 +152,33 @@ def moes_film_nijenbanning(
     return float((isoviscous ** (2 * s / 3) + piezoviscous) ** (1 / s))
 
 
+def film_error_nijenbanning(conditions: ContactConditions) -> float:
+    """Relative error of the film by the ends of an estimated pressure-viscosity coefficient.
+
+    The larger change of the central film of `moes_film_nijenbanning`, whose lubricant parameter L
+    goes with the coefficient; a film that a layer limits at the inlet changes by less.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact, entrainment along x
+
+    Returns
+    -------
+    float
+        error over the film [-]; zero of a coefficient that is known
+    """
+    low, high = conditions.lubricant.pressure_viscosity_ends
+    if low == high or not conditions.lubricant.piezoviscous:
+        return 0.0
+    m, l = moes_groups(conditions)
+    ratio = min(conditions.radius_x / conditions.radius_y, 1.0)
+    film, least, most = (
+        moes_film_nijenbanning(m, factor * l, ratio) for factor in (1.0, low, high)
+    )
+    return max(film - least, most - film) / film
+
+
 def thermal_loading(conditions: ContactConditions) -> float:
     """Thermal loading parameter L_T = eta_0 beta u_m^2/k, k the oil's conductivity.
 

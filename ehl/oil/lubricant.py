@@ -397,6 +397,10 @@ class Lubricant:
     modulus: PressureModulus | None = None  # of the viscosity law modulus
     scaled: ScaledVolume | None = None  # of the viscosity law scaled-volume
     thermal: ThermalProperties | None = None  # for a solve with heat
+    # low and high end of an estimated pressure-viscosity over it [-]
+    pressure_viscosity_ends: tuple[float, float] = field(
+        default=(1.0, 1.0), compare=False, metadata={"stored": False}
+    )
     # layer at the inlets of flooded contacts, both surfaces together: the rolling moment counts
     # oil up to where the gap is as wide [m]
     flooded_layer: float = FLOODED_LAYER

@@ -108,6 +108,7 @@ LIFE_RATING = quantities(
 LOAD_RATING = quantities(  # only where a rating was asked for
     ("basic_dynamic_rating_kN", "", "dynamic_rating"),
     ("dynamic_equivalent_load_N", "", "equivalent_load"),
+    "minimum_load_N",
     "fatigue_load_limit_N",
     ("contamination_factor", "", "rating.contamination_factor"),
     ("nominal_contact_angle_deg", "", "rating.nominal_contact_angle"),

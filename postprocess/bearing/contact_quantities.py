@@ -69,7 +69,13 @@ HEAT_QUANTITIES = (
 # error of a thermal reduction outside the solved contacts from which a message says so [-]
 OUTSIDE = 0.03
 # parts of the error bar of a film: field of `FilmThickness`
-ERROR_PARTS = {"mesh": "computed", "heat": "heat", "supply": "supply", "oil": "oil"}
+ERROR_PARTS = {
+    "mesh": "computed",
+    "heat": "heat",
+    "supply": "supply",
+    "oil": "oil",
+    "pressure_viscosity": "pressure_viscosity",
+}
 NO_CONDITIONS = "no oil is entrained"
 FINITE_BODY_QUANTITIES = (  # at the most heavily loaded contact of a race
     *quantities("ball", source="contact.", words=True),
@@ -542,8 +548,8 @@ def film_values(film: ContactFilm | None) -> dict[str, float | None]:
     Returns
     -------
     dict
-        Films, error bars and their parts: mesh, law of the heat, oil supply, data of the oil [um];
-        None without a film.
+        Films, error bars and their parts: mesh, law of the heat, oil supply, the oil's heat
+        properties and its pressure-viscosity coefficient [um]; None without a film.
     """
     values: dict[str, float | None] = {}
     for name in ("central", "minimum"):

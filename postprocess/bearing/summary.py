@@ -105,6 +105,9 @@ CYCLE_MESSAGE = (
     "duty_cycle: each load case has its own equilibrium, clearance and oil, its torque is that "
     "of films without a solve; films, torque and pictures are those of [operation]"
 )
+# range of tilts that makers permit single deep groove bearings, 2 to 10 minutes of arc: SKF's
+# general catalogue as quoted; RBC Bearings, "Misalignment": 0.5 to 3 [mrad]
+PERMISSIBLE_TILT = (0.6, 2.9)
 AGREEMENT = 1.0  # of temperatures that count as one [K]
 AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
 RELUBRICATION = "relubrication_interval_h"
@@ -190,7 +193,61 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
 
 def _ring(state: QuasistaticSolution) -> dict[str, Any]:
     matrix = {"order": list(STIFFNESS_ORDER), "matrix": state.stiffness, "units": STIFFNESS_UNITS}
-    return values_of(state, RING) | {"stiffness": matrix}
+    return values_of(state, RING) | {"stiffness": matrix} | _tilts(state)
+
+
+def _tilts(state: QuasistaticSolution) -> dict[str, Any]:
+    """Tilt that the clearance leaves free, and the range that makers permit [mrad]."""
+    alone = len(state.rows) == 1
+    deep_groove = alone and not state.bearing.angular_contact
+    return {
+        "free_tilt_mrad": from_si("tilt_mrad", state.bearing.free_tilt) if alone else None,
+        "permissible_tilt_mrad": list(PERMISSIBLE_TILT) if deep_groove else None,
+    }
+
+
+def tilt_line(state: QuasistaticSolution) -> dict[str, str]:
+    """Line of the terminal's table on the tilt that a single deep groove bearing allows.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title; empty for other bearings.
+    """
+    tilts = _tilts(state)
+    if tilts["permissible_tilt_mrad"] is None:
+        return {}
+    low, high = tilts["permissible_tilt_mrad"]
+    free = f"{tilts['free_tilt_mrad']:.2g} mrad of tilt without load"
+    return {"tilt allowed": f"{low:g} to {high:g} mrad by makers; its clearance leaves {free}"}
+
+
+def _limit_messages(results: BearingResults) -> Iterator[str]:
+    """Warn of a tilt beyond what makers permit and of a load below their minimum."""
+    state = results.quasistatic
+    tilts = _tilts(state)
+    if tilts["free_tilt_mrad"] is None:
+        yield "ring: free_tilt_mrad null, it is that of a single row"
+    if tilts["permissible_tilt_mrad"] is None:
+        yield "ring: permissible_tilt_mrad null, read for single deep groove bearings alone"
+    elif (tilt := from_si("tilt_mrad", float(np.hypot(*state.tilt)))) > PERMISSIBLE_TILT[1]:
+        low, high = PERMISSIBLE_TILT
+        yield Caution(
+            f"ring: a tilt of {tilt:.3g} mrad; makers permit deep groove bearings {low:g} to "
+            f"{high:g} mrad (2 to 10 minutes of arc)"
+        )
+    life = results.life
+    load = None if life is None else life.equivalent_load
+    if load is not None and load < (least := life.minimum_load):
+        yield Caution(
+            f"life: an equivalent load of {load:.3g} N is below {least:.3g} N, 0.01 of the "
+            "dynamic rating, from which balls roll without sliding by a rule of makers"
+        )
 
 
 def _balls(state: QuasistaticSolution) -> dict[str, Any]:
@@ -238,6 +295,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
             yield from solution_messages(group.label, group.solution)
     yield from row_messages(results)
     yield from ring_messages(state)
+    yield from _limit_messages(results)
     yield from contact_messages(results)
     yield from finite_body_messages(results)
     yield from rating_messages(results)
@@ -808,12 +866,14 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
         rows |= (
             {"grease for life": time} if _sealed(results) else {"relubrication": f"every {time}"}
         )
+    if available["minimum_load_N"] is not None:
+        rows["least load"] = f"{available['minimum_load_N']:.3g} N (0.01 C)"
     if available["static_safety_factor"] is not None:
         rows["static safety"] = f"S_0 {available['static_safety_factor']:.3g}"
         if available["static_safety"] is not None:
             rows["static safety"] += f", by pressure {available['static_safety']:.3g}"
     if kappa is not None:
-        rows["viscosity ratio"] = f"κ {kappa:.3g}"
+        rows["viscosity ratio"] = f"κ {kappa:.3g} (SKF's diagram {available['kappa_skf']:.3g})"
         films = life_by_films(results)
         if films is not None:
             rows["viscosity ratio"] += (

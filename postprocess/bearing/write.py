@@ -38,6 +38,7 @@ from .summary import (
     ring_lines,
     row_lines,
     strength_rows,
+    tilt_line,
 )
 from .torque import decay_group, mark_legend, supply_rows, torque_rows
 
@@ -203,7 +204,7 @@ def _bearing_table(results: BearingResults) -> Table:
     if not any(moments):
         del rows["moment_N_mm"]
     rows = {titles.get(key, key): text for key, text in rows.items()}
-    rows |= row_lines(state) | ring_lines(state)
+    rows |= tilt_line(state) | row_lines(state) | ring_lines(state)
     rows |= frequency_lines(results) | rating_rows(results) | duty_cycle_rows(results)
     rows |= strength_rows(results) | dry_rows(results)
     return quantities.facts_table(rows | torque_rows(results) | supply_rows(results))

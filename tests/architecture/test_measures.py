@@ -41,7 +41,7 @@ class Limit:
 
 
 CODE_LINES = Limit(most=66_900, aim=45_000)
-IMPORT_SHARE = Limit(most=0.0504, aim=0.04)  # of all lines
+IMPORT_SHARE = Limit(most=0.0500, aim=0.04)  # of all lines
 WITHOUT_PARAMETER_LIST = Limit(most=0, aim=0)  # public functions and methods
 FRAGMENTS = Limit(most=0, aim=0)  # docstrings, comments and messages whose first sentence is none
 SMALL = 60  # code lines; a module with fewer is part of its reader

@@ -9,7 +9,15 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from oilfilm.bearing import Operation, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
+from oilfilm.bearing import (
+    Operation,
+    Race,
+    clearance_to_contact_angle,
+    contact_angle_to_clearance,
+    load_bearing,
+    reduced_radii,
+    solve_quasistatic,
+)
 from oilfilm.bearing.geometry import contact_modulus
 from oilfilm.bearing.operation import Curvature
 from oilfilm.bearing.quasistatic.kinematics import stiffness_at, stiffness_series
@@ -26,6 +34,17 @@ def test_7008_clearance_and_end_play(bearings):
     """Independent computation: 52.47 um and 0.39858 mm, four and five figures."""
     assert 1e6 * bearings.b7008.diametral_clearance == pytest.approx(52.47, abs=0.005)
     assert 1e3 * 2.0 * bearings.b7008.free_axial_position == pytest.approx(0.39858, abs=5e-6)
+
+
+def test_balls_touch_both_races_from_the_free_tilt_on(bearings):
+    bearing = replace(load_bearing("6208"), diametral_clearance=13e-6)
+    angle = bearing.free_tilt
+    states = [
+        solve_quasistatic(bearing, Operation(inner_speed=0.0, force=(0.0, 0.0, 0.0), tilt=(0.0, share * angle)))
+        for share in (0.95, 1.1)
+    ]
+    assert "floats" in states[0].message
+    assert states[1].inner_load.max() > 1.0
 
 
 def test_groove_centres_are_a_apart_at_the_free_angle(bearings):

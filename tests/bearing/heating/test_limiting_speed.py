@@ -107,6 +107,18 @@ def test_every_balance_is_one(problem):
         assert balance.speed == pytest.approx(speed, rel=2e-3)
 
 
+def test_a_branch_begins_beside_what_is_a_little_off_balance(problem):
+    """As where the films of a run leave a degree: the balance there has another speed."""
+    study = problem(0.02)
+    balance = solve_self_heating(study, "made up").state
+    off = heat_state(study, study.fixed_paths(), balance.film_temperature + 1.0, balance.clearance)
+    found, exact = (balances_over_speed(study, start) for start in (off, balance))
+    assert found.limit == pytest.approx(exact.limit, rel=2e-3)
+    far = heat_state(study, study.fixed_paths(), balance.film_temperature + 40.0, balance.clearance)
+    with pytest.raises(ValueError, match="no steady temperature near"):
+        balances_over_speed(study, far)
+
+
 def test_oil_that_thins_has_no_turn(problem):
     """The branch ends at the highest temperature, or where the search does."""
     study = problem(-0.002)

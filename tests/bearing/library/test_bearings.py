@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos, log, pi
 
 import catalogue_geometry
+import numpy as np
 import pytest
 
 from oilfilm.bearing import (
     CatalogueData,
+    Operation,
     estimate_bearing,
     estimate_geometry,
     list_bearings,
     load_bearing,
     load_catalogue_entry,
+    solve_quasistatic,
     typical_geometry,
 )
 from oilfilm.bearing.library.bearings import catalogue_name, published_bearings, warn_of_estimates
@@ -26,7 +30,8 @@ from oilfilm.bearing.library.catalogue import (
 )
 from oilfilm.bearing.library.designation import read_designation, why_unknown
 from oilfilm.bearing.library.plugins import matching_name, plain_name
-from oilfilm.bearing.rating.geometry_estimate import _bearing, _pair
+from oilfilm.bearing.quasistatic.thrust import stiffness_at_rest
+from oilfilm.bearing.rating.geometry_estimate import MeasuredStiffness, _bearing, _pair, ball_sets
 from oilfilm.bearing.rating.load_rating import dynamic_rating, static_rating
 
 ESTIMATED = tuple(name for name in list_bearings() if name not in published_bearings())
@@ -396,6 +401,29 @@ def test_a_measured_frequency_chooses_the_balls():
     assert estimate_bearing(CatalogueData(**size), 3.04)["balls"] == 8
     with pytest.raises(ValueError, match="passages of balls a turn, which no balls have"):
         estimate_bearing(rated, 9.0)
+
+
+def test_a_measured_stiffness_weighs_the_balls():
+    """That of a set with typical grooves is no misfit of it; no set has 5 N/um."""
+    size = {"bore": 70e-3, "outside_diameter": 110e-3, "width": 20e-3, "dynamic_rating": 47e3}
+    data = CatalogueData(**size, contact_angle=np.radians(15.0))
+    for balls, ball in ((20, 11.9062e-3), (17, 13.494e-3)):
+        own = stiffness_at_rest(_bearing(data, ball, balls, (0.53, 0.53)), 0.0, 400.0)
+        measured = MeasuredStiffness(stiffness=own, axial_load=400.0)
+        assert measured.misfit(data, ball, balls) == pytest.approx(0.0, abs=1e-9)
+        stiffer = replace(measured, stiffness=1.2 * own)
+        assert stiffer.misfit(data, ball, balls + 2) < stiffer.misfit(data, ball, balls) > 1.0
+        assert ball_sets(data, stiffness=measured)
+    with pytest.raises(ValueError, match="a stiffness of 5 N/um, which no balls have"):
+        ball_sets(data, stiffness=MeasuredStiffness(stiffness=5e6, axial_load=400.0))
+
+
+def test_the_stiffness_at_rest_is_that_of_the_equilibrium():
+    bearing = load_bearing("7014C")
+    state = solve_quasistatic(bearing, Operation(inner_speed=0.0, force=(400.0, 0.0, 0.0)))
+    assert stiffness_at_rest(bearing, 0.0, 400.0) == pytest.approx(state.stiffness[0, 0], rel=1e-6)
+    radial = solve_quasistatic(load_bearing("6208"), Operation(inner_speed=0.0, force=(0.0, 900.0, 0.0)))
+    assert stiffness_at_rest(load_bearing("6208"), 900.0, 0.0) == pytest.approx(radial.stiffness[1, 1], rel=1e-6)
 
 
 @pytest.mark.parametrize(

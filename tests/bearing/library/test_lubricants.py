@@ -12,7 +12,8 @@ from numpy.testing import assert_allclose
 import oilfilm.ehl.oil._kernels  # noqa: F401  # registers the laws with numba
 from oilfilm.bearing import list_lubricants, load_lubricant
 from oilfilm.bearing.library.lubricants import LAWS, PROPERTIES, lubricant_data
-from oilfilm.ehl import DensityLaw, ViscosityLaw
+from oilfilm.ehl import DensityLaw, Lubricant, ViscosityLaw
+from oilfilm.ehl.data_files import as_document, from_document
 from oilfilm.ehl.oil import _laws
 from oilfilm.ehl.oil.lubricant import density, heat_properties, log_viscosity_ratio, oil_numbers, viscosity
 
@@ -279,3 +280,14 @@ def compiled_log_viscosity(p, t, numbers):
 def compiled_heat(p, t, numbers):
     rho = _laws.density_ratio(p, t, numbers)
     return _laws.conductivity_ratio(p, t, numbers), _laws.capacity_ratio(p, t, rho, numbers)
+
+
+def test_the_interval_of_the_coefficient_of_pressure_is_no_part_of_files():
+    """Tables of films belong to the value alone, and those made before still do."""
+    oil = load_lubricant("iso vg 68", 333.15)
+    low, high = oil.pressure_viscosity_ends
+    assert 0.6 < low < 1.0 < high < 1.4
+    document = as_document(oil, {})
+    assert "pressure_viscosity_ends" not in document
+    assert from_document(document, Lubricant, {}) == oil
+    assert load_lubricant("fva 3", 333.15).pressure_viscosity_ends == (1.0, 1.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from typer.testing import CliRunner
 
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.runs import measured
 from oilfilm.cases.runs.measured import compare_temperatures, text_with
 
 CASE = """\
@@ -112,6 +114,35 @@ def test_temperatures_over_time_and_speed(tmp_path):
     table.write_text("load [N],torque [N mm]\n2000,12\n")
     with pytest.raises(CaseError, match="no column of time or speed"):
         compare_temperatures(document, "results", table)
+
+
+def test_a_batch_beside_a_table(tmp_path, monkeypatch):
+    """Torque of a batch over speed and load, linear between its points; what it varies has to be measured."""
+    path = tmp_path / "torque.csv"
+    path.write_text("speed [rpm],radial load [N],torque [N mm]\n1500,1000,30\n3000,1500,70\n9000,1000,80\n")
+    folder = tmp_path / "batch"
+    folder.mkdir()
+
+    def batch(*keys):
+        points = [
+            SimpleNamespace(
+                converged=True,
+                values=dict(zip(keys, pair, strict=True)),
+                summary={"contacts": [], "torque_N_mm": {"total": pair[0] / 100.0 + pair[1] / 50.0}},
+            )
+            for pair in ((1000, 1000), (1000, 2000), (4000, 1000), (4000, 2000))
+        ]
+        return SimpleNamespace(keys=keys, points=points)
+
+    monkeypatch.setattr(measured, "read_summary", lambda _: {"kind": "batch"})
+    speeds = "operation.inner_speed_rpm"
+    monkeypatch.setattr(measured, "read_batch", lambda _: batch(speeds, "operation.radial_load_N"))
+    found = measured.compare_with(folder, path)
+    assert found.computed["torque_N_mm"][:2] == pytest.approx([35.0, 60.0])
+    assert np.isnan(found.computed["torque_N_mm"][2])
+    monkeypatch.setattr(measured, "read_batch", lambda _: batch(speeds, "bearing.balls"))
+    with pytest.raises(CaseError, match=r"varies bearing\.balls, of which .* has no column"):
+        measured.compare_with(folder, path)
 
 
 def test_a_fit_meets_the_points_within_the_interval(rig, tmp_path):

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -103,6 +104,20 @@ def test_an_error_that_an_interrupt_led_to_is_an_interrupt(capsys):
     assert capsys.readouterr().err == "oilfilm: interrupted\n"
     assert exit_code(of_its_own) == 4
     assert "internal error: SystemError" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_error_after_a_signal_is_an_interrupt(capsys, number):
+    """As of a compiled library that loses the interrupt and fails later, without a cause."""
+
+    def forgetful():
+        with suppress(KeyboardInterrupt):
+            os.kill(os.getpid(), number)
+            time.sleep(5.0)
+        raise SystemError("half done")
+
+    assert exit_code(forgetful) == 3
+    assert capsys.readouterr().err == "oilfilm: interrupted\n"
 
 
 def test_finalizers_are_silent_after_an_interrupt_alone():

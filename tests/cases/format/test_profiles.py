@@ -43,6 +43,14 @@ FILES = {
     ),
     "rows.json": json.dumps(np.column_stack([DEGREES, height(DEGREES)]).tolist()),
     "names.json": json.dumps({"angle_deg": DEGREES.tolist(), "height_um": height(DEGREES).tolist()}),
+    "counts.csv": "Counts;Deviation [nm]\n" + text(5 * np.arange(DEGREES.size), 1e3 * height(DEGREES), "{:d};{:.2f}"),
+    "points.csv": "Point no.\tDeviation\n[-]\t[um]\n" + text(np.arange(DEGREES.size), height(DEGREES), "{:d}\t{:.6f}"),
+    "commented.txt": "# part 17\n# filter 500 upr\n# angle_rad height_m\n"
+    + text(np.radians(DEGREES), 1e-6 * height(DEGREES), "{:.9e} {:.6e}")
+    + "# end\n",
+    "status.csv": "Nr;Winkel;Radius;Status\n;°;µm;\n"
+    + text(DEGREES, 25e3 + height(DEGREES), "7;{:.2f};{:.4f};OK", decimal=","),
+    "records.json": json.dumps([{"angle_deg": a, "height_nm": 1e3 * height(a)} for a in DEGREES]),
     "heights.txt": "height [nm]\n" + "\n".join(f"{1e3 * h:.4f}" for h in height(DEGREES)),
 }
 

@@ -115,3 +115,25 @@ def test_what_has_no_temperatures_is_told(tmp_path, old, new, wanted):
     assert answer.exit_code == 2
     assert wanted in answer.output
     assert not (tmp_path / "out").exists()
+
+
+def test_a_ring_without_equilibrium_is_told(tmp_path):
+    """Balls that climb out of their grooves, as lightly loaded ones of steep angles at high speed."""
+    unloaded = CASE.replace('"6208"', '"7208B"').replace("2000.0", "282.0\naxial_load_N = 282.0")
+    (tmp_path / "case.toml").write_text(unloaded.replace("6000.0", "12617.0").replace("bore_mm = 40.0\n", ""))
+    answer = oilfilm("temperatures", str(tmp_path / "case.toml"), "-q")
+    assert answer.exit_code == 2
+    assert "no temperatures: no equilibrium: a contact angle passes 80 degrees" in answer.output
+
+
+@pytest.mark.slow
+def test_a_new_case_of_a_greased_bearing_has_temperatures(tmp_path, monkeypatch):
+    """A light load at 6000 r/min: the films leave a little of the balance, beside which the branch begins."""
+    monkeypatch.chdir(tmp_path)
+    loads = ("--speed", "6000", "--radial", "800", "--axial", "150")
+    assert oilfilm("init", "light", "--bearing", "6306-2Z/C3", *loads).exit_code == 0
+    answer = oilfilm("temperatures", "light.toml", "--json", "-q")
+    assert answer.exit_code == 0, answer.output
+    document = json.loads(answer.stdout)
+    assert document["limiting_speed_rpm"] > 12000.0
+    assert min(abs(row["speed_rpm"] / 6000.0 - 1.0) for row in document["balances"]) < 0.05
