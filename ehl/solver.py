@@ -47,7 +47,6 @@ from .solution import ContactSolution, ConvergenceRecord
 
 FLOODED_ONLY = "inlet_layer: films with shear or heat are solved flooded only"
 CAUTIOUS_LEVEL = "finer mesh with damping halved, less Gauss-Seidel"
-LOAD_STEPS = (1 / 16, 1 / 8, 1 / 4, 1 / 2)  # fractions of the load by which a fallback reaches it
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula
 FIRST_FINENESS = 6.0
 FEWEST_POINTS = 65  # of the first mesh
@@ -187,17 +186,17 @@ def solve_levels(
     soft = contact.moes_load > SOFT[0] and contact.moes_lubricant < SOFT[1]
     attempts = attempts[:1] if soft else attempts
     solution, result = _solve(problem, mesh, attempts, progress)
-    finer_nodes = 0
     while tolerance is not None and points < options.max_points:
         if (
             tolerance_reached(solution, tolerance)
             or film_over_radius(solution) > MAX_FILM_OVER_RADIUS
         ):
             break
-        if film_error_by_box(result) > max(tolerance, 0.5 * solution.widest_bar):
-            break  # of which no mesh takes anything away
-        finer_nodes = 4 * result.state.levels[-1].P.size
-        if finer_nodes > LARGE_MESH and tolerance_reached(solution, NEAR_TOLERANCE * tolerance):
+        if _bounded_by_box(solution, result, tolerance):
+            break
+        if _finer_nodes(result) > LARGE_MESH and tolerance_reached(
+            solution, NEAR_TOLERANCE * tolerance
+        ):
             break
         mesh = replace(mesh, points=2 * points - 1)
         sound = solution.converged and solution.resolved
@@ -213,8 +212,10 @@ def solve_levels(
         solution = _assembled(conditions, solution.options, result, progress)
     if tolerance is not None:
         at = f"{points} points"
-        if points < options.max_points:
-            at += f" (a finer mesh of {finer_nodes:.1e} nodes costs four times as much)"
+        if _bounded_by_box(solution, result, tolerance):
+            at += " (by the load outside the box, of which no mesh takes anything away)"
+        elif points < options.max_points:
+            at += f" (a finer mesh of {_finer_nodes(result):.1e} nodes costs four times as much)"
         solution = with_tolerance_status(solution, tolerance, at)
     if soft and not solution.converged:
         outside = f"M above {SOFT[0]:g} with L below {SOFT[1]:g} is outside of what is solved"
@@ -376,6 +377,16 @@ def _certify(result: AttemptResult, progress: Progress) -> None:
         result.levels[-1].certify(state, len(state.levels) - 1)
 
 
+def _finer_nodes(result: AttemptResult) -> int:
+    """Nodes of the next mesh."""
+    return 4 * result.state.levels[-1].P.size
+
+
+def _bounded_by_box(solution: ContactSolution, result: AttemptResult, tolerance: float) -> bool:
+    """Tell whether the load outside the box keeps the films from their tolerance."""
+    return film_error_by_box(result) > max(tolerance, 0.5 * solution.widest_bar)
+
+
 def _first_points(
     contact: ScaledContact,
     domain: tuple[float, float, float],
@@ -415,13 +426,11 @@ def _solve(
     """One contact on the number of points of the options; its record counts the work of `progress`
     before, too.
     """
-    conditions = problem.conditions
-    lighter = tuple(scale_contact(at_load(conditions, fraction)) for fraction in LOAD_STEPS)
     progress.fallbacks.clear()
     result = solve_with_fallbacks(
-        problem.scaled(), problem.domain, options, progress, problem.flow_model, lighter, attempts
+        problem.scaled(), problem.domain, options, progress, problem.flow_model, attempts
     )
-    return _assembled(conditions, options, result, progress), result
+    return _assembled(problem.conditions, options, result, progress), result
 
 
 def _solve_finer(
@@ -438,7 +447,7 @@ def _solve_finer(
     damping either.
     """
     results: list[AttemptResult] = []
-    dampings = [] if coarse.attempt.newton or not coarse.converged else [coarse.attempt.damping]
+    dampings = [] if coarse.attempt.newton or not coarse.converged else [None]
     for damping in dampings if attempts else [*dampings, CAUTIOUS]:
         if results:
             progress.fallbacks.append(CAUTIOUS_LEVEL)

@@ -57,16 +57,16 @@ Snapshot = tuple[Array, float, float, float]
 
 # along x on the coarsest grid, which may be far too coarse for the film: it only balances the load
 COARSEST_CELLS = 16
-# full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
+# full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc), careful attempts where
+# Hc/(S hx^2) is above the last
 STARTING_MESH = (0.2, 0.55)
+CAREFUL_FINENESS = 15.0
+# M above which every attempt is careful, and above which with less Gauss-Seidel, too
+HEAVY_LOAD = (1e4, 2e4)
 COARSE_LEVEL_CYCLES = 12  # most cycles on the other levels below the finest
 # Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
 MIN_FINENESS = 1.0
 FLOW_STRICTNESS = 2.5  # on what cycles leave with a flow model on levels below the finest
-# load reached in steps: cycles under each lighter load, on the first level with Hc/(S hx^2) above
-# the last; 15 to 36 there and in the six hardest of 1000 random contacts
-STEP_CYCLES = 5
-STEP_FINENESS = 15.0
 ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
 # deflections after which no further attempt is made, of the finest mesh or of the second, which
 # takes a minute for them, if that is finer; and those that an attempt is counted for in advance
@@ -77,6 +77,7 @@ ATTEMPT_WORK = 60
 ORIGIN_CELLS = 32
 
 TOO_MUCH_WORK = "not tried, too much work"
+DAMPED = Damping(jacobi=0.175)
 CAUTIOUS = replace(Damping().halved(), switch=1.5)
 
 Box = tuple[float, float, float]
@@ -207,11 +208,11 @@ def iterate_level(
         if cycles >= most and not history.approaching_solution:
             break
         state.oscillates |= history.oscillates
-        if accelerated and (state.oscillates or cycles > PLAIN_CYCLES) and cycles != most:
-            if (
-                history.residual_grew and not state.oscillates
-            ):  # a combination that does harm is forgotten
-                acceleration = Acceleration()
+        swings = history.hovers and history.residual_grew
+        pays = state.oscillates or (cycles > PLAIN_CYCLES and not swings)
+        if accelerated and pays and cycles != most:
+            if history.residual_grew and not state.oscillates:
+                acceleration = Acceleration()  # a combination that does harm is forgotten
             mixed, state.approach = acceleration.next(before, (level.P, state.approach))
             level.P = mixed if level.film_content is None else np.where(level.P > 0.0, mixed, 0.0)
             update_film(state, index)
@@ -336,15 +337,13 @@ class Attempt:
     """Settings of one attempt to solve a contact."""
 
     name: str  # in the record and among the fallbacks
-    damping: Damping  # to begin with
-    finer_start: int = 0  # levels above the usual one to start from
-    mesh_y: float = 1.0  # mesh size across the entrainment over the usual one [-]
+    # damped, from the first level on that resolves the film, as heavy contacts are in any case
+    damped: bool = True
+    # another mesh across the entrainment: twice as wide in ellipses whose longer axis lies along
+    # the grid's X, half in others, with less Gauss-Seidel
+    other_mesh: bool = False
     # turn the grid to the entrainment; only where that is not a principal direction
     along_entrainment: bool = False
-    long_only: bool = False  # only for ellipses whose longer axis lies along the grid's X
-    cycles_factor: int = 1  # on the largest number of cycles
-    # reach the load in steps on a level that nearly resolves the film
-    from_lighter: bool = False
     # Newton's method in place of cycles, without a flow model or a layer at the inlet
     newton: bool = False
 
@@ -363,9 +362,57 @@ class Attempt:
         bool
             True if the attempt is to be made
         """
-        if self.along_entrainment and contact.frame_angle == entrainment_aligned.frame_angle:
-            return False
-        return not self.long_only or contact.half_extent_x > contact.half_extent_y
+        turned = contact.frame_angle != entrainment_aligned.frame_angle
+        return turned or not self.along_entrainment
+
+    def careful(self, contact: ScaledContact) -> bool:
+        """Tell whether a contact starts damped, on the first level that resolves its film.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+
+        Returns
+        -------
+        bool
+            True in heavy contacts, and in attempts that are damped
+        """
+        return self.damped or contact.moes_load > HEAVY_LOAD[0]
+
+    def damping(self, contact: ScaledContact) -> Damping:
+        """Choose the damping to begin with.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+
+        Returns
+        -------
+        Damping
+            under-relaxation of the solve
+        """
+        if self.mesh_y(contact) < 1.0 or contact.moes_load > HEAVY_LOAD[1]:
+            return CAUTIOUS
+        return DAMPED if self.careful(contact) else Damping()
+
+    def mesh_y(self, contact: ScaledContact) -> float:
+        """Choose the mesh size across the entrainment over the usual one.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+
+        Returns
+        -------
+        float
+            ratio [-]
+        """
+        if not self.other_mesh:
+            return 1.0
+        return 2.0 if contact.half_extent_x > contact.half_extent_y else 0.5
 
 
 @dataclass(slots=True, kw_only=True)
@@ -399,24 +446,10 @@ class AttemptResult:
 
 
 ATTEMPTS = (
-    Attempt(name="plain", damping=Damping()),
-    Attempt(
-        name="mesh doubled across the entrainment", damping=Damping(), mesh_y=2.0, long_only=True
-    ),
-    Attempt(name="grid turned to the entrainment", damping=Damping(), along_entrainment=True),
-    Attempt(name="load reached in steps", damping=Damping(), from_lighter=True),
-    Attempt(
-        name="mesh doubled across the entrainment, load reached in steps",
-        damping=Damping().halved(),
-        mesh_y=2.0,
-        long_only=True,
-        from_lighter=True,
-    ),
-    Attempt(name="damping halved, less Gauss-Seidel", damping=CAUTIOUS),
-    Attempt(name="mesh halved across the entrainment", damping=CAUTIOUS, mesh_y=0.5),
-    Attempt(name="started one level finer", damping=CAUTIOUS.halved(), finer_start=1, mesh_y=0.5),
-    Attempt(name="three times the cycles", damping=CAUTIOUS, cycles_factor=3),
-    Attempt(name="Newton's method on every level", damping=Damping(), newton=True),
+    Attempt(name="plain", damped=False),
+    Attempt(name="other mesh across the entrainment", other_mesh=True),
+    Attempt(name="grid turned to the entrainment", along_entrainment=True),
+    Attempt(name="Newton's method on every level", newton=True),
 )
 
 
@@ -426,7 +459,6 @@ def solve_with_fallbacks(
     options: SolverOptions,
     progress: Progress,
     flow_model: FlowModel | None = None,
-    lighter: tuple[ScaledContact, ...] = (),
     attempts: tuple[Attempt, ...] = ATTEMPTS,
 ) -> AttemptResult:
     """Solve a contact by the first attempt that converges to `ACCEPTED_ERROR`.
@@ -446,8 +478,6 @@ def solve_with_fallbacks(
         work and fallbacks so far, changed in place
     flow_model : FlowModel | None, optional
         model of the oil's flow; None: Newtonian and isothermal
-    lighter : tuple[ScaledContact, ...], default ()
-        the first of the contacts under rising loads below its own
     attempts : tuple[Attempt, ...], default ATTEMPTS
         settings to try, in their order
 
@@ -463,22 +493,21 @@ def solve_with_fallbacks(
         if not attempt.applies(*contacts) or (attempt.newton and not plain):
             continue
         state = contact_multigrid(contact, domain, options, attempt, flow_model)
-        if attempt.newton and state.levels[-1].P.size > MAX_NODES:
+        done = best is not None and best.converged  # which Newton's method is too dear for
+        if attempt.newton and (done or state.levels[-1].P.size > MAX_NODES):
             continue
         if best is not None:
             remaining_work = MAX_WORK * max(best.state.levels[-1].P.size, WORK_MESH)
             remaining_work -= progress.deflected_nodes
-            if attempt.cycles_factor * ATTEMPT_WORK * state.levels[-1].P.size > remaining_work:
+            if ATTEMPT_WORK * state.levels[-1].P.size > remaining_work:
                 progress.fallbacks.append(f"{attempt.name}: {TOO_MUCH_WORK}")
                 continue
         progress.fallbacks += [] if attempt is ATTEMPTS[0] else [attempt.name]
         result = AttemptResult(state=state, attempt=attempt)
-        limit = replace(options, max_cycles=attempt.cycles_factor * options.max_cycles)
-        steps = lighter if attempt.from_lighter else ()
         if attempt.newton:
             newton_multigrid(result)
         else:
-            full_multigrid(result, limit, progress, attempt.finer_start, steps)
+            full_multigrid(result, options, progress)
         progress.deflected_nodes += result.state.deflected_nodes()
         if best is None or result.rank < best.rank:
             best = result
@@ -527,7 +556,7 @@ def contact_multigrid(
         outlet = ceil(x_out / (x_out - x_in) * ORIGIN_CELLS - 1e-9)
         x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
     levels = ((options.max_points - 1) // COARSEST_CELLS).bit_length()
-    aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
+    aspect = attempt.mesh_y(contact) * contact.half_extent_y / contact.half_extent_x
     symmetric = (
         contact.symmetric and (flow_model is None or flow_model.symmetric) and not full_domain
     )
@@ -539,26 +568,19 @@ def contact_multigrid(
         symmetric,
     )
     state = make_multigrid(
-        contact, grids, far_field(contact) if is_open else None, attempt.damping
+        contact, grids, far_field(contact) if is_open else None, attempt.damping(contact)
     )
     state.flow_model = flow_model
     state.threads = Threads(options.threads)
     return state
 
 
-def full_multigrid(
-    result: AttemptResult,
-    options: SolverOptions,
-    progress: Progress,
-    finer: int = 0,
-    lighter: tuple[ScaledContact, ...] = (),
-) -> None:
+def full_multigrid(result: AttemptResult, options: SolverOptions, progress: Progress) -> None:
     """Solve level after level, Venner and Lubrecht (2000), sec. 3.5.
 
-    The load on the first level is reached through those of `lighter`. If the iteration diverges,
-    `result.levels` is empty. A flow model acts, and films count, from the first level on that
-    resolves the Newtonian film, the last but one already where it hardly does: a film below the
-    mesh has no meaningful heat.
+    If the iteration diverges, `result.levels` is empty. A flow model acts, and films count, from
+    the first level on that resolves the Newtonian film, the last but one already where it hardly
+    does: a film below the mesh has no meaningful heat.
 
     Parameters
     ----------
@@ -568,21 +590,13 @@ def full_multigrid(
         options of the solver
     progress : Progress
         work and fallbacks so far, changed in place
-    finer : int, default 0
-        levels above the usual one to start from [-]
-    lighter : tuple[ScaledContact, ...], default ()
-        contacts under rising loads below its own; none: the load at once
     """
     state = result.state
+    damping = state.damping
     model, state.flow_model = state.flow_model, None
     finest = len(state.levels) - 1
-    first = _starting_level(state, finer)
-    if lighter:
-        first = max(first, _stepping_level(state))
-        if not _start_in_steps(state, first, lighter, progress):
-            return
-    else:
-        start_from_hertz(state, first)
+    first = _starting_level(result)
+    start_from_hertz(state, first)
     levels: list[LevelHistory] = []
     below: LevelHistory | None = None
     for index in range(first, finest + 1):
@@ -590,7 +604,7 @@ def full_multigrid(
         # coarse for the film needed in damping does not slow the finer ones
         if index > first:
             _start_from_below(state, index)
-            state.damping = result.attempt.damping
+            state.damping = damping
         # 2. cycles of the Newtonian film until its mesh is fine enough for the flow model
         if state.flow_model is not model:
             below = iterate_level(
@@ -601,9 +615,10 @@ def full_multigrid(
             if not _fine_enough(below, finest - index):
                 continue
             state.flow_model = model
-            state.damping = result.attempt.damping
+            state.damping = damping
         # 3. cycles until film, load and equations are at rest
-        most = options.max_cycles if index == finest else COARSE_LEVEL_CYCLES
+        coarse = index < finest and not result.attempt.careful(state.contact)
+        most = COARSE_LEVEL_CYCLES if coarse else options.max_cycles
         looser = FLOW_STRICTNESS if index < finest and model is not None else 1.0
         strictness = looser * options.strictness
         below = iterate_level(state, index, most, progress, below, strictness)
@@ -623,7 +638,7 @@ def add_level(
     domain: tuple[float, float, float],
     options: SolverOptions,
     progress: Progress,
-    damping: Damping,
+    damping: Damping | None = None,
 ) -> AttemptResult:
     """Solve one more level above a solution.
 
@@ -639,8 +654,8 @@ def add_level(
         options with the points of the new level
     progress : Progress
         work and fallbacks so far, changed in place
-    damping : Damping
-        under-relaxation of the new level
+    damping : Damping | None, optional
+        under-relaxation of the new level; None: that of the attempt
 
     Returns
     -------
@@ -651,13 +666,14 @@ def add_level(
     state = contact_multigrid(before.contact, domain, options, coarse.attempt, before.flow_model)
     state.approach = before.approach
     state.exterior = before.exterior
-    state.damping = damping
+    state.damping = damping or state.damping
     finest = len(state.levels) - 1
     state.levels[finest - 1].P = before.levels[-1].P
     _start_from_below(state, finest)
     result = AttemptResult(state=state, attempt=coarse.attempt)
-    most = coarse.attempt.cycles_factor * options.max_cycles
-    history = iterate_level(state, finest, most, progress, coarse.levels[-1], options.strictness)
+    history = iterate_level(
+        state, finest, options.max_cycles, progress, coarse.levels[-1], options.strictness
+    )
     if history is not None:
         result.levels = [*coarse.levels, history]
     progress.deflected_nodes += state.deflected_nodes()
@@ -687,7 +703,7 @@ def newton_multigrid(result: AttemptResult) -> None:
         attempt, changed in place
     """
     state = result.state
-    first = _starting_level(state, 0)
+    first = _starting_level(result)
     start_from_hertz(state, first)
     for index in range(first, len(state.levels)):
         if index > first:
@@ -702,15 +718,15 @@ def newton_multigrid(result: AttemptResult) -> None:
             result.levels = []
 
 
-def _starting_level(state: Multigrid, finer: int) -> int:
-    contact = state.contact
-    finest = len(state.levels) - 1
+def _starting_level(result: AttemptResult) -> int:
+    contact = result.state.contact
+    levels = result.state.levels
     gap = sqrt(contact.film_guess / contact.curvature_x)
-    mesh = max(STARTING_MESH[0] * contact.half_extent_x, STARTING_MESH[1] * gap)
-    first = next(
-        (index for index, level in enumerate(state.levels) if level.grid.hx <= mesh), finest
-    )
-    return min(first + finer, finest)
+    if result.attempt.careful(contact):
+        mesh = gap / sqrt(CAREFUL_FINENESS)
+    else:
+        mesh = max(STARTING_MESH[0] * contact.half_extent_x, STARTING_MESH[1] * gap)
+    return next((n for n, level in enumerate(levels) if level.grid.hx <= mesh), len(levels) - 1)
 
 
 def start_from_hertz(state: Multigrid, index: int) -> None:
@@ -729,61 +745,6 @@ def start_from_hertz(state: Multigrid, index: int) -> None:
     start_level(state, index, contact.dry_pressure(grid.X[None, :], grid.Y[:, None]))
     state.approach = contact.film_guess - central_film(grid, state.levels[index].H)
     update_film(state, index)
-
-
-def _stepping_level(state: Multigrid) -> int:
-    """First level that nearly resolves the film of the formula."""
-    contact = state.contact
-    mesh = sqrt(contact.film_guess / contact.curvature_x / STEP_FINENESS)
-    levels = enumerate(state.levels)
-    return next((index for index, level in levels if level.grid.hx <= mesh), len(state.levels) - 1)
-
-
-def _start_in_steps(
-    state: Multigrid, index: int, lighter: tuple[ScaledContact, ...], progress: Progress
-) -> bool:
-    """Start a level from the solution under the last of the lighter loads, the first of them by
-    full multigrid up to that level; False if one of them diverged.
-
-    In the scales of each load's own Hertz contact grid and kernel are the same.
-    """
-    # 1. the lightest
-    step = replace(state, contact=lighter[0])
-    first = min(_starting_level(step, 0), index)
-    start_from_hertz(step, first)
-    for at in range(first, index + 1):
-        if at > first:
-            _start_from_below(step, at)
-        if iterate_level(step, at, COARSE_LEVEL_CYCLES, progress, None) is None:
-            return False
-    # 2. heavier and heavier ones
-    for contact in lighter[1:]:
-        step = _heavier(step, index, contact)
-        if iterate_level(step, index, STEP_CYCLES, progress, None) is None:
-            return False
-    start = _heavier(step, index, state.contact)
-    state.approach = start.approach
-    state.exterior = start.exterior
-    return True
-
-
-def _heavier(before: Multigrid, index: int, contact: ScaledContact) -> Multigrid:
-    """Start a level under a heavier load from the solution under a lighter one. Solution and dry
-    contact, whose film is zero, are combined to the film of the formula.
-
-    Pressure and film of the dry contact are not negative, so that the film is positive wherever
-    that of the lighter load is.
-    """
-    state = replace(before, contact=contact)
-    level = state.levels[index]
-    lighter = level.P
-    fraction = min(contact.film_guess / before.contact.film_guess, 1.0)
-    dry = contact.dry_pressure(level.grid.X[None, :], level.grid.Y[:, None])
-    state.approach = 0.0
-    start_level(state, index, dry)
-    state.approach = fraction * before.approach - (1.0 - fraction) * float(level.H.min())
-    start_level(state, index, fraction * lighter + (1.0 - fraction) * dry)
-    return state
 
 
 def choose_domain(contact: ScaledContact) -> Box:

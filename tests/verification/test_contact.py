@@ -497,12 +497,12 @@ def test_a_film_that_rests_where_the_equations_do_not_hold_is_refused():
 
 
 def test_long_ellipse_comes_to_rest_on_another_mesh():
-    """Entrainment along the longer axis at M 200, L 24: needs the mesh doubled across it, and says so."""
+    """Entrainment along the longer axis at M 200, L 24: needs another mesh across it, and says so."""
     oil = Lubricant(viscosity=0.0734, pressure_viscosity=26.5e-9, density_law=DensityLaw.INCOMPRESSIBLE)
     conditions = MoesConditions(load_parameter=200.0, lubricant_parameter=24.0, radius_ratio=2.45, lubricant=oil)
     solution = solve_contact(conditions, SolverOptions(points=129))
     assert solution.converged
-    assert solution.record.fallbacks[-1] == "mesh doubled across the entrainment"
+    assert solution.record.fallbacks[-1] == "other mesh across the entrainment"
 
 
 def test_every_attempt_is_on_record():
@@ -528,16 +528,6 @@ def test_free_volume_laws_in_the_contact():
         films.append(solution.film_central)
     assert films[0] != pytest.approx(films[1], rel=0.005)
     assert films[0] == pytest.approx(films[1], rel=0.1)
-
-
-def test_load_reached_in_steps_leads_to_the_same_film():
-    """The fallback's way from a sixteenth of the load, doubled again and again, ends where the plain one does."""
-    plain = solve_contact(CIRCULAR, SolverOptions(points=129))
-    steps = next(attempt for attempt in ATTEMPTS if attempt.from_lighter)
-    stepped, _ = solve_attempts(CIRCULAR, SolverOptions(points=129), attempts=(steps,))
-    assert stepped.converged
-    for name in ("film_central_dimensionless", "film_minimum_dimensionless"):
-        assert_allclose(getattr(stepped, name).finest, getattr(plain, name).finest, rtol=1e-3)  # iterations to 4e-4
 
 
 def test_equations_of_a_solution_hold_and_its_oil_is_conserved():

@@ -101,7 +101,7 @@ def test_continuation_to_a_newtonian_oil_stays_where_it_is():
 def test_continuation_takes_the_settings_of_the_film_it_starts_from():
     """Not those of the last attempt on record: another mesh across would not fit the pressure."""
     plain = solve_contact(CIRCULAR, COARSE)
-    other = next(attempt for attempt in ATTEMPTS if attempt.mesh_y != 1.0)
+    other = next(attempt for attempt in ATTEMPTS if attempt.other_mesh)
     tried = replace(plain, record=replace(plain.record, fallbacks=(other.name,)))
     flow = GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING)
     there, again = (solve_by_continuation(flow, COARSE, film)[0] for film in (plain, tried))
