@@ -412,7 +412,9 @@ class Session:
         azimuth = next(
             (one["azimuth_deg"] for one in found["contacts"] if one["ball"] == chosen["ball"]), 0.0
         )
-        arguments = (design.document, chosen["ball"], chosen["race"], azimuth)
+        # at the temperature that is shown: to find it anew would solve the films several times
+        document = at_temperature(design.document, found)
+        arguments = (document, chosen["ball"], chosen["race"], azimuth)
         answer = await self.solver.ask("solve", *arguments)
         state = self.state
         with state:
@@ -634,6 +636,26 @@ def python_lines(design: Design) -> str:
         f"{head}from oilfilm.cases.format.case import case_from_text\n\n"
         f'CASE = """\\\n{text}"""\n\nr = oilfilm.run(case_from_text(CASE, "design"))\n{tail}'
     )
+
+
+def at_temperature(document: dict[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
+    """A case at the temperature that its heat balance has found.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of the case.
+    found : Mapping[str, Any]
+        Its summary.
+
+    Returns
+    -------
+    dict[str, Any]
+        The tables, the temperature given.
+    """
+    own = {**document["operation"], "temperature": "given"}
+    own["temperature_C"] = found["case"]["operation"]["temperature_C"]
+    return {**document, "operation": own}
 
 
 def _models(found: Mapping[str, Any]) -> list[dict[str, str]]:
