@@ -7,7 +7,7 @@
 
 Each step is a command; its output is a file in DIR (default build/nightly). Steps run one after the other, also after
 one that fails. The last lines say which failed; exit code 1 if any did. Install the product first, with its extras
-`test` and `browser`, and Chromium (on Debian `apt-get install chromium`), else the tests of the live program are skipped.
+`test` and `browser`, and Chromium (Debian: `apt-get install chromium`), else tests of the live program are skipped.
 """
 
 from __future__ import annotations

@@ -28,7 +28,6 @@ class Control:
     label: str
     section: str
     span: Span | None = None  # of the slider, in the unit of the key; None: around the value
-    options: tuple[str, ...] = ()  # of a list; empty: a number
     share: float = 0.2  # of the value to both sides, where there is no span
     folded: bool = False  # below "own numbers"
     always: bool = True  # also where the case leaves the key out

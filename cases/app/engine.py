@@ -8,13 +8,18 @@ import base64
 import os
 import tempfile
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from math import degrees
 from multiprocessing.connection import Connection
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, process_time
 from typing import Any
 
+from oilfilm.bearing.films.film import FilmOrigin
+from oilfilm.bearing.films.unsolved_films import too_thick
+from oilfilm.ehl import ContactSolution
+from oilfilm.ehl.atlas.field_maps import field_maps
 from oilfilm.postprocess.bearing.results import BearingResults
 from oilfilm.postprocess.contact.plots import draw_contact, film_text
 from oilfilm.postprocess.contact.shown_part import contact_view
@@ -25,7 +30,6 @@ from oilfilm.postprocess.stiffness.results import ross_table
 from oilfilm.postprocess.writer import summary, write_results
 
 from ..format.case import Case, case_of_document
-from ..format.film_model import FilmModel
 from ..format.rules import CaseError
 from ..runs.bearing import run_case
 from ..runs.equilibrium import Equilibria
@@ -56,7 +60,7 @@ class Engine:
         self.results: BearingResults | None = None
 
     def point(self, document: dict[str, Any]) -> Answer:
-        """All numbers of a case, and its scene.
+        """All numbers of a case.
 
         Parameters
         ----------
@@ -66,18 +70,28 @@ class Engine:
         Returns
         -------
         dict[str, Any]
-            Summary and scene.
+            Summary, and the time that it took [s].
         """
         start = perf_counter()
-        results = run_case(
-            _bearing_case(live_document(document)), workers=1, equilibria=self.equilibria
-        )
-        self.results = results
+        busy = process_time()
+        case = _bearing_case(live_document(document))
+        self.results = run_case(case, workers=1, equilibria=self.equilibria)
         return {
-            "summary": summary(results),
-            "scene": scene_arrays(results),
+            "summary": summary(self.results),
+            "processor": process_time() - busy,
             "seconds": perf_counter() - start,
         }
+
+    def scene(self) -> Answer:
+        """Bodies and films of the last point, for the scene.
+
+        Returns
+        -------
+        dict[str, Any]
+            Arrays.
+        """
+        results = self.results
+        return {} if results is None else scene_arrays(results, _fields(results))
 
     def contact(self, ball: int, race: str) -> Answer:
         """Pressure and film of one contact of the last point, as a picture.
@@ -119,7 +133,8 @@ class Engine:
         ehl = {**document.get("ehl", {}), "film_maps": [azimuth], "films": "solved"}
         results = run_case(_bearing_case({**document, "ehl": ehl}), equilibria=self.equilibria)
         contacts = [one for one in summary(results)["contacts"] if one["ball"] == ball]
-        patches = [one for one in scene_arrays(results)["patches"] if one["ball"] == ball]
+        arrays = scene_arrays(results, results.fields)
+        patches = [one for one in arrays["patches"] if one["ball"] == ball]
         picture = _contact_picture(results, ball, race)
         return picture | {
             "contacts": contacts,
@@ -140,9 +155,8 @@ class Engine:
         dict[str, Any]
             Main numbers, None where a point has none.
         """
-        own = live_document(document, maps=False)
-        results = run_case(_bearing_case(own), workers=1, equilibria=self.equilibria)
-        return main_numbers(summary(results))
+        case = _bearing_case(live_document(document))
+        return main_numbers(summary(run_case(case, workers=1, equilibria=self.equilibria)))
 
     def report(self, document: dict[str, Any]) -> Answer:
         """The report of the case on one page, with its pictures.
@@ -157,7 +171,8 @@ class Engine:
         dict[str, Any]
             The page as text.
         """
-        results = run_case(_bearing_case(live_document(document)), workers=1)
+        ehl = {**live_document(document)["ehl"], "film_maps": "all", "films": "atlas"}
+        results = run_case(_bearing_case({**document, "ehl": ehl}), workers=1)
         with tempfile.TemporaryDirectory(prefix="oilfilm_app_") as folder:
             write_results(results, folder)
             return {"text": report_page(Path(folder))}
@@ -185,28 +200,22 @@ class Engine:
         return {"text": ROSS_LINES.format(title=title, arguments=arguments)}
 
 
-def live_document(document: Mapping[str, Any], *, maps: bool = True) -> dict[str, Any]:
+def live_document(document: Mapping[str, Any]) -> dict[str, Any]:
     """The document with films of the film atlas, which need no solve.
 
     Parameters
     ----------
     document : Mapping[str, Any]
         Tables of a case.
-    maps : bool, default True
-        With pressure and film of each contact.
 
     Returns
     -------
     dict[str, Any]
         The tables; films that the atlas does not have (heat, shear thinning) are by formula.
     """
-    ehl = dict(document.get("ehl", {}))
-    model = ehl.get("film_model", FilmModel.NEWTONIAN.value)
-    own: dict[str, Any] = {key: ehl[key] for key in ("film_model", "finite_bodies") if key in ehl}
-    own["film_maps"] = "none"
-    if maps and model == FilmModel.NEWTONIAN.value:
-        own |= {"film_maps": "all", "films": "atlas"}
-    return {**document, "ehl": own}
+    ehl = document.get("ehl", {})
+    own = {key: ehl[key] for key in ("film_model", "finite_bodies") if key in ehl}
+    return {**document, "ehl": {**own, "film_maps": "none"}}
 
 
 def _bearing_case(document: dict[str, Any]) -> Case:
@@ -216,12 +225,38 @@ def _bearing_case(document: dict[str, Any]) -> Case:
     return case
 
 
+def _fields(results: BearingResults) -> tuple[ContactSolution | None, ...]:
+    """Pressure and film of all contacts, equal ones once."""
+    found: dict[tuple[str, ...], ContactSolution | None] = {}
+    fields = []
+    for number, contact in enumerate(results.contacts):
+        key = (contact.race.value, f"{contact.load:.9g}", f"{contact.contact_angle:.6g}")
+        if key not in found:
+            found[key] = _field(results, number)
+        fields.append(found[key])
+    return tuple(fields)
+
+
+def _field(results: BearingResults, number: int) -> ContactSolution | None:
+    """Pressure and film of one contact: solved, or of the film atlas with the operating films."""
+    film = results.operating[number]
+    known = results.fields[number]
+    conditions = results.contacts[number].conditions
+    if known is not None or film is None or conditions is None or too_thick(conditions):
+        return known
+    if film.origin is FilmOrigin.FORMULA:
+        return None
+    (field,) = field_maps([conditions])
+    return None if field is None else replace(film, field=field).operating_field
+
+
 def _contact_picture(results: BearingResults | None, ball: int, race: str) -> Answer:
     if results is None:
         return {"why": "no results yet"}
-    for contact, field in zip(results.contacts, results.fields, strict=True):
+    for number, contact in enumerate(results.contacts):
         if (contact.ball, contact.race.value) != (ball, race):
             continue
+        field = _field(results, number)
         if field is None:
             why = contact.note or "the film atlas has no map of this contact: solve it"
             return {"why": why}

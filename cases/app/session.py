@@ -119,8 +119,8 @@ class Session:
         if design.text == before.text:
             return
         self.history.push(design, key, monotonic())
-        others = key not in values_of(before) or BY_KEY[key].options or key == "fit"
-        if others:
+        marked = next((one["mark"] for one in self.state.specs if one["key"] == key), "")
+        if marked or set(flat(design.document)) != set(flat(before.document)):
             self._show_controls()
         self.changed()
 
@@ -230,6 +230,11 @@ class Session:
                 with self.state:
                     if design is self.history.now or self._wanted is not None:
                         self._take_answer(design, answer)
+                if self._wanted is None and "summary" in answer:
+                    arrays = await self.live.ask("scene")
+                    with self.state:
+                        if design is self.history.now and "bodies" in arrays:
+                            self._show_scene(arrays)
         finally:
             self._following = False
 
@@ -254,7 +259,6 @@ class Session:
         state.seconds = f"{answer['seconds']:.2f} s"
         state.warnings = list(self.found["warnings"])
         state.messages = [one for one in self.found["messages"] if one not in state.warnings]
-        self._show_scene(answer["scene"])
         if why:
             self._show_nothing("not converged", why)
         else:

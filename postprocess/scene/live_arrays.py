@@ -1,5 +1,6 @@
 """Bodies and films of a bearing as plain arrays, for a scene that follows the results."""
 
+from collections.abc import Sequence
 from math import pi
 from typing import Any
 
@@ -23,13 +24,18 @@ REACH = 1.3
 ROUND_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
 
 
-def scene_arrays(results: BearingResults) -> dict[str, Any]:
+Fields = Sequence[ContactSolution | None]
+
+
+def scene_arrays(results: BearingResults, fields: Fields) -> dict[str, Any]:
     """Bodies, films, forces and speeds of a bearing, in the units of the scene.
 
     Parameters
     ----------
     results : BearingResults
         Results of a bearing.
+    fields : Sequence[ContactSolution | None]
+        Pressure and film of each contact; None where there are none.
 
     Returns
     -------
@@ -44,7 +50,7 @@ def scene_arrays(results: BearingResults) -> dict[str, Any]:
     }
     shown = [
         (contact, field)
-        for contact, field in zip(results.contacts, results.fields, strict=True)
+        for contact, field in zip(results.contacts, fields, strict=True)
         if field is not None and contact.hertz is not None
     ]
     radius = 0.5 * state.bearing.ball_diameter
