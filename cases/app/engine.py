@@ -241,7 +241,10 @@ def _field(results: BearingResults, number: int) -> ContactSolution | None:
     """Pressure and film of one contact: solved, or of the film atlas with the operating films."""
     film = results.operating[number]
     known = results.fields[number]
-    conditions = results.contacts[number].conditions
+    contact = results.contacts[number]
+    conditions = contact.conditions
+    if contact.gap is not None:  # a light ball between two films, which the gap decides
+        return known
     if known is not None or film is None or conditions is None or too_thick(conditions):
         return known
     if film.origin is FilmOrigin.FORMULA:

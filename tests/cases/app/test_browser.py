@@ -182,7 +182,7 @@ def test_a_newcomer(browser, tmp_path):
         picture(page, "life")
         page.click("#tab-torque")
         page.wait_for_function(
-            "document.querySelectorAll('.chart svg')[0].querySelectorAll('circle').length > 6", timeout=PATIENCE
+            "document.querySelector('.chart').querySelectorAll('circle').length > 6", timeout=PATIENCE
         )
         picture(page, "torque")
         with page.expect_download(timeout=600_000) as download:
