@@ -89,7 +89,8 @@ def why_not(found: Summary) -> str:
     if not found["equilibrium"]["converged"]:
         return f"no equilibrium of the balls: {found['equilibrium']['message']}"
     reasons = [text for text in found["messages"] if "not converged" in text or "no heat" in text]
-    return (reasons or found["warnings"] or ["a part of the state did not converge"])[0]
+    reason: str = (reasons or found["warnings"] or ["a part of the state did not converge"])[0]
+    return reason.partition("not converged: ")[2] or reason
 
 
 def tiles(found: Summary) -> list[dict[str, str]]:
