@@ -32,7 +32,7 @@ from .multigrid.full_multigrid import (
     solve_with_fallbacks,
 )
 from .multigrid.history import CENTRAL, MINIMUM
-from .multigrid.levels import FlowModel, Multigrid
+from .multigrid.levels import Damping, FlowModel, Multigrid
 from .multigrid.newton import certify
 from .multigrid.supply.oil_supply import (
     inlet_ratio,
@@ -447,8 +447,10 @@ def _solve_finer(
     damping either.
     """
     results: list[AttemptResult] = []
-    dampings = [] if coarse.attempt.newton or not coarse.converged else [None]
-    for damping in dampings if attempts else [*dampings, CAUTIOUS]:
+    dampings: list[Damping | None] = [] if attempts else [CAUTIOUS]
+    if coarse.converged and not coarse.attempt.newton:
+        dampings.insert(0, None)
+    for damping in dampings:
         if results:
             progress.fallbacks.append(CAUTIOUS_LEVEL)
         results.append(add_level(coarse, problem.domain, options, progress, damping))
