@@ -76,7 +76,7 @@ def _flow(results: CheckedState) -> Iterator[str]:
         at, end = (from_si("temperature_C", t) for t in (operation.temperature, least))
         yield (
             f"at {at:.0f} C the oil lies below its pour point, {end:.0f} C, and does not flow: "
-            "film, torque and life are extrapolated"
+            "no film, torque and modified life"
         )
 
 

@@ -19,10 +19,10 @@ balance with all of them,
 .. math:: F - \sum_j (dV/dq)^T (Q_i w/|w| + T_i t_i)_j = 0
 
 The heavier balls yield to their films also where no gap is filled, so that loads do not jump as
-the last light ball leaves its inner film. Where no ball is light, nothing changes.
-Friction, motion and the shape of elastic rings are those
-of the dry equilibrium. The weight of a ball, 2 % of F_c in a 6205 at 3800 r/min and as much as it
-at 530, is left out, and so is squeeze as it goes round.
+the last light ball leaves its inner film. Where no ball is light, nothing changes. Position and
+stiffness of the ring, life and strength are of this balance; friction, motion and the shape of
+elastic rings are those of the dry equilibrium. The weight of a ball, 2 % of F_c in a 6205 at 3800
+r/min and as much as it at 530, is left out, and so is squeeze as it goes round.
 """
 
 from collections.abc import Sequence
@@ -149,6 +149,12 @@ class _Balls:
         """Contacts of the balls, inner and outer in turn, at loads (2, n) [N], with the balls at u
         and the grooves' centres V apart, (2, n) [m].
         """
+        moved = replace(self.solution, **self.arrays(load, u, V))
+        at = contact_conditions(moved, self.oil, thick=True)
+        return [at[n] for n in _numbers(self.numbers)]
+
+    def arrays(self, load: Array, u: Array, V: Array) -> dict[str, Array]:
+        """Loads and contact angles of all balls with these at u, as `contacts_at`."""
         w = V - u
         changes = {
             "inner_load": load[0],
@@ -160,8 +166,7 @@ class _Balls:
         for name, values in changes.items():
             arrays[name] = getattr(self.solution, name).copy()
             arrays[name][self.numbers] = values
-        at = contact_conditions(replace(self.solution, **arrays), self.oil, thick=True)
-        return [at[n] for n in _numbers(self.numbers)]
+        return arrays
 
     def filled(self, V: Array, contacts: Sequence[BearingContact]) -> NDArray[np.bool_]:
         """Balls whose gap the films fill under next to no load at the inner race, behind the
@@ -182,6 +187,47 @@ class _Balance:
     V: Array  # (2, n) [m]
     u: Array  # (2, n) [m]
     load: Array  # (2, n) [N]
+    force: Array  # (x, r) and couple over R_i of the balls on the ring, (3, n) [N]
+    tangent: Array  # (5, 5) change of the load that holds the ring by q [N/m]
+
+
+def equilibrium_with_films(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    oil: Lubricant,
+    supply: OilAtInlets | None = None,
+) -> tuple[QuasistaticSolution, tuple[BearingContact, ...]]:
+    """Balance of ring and balls with the films of all balls where some are without elastic load.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    oil : Lubricant
+        The oil.
+    supply : OilAtInlets, optional
+        Oil that the contacts get; None: flooded.
+
+    Returns
+    -------
+    solution
+        Position of ring and balls, loads and stiffness with films; the same object where no ball
+        is light.
+    contacts
+        Those of light balls with the loads of their films and their `gap`; likewise.
+    """
+    light = _light(solution, contacts)
+    if not light.any():
+        return solution, contacts if isinstance(contacts, tuple) else tuple(contacts)
+    ring = ring_of(solution.bearing, solution.operation, solution.rows, solution.model.rings)
+    every = _Balls(
+        solution=solution, oil=oil, supply=supply, ring=ring, numbers=np.arange(light.size)
+    )
+    held, found = _with_films(every, light, contacts)
+    changed = (found.get(n, contact) for n, contact in enumerate(contacts))
+    return held, BearingContacts.of(solution, changed)
 
 
 def contacts_between_films(
@@ -190,7 +236,7 @@ def contacts_between_films(
     oil: Lubricant,
     supply: OilAtInlets | None = None,
 ) -> tuple[BearingContact, ...]:
-    """Contacts whose balls without elastic load are in balance between two films.
+    """The contacts of `equilibrium_with_films`.
 
     Parameters
     ----------
@@ -206,20 +252,9 @@ def contacts_between_films(
     Returns
     -------
     sequence of BearingContact
-        Those of light balls with the loads of their films and their `gap`; the same object where
-        there are none.
+        The same object where no ball is light.
     """
-    light = _light(solution, contacts)
-    if not light.any():
-        return contacts if isinstance(contacts, tuple) else tuple(contacts)
-    ring = ring_of(solution.bearing, solution.operation, solution.rows, solution.model.rings)
-    every = _Balls(
-        solution=solution, oil=oil, supply=supply, ring=ring, numbers=np.arange(light.size)
-    )
-    found = _with_films(every, light, contacts)
-    return BearingContacts.of(
-        solution, (found.get(n, contact) for n, contact in enumerate(contacts))
-    )
+    return equilibrium_with_films(solution, contacts, oil, supply)[1]
 
 
 def _numbers(balls: NDArray[np.int64]) -> list[int]:
@@ -247,8 +282,9 @@ def _films(contacts: Sequence[BearingContact], supply: OilAtInlets | None) -> Ar
 
 def _with_films(
     every: _Balls, light: NDArray[np.bool_], contacts: Sequence[BearingContact]
-) -> dict[int, BearingContact]:
-    """Contacts that films change, by their numbers."""
+) -> tuple[QuasistaticSolution, dict[int, BearingContact]]:
+    """The balance with films, and contacts that they change, by their numbers."""
+    held = every.solution
     free = light & (every.solution.inner_load == 0.0)
     filled = free & every.filled(every.between(every.dry), contacts)
     changed: dict[int, BearingContact] = {}
@@ -263,12 +299,50 @@ def _with_films(
         left[balls.numbers] = balance.load[0] < LEAST_LOAD * balls.force
         if not (left & filled).any():
             changed = _changed(balls, balance, light)
+            held = _held(balls, balance, contacts)
             break
         filled &= ~left
     for n in _numbers(np.flatnonzero(free & ~filled)):
         note = UNFILLED if n % 2 == 0 else contacts[n].note
         changed[n] = replace(contacts[n], note=note)
-    return changed
+    return held, changed
+
+
+def _held(
+    balls: _Balls, balance: _Balance, contacts: Sequence[BearingContact]
+) -> QuasistaticSolution:
+    """The equilibrium with ring and balls where their films hold them; of elastic rings the dry
+    stiffness stays.
+    """
+    s = balls.solution
+    numbers = balls.numbers
+    scale = balls.ring.scale
+    arrays = balls.arrays(balance.load, balance.u, balance.V)
+    hertz = [contacts[2 * n + 1].hertz for n in numbers]
+    approach = np.array([0.0 if one is None else one.approach for one in hertz])
+    angle = s.outer_contact_angle[numbers]
+    dry = (balls.lengths[1] + approach) * np.stack([np.sin(angle), np.cos(angle)])
+    for name, way in zip(("ball_axial", "ball_radial"), balance.u - dry, strict=True):
+        arrays[name] = getattr(s, name).copy()
+        arrays[name][numbers] += way
+    force = np.zeros((3, s.azimuth.size))
+    force[:, numbers] = balance.force
+    each = np.einsum("qfz,fz->qz", balls.ring.gather, force).reshape(5, len(s.rows), -1)
+    of_rows = -each.sum(axis=2).T * scale
+    given = np.concatenate([s.ring_force, s.ring_moment])
+    load = np.where(balls.ring.free, given, of_rows.sum(axis=0))
+    q = balance.q / scale
+    stiffness = balance.tangent * np.outer(scale, scale)
+    return replace(
+        s,
+        **arrays,
+        displacement=q[:3],
+        tilt=q[3:],
+        ring_force=load[:3],
+        ring_moment=load[3:],
+        stiffness=stiffness if balls.ring.compliance is None else s.stiffness,
+        row_load=of_rows,
+    )
 
 
 def _changed(
@@ -360,7 +434,8 @@ def _in_balance(balls: _Balls, springs: _Springs, q: Array) -> _Balance | None:
         force = np.concatenate([-push, couple[None]])
         left = np.einsum("qfz,fz->q", gather, force) + balls.ring.load
         tangent = np.einsum("iqz,ijz,jpz->qp", movement, stiffness, movement)
-        return _Balance(q=q, V=V, u=u, load=load), left[free], tangent[np.ix_(free, free)]
+        found = _Balance(q=q, V=V, u=u, load=load, force=force, tangent=tangent)
+        return found, left[free], tangent[np.ix_(free, free)]
 
     found, left, tangent = at(q)
     for _ in range(NEWTON_STEPS):

@@ -46,14 +46,25 @@ class FilmThickness(NamedTuple):
     # error of mesh and box of a solved film, of the atlas, or of the formula [m]
     computed: float = 0.0
     heat: float = 0.0  # by the law of the thermal reduction [m]
-    supply: float = 0.0  # by what is not known of the layer [m]
+    # what more oil at the inlet may add, which is not among the errors [m]
+    supply: float = 0.0
     oil: float = 0.0  # by the ranges of the oil's heat properties [m]
     pressure_viscosity: float = 0.0  # by the ends of an estimated coefficient [m]
 
     @property
     def error(self) -> float:
-        """All parts together [m]."""
-        return hypot(*self[1:])
+        """All parts together, to either side [m]."""
+        return hypot(self.computed, self.heat, self.oil, self.pressure_viscosity)
+
+    @property
+    def low(self) -> float:
+        """Low end of the film [m]."""
+        return max(self.value - self.error, 0.0)
+
+    @property
+    def high(self) -> float:
+        """High end of the film, with what more oil may add [m]."""
+        return self.value + hypot(self.error, self.supply)
 
     @property
     def relative_error(self) -> float:

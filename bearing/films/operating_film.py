@@ -453,8 +453,8 @@ def _scaled(film: FilmThickness, value: float) -> FilmThickness:
 
 
 def _to_most(film: FilmThickness, ratio: float) -> FilmThickness:
-    """A film with an error by the supply that reaches so many times the film."""
-    return film._replace(supply=abs(ratio - 1.0) * film.value)
+    """A film that more oil at the inlet may bring to so many times its thickness."""
+    return film._replace(supply=max(ratio - 1.0, 0.0) * film.value)
 
 
 def _without_layer(film: ContactFilm) -> ContactFilm:

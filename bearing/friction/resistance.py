@@ -18,7 +18,7 @@ from ..quasistatic.solution import QuasistaticSolution
 # drag of balls behind each other over that of a lone sphere [-]: chosen with the measured heat of
 # NASA's 35-mm bearing known (docs/validation/heat_of_bearings.md); range: several times less than
 # alone (Marchesse et al., 2014, second hand) up to alone
-SHIELDING = 0.6
+SHIELDING = 0.5
 SHIELDING_RANGE = (0.2, 1.0)
 # share of the elastic energy lost in rolling, hardened steel [-]; range from memory
 HYSTERESIS = 0.01

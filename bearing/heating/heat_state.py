@@ -26,7 +26,7 @@ from oilfilm.ehl.traction.shear import dimensional_conditions, dimensional_grid
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions, with_oil
 from ..films.between_races import contacts_between_films
-from ..films.film import CONTACT_PRESSURE, ContactFilm, Films, first_same
+from ..films.film import CONTACT_PRESSURE, ContactFilm, Films, FilmThickness, first_same
 from ..films.unsolved_films import formula_films
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
 from ..friction.balance import BalancedFriction
@@ -149,14 +149,14 @@ def _of_solved(
         marched_conductance(
             speed, x, y, np.where(inside, k / (np.maximum(gap, 1e-12) * scale), 0.0), *pair
         )
-        for k, scale in zip(oil, _scales(film.central.relative_error), strict=True)
+        for k, scale in zip(oil, _scales(film.central), strict=True)
     )
     return value, low, high
 
 
-def _scales(error: float) -> Ends:
-    """Factors of the film by its relative error, value and both ends of the conductance [-]."""
-    return 1.0, 1.0 + error, 1.0 / (1.0 + error)
+def _scales(film: FilmThickness) -> Ends:
+    """Factors of the film by its ends, value and both ends of the conductance [-]."""
+    return 1.0, film.high / film.value, 1.0 / (1.0 + film.relative_error)
 
 
 def _of_flat(
@@ -171,7 +171,7 @@ def _of_flat(
     numbers = [
         (
             *(*film.size, film.central.value, film.conditions.entrainment_speed),
-            *_scales(film.central.relative_error),
+            *_scales(film.central),
         )
         for film in films
     ]

@@ -123,6 +123,30 @@ class LifeRating:
         return time_of(self.modified_life, self.shaft_speed)
 
 
+def without_oil(life: LifeRating) -> LifeRating:
+    """The rating where the oil does not flow: basic life and safety only.
+
+    Parameters
+    ----------
+    life : LifeRating
+        with an oil that flows
+
+    Returns
+    -------
+    LifeRating
+        without viscosity ratio and modified life
+    """
+    message = "life: kappa, a_iso and modified rating null, the oil does not flow"
+    others = [one for one in life.messages if not one.startswith("life: kappa ")]
+    return replace(
+        life,
+        viscosity_ratio=None,
+        life_factor=None,
+        modified_life=None,
+        messages=(*others, message),
+    )
+
+
 def time_of(life: float | None, speed: float) -> float | None:
     """Time of a life at a speed.
 

@@ -16,7 +16,7 @@ from oilfilm.bearing.geometry import (
 from oilfilm.bearing.library.bearings import TOLERANCE_CLASSES
 from oilfilm.bearing.library.catalogue import CLEARANCE_CLASSES, clearance_class
 from oilfilm.bearing.library.plugins import library_data
-from oilfilm.bearing.material import Material
+from oilfilm.bearing.material import Material, MaterialKind
 from oilfilm.bearing.operation import RatingInput
 from oilfilm.bearing.torque.skf import Series, series_of, skf_series
 from oilfilm.ehl.units import MICROMETRE, from_si, to_si
@@ -81,7 +81,7 @@ class BearingTable(Table):
 
 
 class SurfaceTable(Table):
-    """Root-mean-square roughness, for the lambda ratio."""
+    """Root-mean-square roughness; without the table typical values, which the results name."""
 
     inner_ring_roughness_um: float = between(0, 100, "rms roughness of the inner raceway", ...)
     outer_ring_roughness_um: float = between(0, 100, "rms roughness of the outer raceway", ...)
@@ -429,6 +429,34 @@ def spectrum(table: SurfaceTable | None) -> Spectrum | None:
         shortest=si["shortest_wavelength"],
         longest=si["longest_wavelength"],
         hurst=table.hurst_exponent,
+    )
+
+
+def typical_surface(ball: Material) -> SurfaceTable:
+    """Typical roughness of ground races and of balls, where a case gives none; warns of it.
+
+    Parameters
+    ----------
+    ball : Material
+        Material of the balls.
+
+    Returns
+    -------
+    SurfaceTable
+        Roughness of races and balls [um].
+    """
+    steel = ball.kind is MaterialKind.BEARING_STEEL
+    library = library_data(TYPICAL)
+    race, balls = library[RACES[0]], library[ROUGHNESS["ball_roughness_um"][0 if steel else 1]]
+    texts = [
+        f"{name} {one['value']:g} um ({one['range'][0]:g} to {one['range'][1]:g})"
+        for name, one in (("races", race), ("balls", balls))
+    ]
+    warnings.warn(f"surface: rms roughness assumed, typical: {', '.join(texts)}", stacklevel=2)
+    return SurfaceTable(
+        inner_ring_roughness_um=race["value"],
+        outer_ring_roughness_um=race["value"],
+        ball_roughness_um=balls["value"],
     )
 
 

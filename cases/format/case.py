@@ -153,6 +153,12 @@ class Case(AnyCase):
     pour_point: float | None = None  # of the oil [K]; None: not known
     dry: DrySurface | None = None  # None: lubricated
 
+    @property
+    def frozen(self) -> bool:
+        """The oil lies below its pour point, so that there is no film."""
+        least = self.pour_point
+        return least is not None and self.operation.temperature < least
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadCaseInput:
@@ -408,6 +414,7 @@ def _bearing_case(file: BearingFile) -> Case:
     library = _materials(file)
     cage = (library.get(file.bearing.cage_material or ""), guiding_land(file.cage))
     delivered = bearings.bearing(file.bearing, library, file.title)
+    file = _with_surface(file, delivered)
     seats = fits.fit(file.fit, library, file.bearing)
     bearing, clearance = fits.in_operation(delivered, at, seats, file.temperatures, cage)
     rated = bearings.rating(file.bearing, file.lubricant.contamination_factor)
@@ -458,6 +465,15 @@ def _bearing_case(file: BearingFile) -> Case:
         pour_point=pour_point(oil, fluid.name),
         dry=dry,
     )
+
+
+def _with_surface(file: BearingFile, bearing: Bearing) -> BearingFile:
+    """The file with a typical roughness, named as assumed, where it gives none."""
+    if file.surface is not None:
+        return file
+    surface = bearings.typical_surface(bearing.ball_material)
+    keys = tuple(f"surface.{key}" for key in bearings.ROUGHNESS)
+    return file.model_copy(update={"surface": surface, "assumed": (*file.assumed, *keys)})
 
 
 def _inlet_layer(file: BearingFile, torque: FrictionInput) -> InletLayer | Supply | None:

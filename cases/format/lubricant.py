@@ -839,7 +839,7 @@ def _warn_of_pour_point(oil: Oil, name: str, temperature: float) -> None:
     origin = " (an estimate by the grade, lubricant.pour_point_C)" if given is None else ""
     text = (
         f"lubricant {name!r}: {celsius:.0f} C lies below its pour point, {end:g} C{origin}: "
-        "the oil does not flow, films and torque are extrapolated beyond what it can be"
+        "the oil does not flow, so that there is no film"
     )
     warnings.warn(Caution(text), stacklevel=2)
 

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
-from oilfilm.bearing.films.between_races import contacts_between_films
+from oilfilm.bearing.films.between_races import equilibrium_with_films
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.film import ContactFilm, Films
 from oilfilm.bearing.films.operating_film import solved_films, supplied_films
@@ -25,7 +25,7 @@ from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution, bearing_frequencies
 from oilfilm.bearing.rating.dry_running import DryRunning, dry_running
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
-from oilfilm.bearing.rating.life import bearing_life
+from oilfilm.bearing.rating.life import bearing_life, without_oil
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
 from oilfilm.bearing.supply.oil_balance import GrooveOil, groove_oil
 from oilfilm.bearing.supply.supply import AMPLE, InletOil, OilAtInlets, ReplenishedInlet, Supply
@@ -134,7 +134,9 @@ def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilib
     if not solution.converged:
         messages.append(f"equilibrium not converged: {solution.message}")
     contacts = contact_conditions(solution, case.lubricant)
-    contacts = contacts_between_films(solution, contacts, case.lubricant, oil_at_inlets(case))
+    held, contacts = equilibrium_with_films(
+        solution, contacts, case.lubricant, oil_at_inlets(case)
+    )
     torque, model = _load_case_torque(case, solution, contacts)
     assert case.rating is not None  # of every bearing case
     pressures = [contact.hertz.pressure for contact in contacts if contact.hertz is not None]
@@ -144,7 +146,7 @@ def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilib
         viscosity=case.lubricant.viscosity / case.lubricant.density,
         largest_load=max(contact.load for contact in contacts),
         largest_pressure=max(pressures, default=0.0),
-        life=bearing_life(solution, case.lubricant, case.rating),
+        life=bearing_life(held, case.lubricant, case.rating),
         converged=solution.converged or idle,
         idle=idle,
         torque=None if idle else torque,
@@ -382,7 +384,7 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
         note = f"the temperature still moves by {moved:.2g} K after {WARM_ROUNDS} rounds of films"
         balance = replace(heating.balance, converged=False, message=note)
         return replace(results, heating=replace(heating, balance=balance, note=note))
-    state = results.quasistatic
+    state = results.elastic
     contacts = results.contacts
     operating = _operating(case, state, contacts, results.films, results.torque)
     conductances = results.conductances
@@ -415,7 +417,7 @@ def _run(
     case = _prepared(case, workers, notify, solve)
     try:
         state = case_equilibrium(case, equilibria)
-        contacts, bodies = _contacts(case, state, notify)
+        held, contacts, bodies = _contacts(case, state, notify)
         cycle = solve_load_cases(case, notify, equilibria)
     except KeyboardInterrupt:
         raise Interrupted(None) from None
@@ -427,7 +429,8 @@ def _run(
     results = BearingResults(
         version=version(),
         case=case.document,
-        quasistatic=state,
+        quasistatic=held,
+        elastic=state,
         lubricant=case.lubricant,
         pour_point=case.pour_point,
         contacts=contacts,
@@ -439,7 +442,7 @@ def _run(
         timing=timing,
         finite_bodies=bodies,
         duty_cycle=cycle,
-        **_ratings(case, state),
+        **_ratings(case, held),
     )
     if on_films_solved is not None and not films.interrupted:
         on_films_solved(results)
@@ -454,7 +457,7 @@ def _with_friction(
     friction = None
     if not films.interrupted:
         with suppress(KeyboardInterrupt):  # the films are kept
-            state, contacts = results.quasistatic, results.contacts
+            state, contacts = results.elastic, results.contacts
             work = partial(_friction, case, state, contacts, films, timing, notify)
             friction = interruptible(work)
     timing["total"] = sum(timing.values())
@@ -478,6 +481,8 @@ def _films(
     film at the lowest speed at which it does.
     """
     wanted, messages = wanted_contacts(case, state, contacts)
+    if case.frozen:
+        wanted, messages = [None] * len(contacts), ()
     plan = film_plan(case, contacts, wanted)
     solver = film_solver(solve, case.films)
     solutions, interrupted = solve_contacts(plan.wanted, case.solver, workers, notify, solver)
@@ -510,6 +515,9 @@ def _ratings(case: Case, state: QuasistaticSolution) -> dict[str, Any]:
     """Life, clearance and strength."""
     rating = case.rating
     friction = case.friction
+    life = None if rating is None else bearing_life(state, case.lubricant, rating)
+    if life is not None and case.frozen:
+        life = without_oil(life)
     speed = None
     if rating is not None and friction is not None:
         angle = friction.nominal_contact_angle
@@ -517,7 +525,7 @@ def _ratings(case: Case, state: QuasistaticSolution) -> dict[str, Any]:
         speed = reference_speed(case.bearing, static, friction.series)
     return {
         "reference_speed": speed,
-        "life": None if rating is None else bearing_life(state, case.lubricant, rating),
+        "life": life,
         "clearance": case.clearance,
         "strength": case_strength(case),
     }
@@ -525,19 +533,21 @@ def _ratings(case: Case, state: QuasistaticSolution) -> dict[str, Any]:
 
 def _contacts(
     case: Case, state: QuasistaticSolution, notify: Progress
-) -> tuple[tuple[BearingContact, ...], FiniteBodies | None]:
-    """The contacts as lubricated ones, and what finite bodies change of their films, where the
-    case asks for it.
+) -> tuple[QuasistaticSolution, tuple[BearingContact, ...], FiniteBodies | None]:
+    """The balance with films, the contacts as lubricated ones, and what finite bodies change of
+    their films, where the case asks for it.
     """
     oil = case.lubricant
     contacts = contact_conditions(state, oil)
-    contacts = contacts_between_films(state, contacts, oil, oil_at_inlets(case))
+    held = state
+    if not case.frozen:
+        held, contacts = equilibrium_with_films(state, contacts, oil, oil_at_inlets(case))
     bodies = None
     if case.file.ehl.finite_bodies and state.converged:
         notify(0, 1, "finite bodies")
         bodies = finite_bodies(case.bearing, contacts)
         contacts = with_finite_bodies(contacts, bodies)
-    return contacts, bodies
+    return held, contacts, bodies
 
 
 def _friction(

@@ -87,14 +87,15 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
 
 
 def _bearing(document: dict[str, Any], solution: ShaftSolution, index: int) -> BearingResults:
-    """Results of one bearing, its ring held where the shaft has it."""
+    """Results of one bearing under the radial load of the shaft, its ring held along the axis and
+    tilted as the shaft has it.
+    """
     state = solution.bearings[index]
-    places: list[Any] = [float(from_si("displacement_um", x)) for x in state.displacement]
-    if floats(state):
-        places[0] = "free"
+    axial = "free" if floats(state) else float(from_si("displacement_um", state.displacement[0]))
     operation = {
         **document["operation"],
-        "displacement_um": places,
+        "force_N": [0.0, *(float(from_si("force_N", x)) for x in state.ring_force[1:])],
+        "displacement_um": [axial, "free", "free"],
         "tilt_mrad": [float(from_si("tilt_mrad", x)) for x in state.tilt],
     }
     case = case_of_document({**document, "operation": operation})

@@ -76,7 +76,7 @@ def temperatures(
     if results.torque is None or results.torque.total is None:
         raise CaseError(f"{name}: no friction torque: {'; '.join(results.messages)}")
     seal = results.torque.models[INTEGRATED].components.get("seal", 0.0)
-    reported = ReportedTorque(results.quasistatic, results.contacts, results.torque.total, seal)
+    reported = ReportedTorque(results.elastic, results.contacts, results.torque.total, seal)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # beyond the range of the oil's data
         problem = heating_problem(cold, cold.heating, reported)

@@ -13,11 +13,13 @@ rolling with Newtonian oil (`tools/heat`), in seven groups x = ln of
     s = 1/(1 + e^y),  y(x) = trend(x) + sum_i w_i k(|(x - x_i)/l|),  k(d) = (1 + t + t^2/3) e^-t,
 
 t = sqrt(5) d: a linear trend and a Gaussian process with Matern's kernel of 5/2. a is Hertz'
-semi-axis along rolling. Below the least L_T the loss goes with L_T, as a small one does; beyond
-the ends of all other groups the law is held there. The error of y is that of 95 % of the contacts
-left out of the fit one by one, at this loss and load; it grows with the distance to the nearest
-solved contact, to the loss at the least L_T below it, and beyond the largest L_T the low end goes
-on as the loss with L_T.
+semi-axis along rolling. Below the least L_T the loss goes with L_T, as a small one does. Beyond
+the largest one, y is that of the same contact with an oil as thin as that L_T, `THINNER`, from
+where it goes on with `SLOPES` per ln L_T, an estimate: so y grows from an oil eight times thinner
+to the 24 solved contacts with L_T above 2.5 and Pe below 3 L_T. Beyond the ends of the other
+groups the law is held there. The error of y is that of 95 % of the contacts left out of the fit
+one by one, at this loss and load; it grows with the distance to the nearest solved contact, to
+the loss at the least L_T below it, and beyond the largest L_T with `SLOPE_ERRORS`.
 """
 
 from collections.abc import Sequence
@@ -36,6 +38,13 @@ from ..oil.lubricant import HeatRanges
 from .film import thermal_loading
 
 FILE = Path(__file__).parent / "thermal_reduction.npz"
+# change of the groups over ln L_T by the viscosity alone: h_c goes with its power 0.67 (Hamrock
+# and Dowson, 1977), beta with 0.18 (a VG 68 from -20 to 0 C) [-]
+THINNER = np.array([1.0, 1.14, 0.0, -0.64, 0.0, 0.21, 0.15])
+# mean of y over ln L_T on that way, of central film, minimum film and moment, and twice its
+# scatter [-]; that of SKF's phi_ish, (n d_m)^1.28 nu^0.64, is 0.64 for all
+SLOPES = (0.69, 0.78, 0.37)
+SLOPE_ERRORS = (0.15, 0.17, 0.38)
 TOGETHER = 32  # contacts whose distances to the solved ones stay in the cache
 # change of ln of the groups by ln of k, c, beta and the expansion of the oil
 CONDUCTIVITY = np.array([-1.0, -1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
@@ -217,11 +226,12 @@ def thermal_reductions(groups: Array, ranges: Sequence[HeatRanges]) -> list[Inle
 def _together(groups: Array, ranges: Sequence[HeatRanges]) -> list[InletHeat]:
     """Factors of a few contacts at once."""
     known = table()
-    x = np.clip(groups, known.lower, known.upper)
-    # below the least L_T the loss goes with it; beyond the largest the low end does
+    # below the least L_T the loss goes with it
     light = np.minimum(groups[:, 0] - known.lower[0], 0.0)
     beyond = np.maximum(groups[:, 0] - known.upper[0], 0.0)
-    outside = np.abs(groups - x)
+    thinner = groups - beyond[:, None] * THINNER
+    x = np.clip(thinner, known.lower, known.upper)
+    outside = np.abs(thinner - x)
     outside[:, 0] = beyond
     functions = (known.central, known.minimum, known.moment)
     spread = np.array(
@@ -230,15 +240,25 @@ def _together(groups: Array, ranges: Sequence[HeatRanges]) -> list[InletHeat]:
             for one in ranges
         ]
     )
-    factors = [_factors(known, one, x, light, outside, spread) for one in functions]
+    ways = zip(functions, SLOPES, SLOPE_ERRORS, strict=True)
+    factors = [
+        _factors(known, one, x, (light + slope * beyond, error * beyond), outside, spread)
+        for one, slope, error in ways
+    ]
     return [InletHeat(*of_contact) for of_contact in zip(*factors, strict=True)]
 
 
 def _factors(
-    known: Table, film: Function, x: Array, light: Array, outside: Array, ranges: Array
+    known: Table,
+    film: Function,
+    x: Array,
+    more: tuple[Array, Array],
+    outside: Array,
+    ranges: Array,
 ) -> list[ThermalReduction]:
-    """Factors of one function at groups inside the table, their distances to it (m, 7), with
-    ranges of conductivity, heat capacity, fall of the viscosity and expansion (m, 4).
+    """Factors of one function at groups inside the table, with what y has more, and its error, by
+    L_T outside, with distances to the table (m, 7), and ranges of conductivity, heat capacity,
+    fall of the viscosity and expansion (m, 4).
     """
     # distances and sums over the solved contacts as matrix products: nothing is of shape (m, n, 7)
     middle = 0.5 * (known.lower + known.upper)
@@ -249,7 +269,7 @@ def _factors(
     t = sqrt(5.0) * distance
     decay = np.exp(-t)
     kernel = (1.0 + t * (1.0 + t / 3.0)) * decay
-    y = film.trend[0] + x @ film.trend[1:] + kernel @ film.weights + light
+    y = film.trend[0] + x @ film.trend[1:] + kernel @ film.weights + more[0]
     pull = (1.0 + t) * decay * (-5.0 / 3.0 * film.weights)
     to_centres = pull.sum(axis=1)[:, None] * here - pull @ centres
     slope = film.trend[1:] + to_centres / film.scales
@@ -257,7 +277,7 @@ def _factors(
     s = 1.0 / (1.0 + np.exp(y))
     error = np.interp(-np.log1p(np.exp(-y)), known.losses, film.errors)
     error = error * np.interp(x[:, 3], known.loads, film.shares)
-    error = error * np.maximum(way / film.spacing, 1.0) + outside[:, 0]
+    error = error * np.maximum(way / film.spacing, 1.0) + more[1]
     lost = s * (1.0 - s)
     parts = slope @ np.stack((CONDUCTIVITY, CAPACITY, FALL, EXPANSION), axis=1)
     spread = np.sqrt(np.square(parts * ranges).sum(axis=1))

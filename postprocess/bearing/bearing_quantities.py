@@ -16,10 +16,8 @@ ELECTRICAL = quantities(
     ("breakdown_voltage_low_V", "low end of its range"),
     ("breakdown_voltage_high_V", "high end of its range"),
 )
-RING = (  # the inner ring in equilibrium
-    *quantities(("displacement_um", "ring displacement"), ("tilt_mrad", "ring tilt")),
-    *RING_LOAD,
-)
+ELASTIC_RING = quantities(("displacement_um", "ring displacement"), ("tilt_mrad", "ring tilt"))
+RING = (*ELASTIC_RING, *RING_LOAD)  # the inner ring in equilibrium
 BALL_QUANTITIES = quantities(  # arrays of an equilibrium, an entry a ball
     ("azimuth_deg", "azimuth ψ from the load line", "", "ψ"),
     ("centrifugal_force_N", "", "", "Fc"),

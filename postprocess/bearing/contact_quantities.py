@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from math import hypot
 from typing import Any
 
+import numpy as np
+
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.stress import (
     ContactStress,
@@ -72,7 +74,6 @@ OUTSIDE = 0.03
 ERROR_PARTS = {
     "mesh": "computed",
     "heat": "heat",
-    "supply": "supply",
     "oil": "oil",
     "pressure_viscosity": "pressure_viscosity",
 }
@@ -292,7 +293,7 @@ class ContactRecord(FilmRecord):
         if operating is None or operating.minimum is None:
             return None
         minimum = operating.minimum
-        moved = max(0.0, minimum.value + end * minimum.error)
+        moved = float(np.interp(end, (-1.0, 0.0, 1.0), (minimum.low, minimum.value, minimum.high)))
         ratio = lambda_ratio(self.contact, moved, self.surface)
         exponent = (self.surface or {}).get("kappa_exponent")
         return None if ratio is None or exponent is None else float(ratio**exponent)
@@ -445,7 +446,7 @@ def _light_balls(results: BearingResults) -> Iterator[str]:
         yield (
             f"contacts: films take more than the clearance and press light balls with up to "
             f"{max(loads):.3g} N, {max(loads) / elastic:.2g} of the heaviest load ({elastic:.3g} "
-            "N), which holds them, too; life and displacement are those without films"
+            "N), which holds them, too"
         )
     yield (
         f"contacts: {balls_text([str(c.ball) for c in light])} between two films that fill "
@@ -456,6 +457,9 @@ def _light_balls(results: BearingResults) -> Iterator[str]:
 
 def _absent_films(results: BearingResults) -> Iterator[str]:
     """Give the reason why contacts have no film, race by race."""
+    if results.frozen:
+        yield null("contacts.film_central_um", "and what belongs to films, the oil does not flow")
+        return
     complete = results.quasistatic.converged and not results.interrupted
     absent: dict[tuple[str, str], list[str]] = {}
     films = results.operating
@@ -548,8 +552,8 @@ def film_values(film: ContactFilm | None) -> dict[str, float | None]:
     Returns
     -------
     dict
-        Films, error bars and their parts: mesh, law of the heat, oil supply, the oil's heat
-        properties and its pressure-viscosity coefficient [um]; None without a film.
+        Films, error bars and their parts: mesh, law of the heat, data of the oil, and what the
+        film may be with more oil [um]; None without a film.
     """
     values: dict[str, float | None] = {}
     for name in ("central", "minimum"):
@@ -559,6 +563,8 @@ def film_values(film: ContactFilm | None) -> dict[str, float | None]:
         for part, field in ERROR_PARTS.items():
             key = f"film_{name}_{part}_uncertainty_um"
             values[key] = from_si("film_um", one and getattr(one, field))
+        high = one and one.value + one.supply
+        values[f"film_{name}_supply_high_um"] = from_si("film_um", high)
     return values
 
 
@@ -594,8 +600,8 @@ def heat_messages(films: Films) -> Iterator[str]:
     )
     if any(not share.inside and share.law > OUTSIDE * share.value for share in shares):
         yield Caution(
-            "contacts: the thermal reduction of some lies outside the solved contacts and is held "
-            "at their end: error bars of these films are guesses"
+            "contacts: an estimate, the heat of some inlets lies beyond the solved contacts, from "
+            f"whose end films go on with error bars up to {100.0 * law:.2g} %"
         )
 
 

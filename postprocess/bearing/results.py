@@ -63,7 +63,8 @@ def _rolling_torque(shear: SolvedShear, contacts: Sequence[int]) -> float:
 class BearingResults(Results):
     """One bearing case, computed."""
 
-    quasistatic: QuasistaticSolution
+    quasistatic: QuasistaticSolution  # with films where some ball has no elastic load
+    elastic: QuasistaticSolution  # without films, whose motion the torque begins with
     lubricant: Lubricant
     contacts: tuple[BearingContact, ...]  # ball by ball, inner race then outer
     solutions: tuple[ContactSolution | None, ...]  # of the contacts; equal ones share an object
@@ -117,7 +118,11 @@ class BearingResults(Results):
 
     @cached_property
     def operating(self) -> tuple[ContactFilm | None, ...]:
-        """Operating films of the contacts: table, files and pictures are of these."""
+        """Operating films of the contacts: table, files and pictures are of these; none where the
+        oil does not flow.
+        """
+        if self.frozen:
+            return (None,) * len(self.contacts)
         if self.supply is None or isinstance(self.supply.oil, ReplenishedInlet):
             supply = self.supply
             return operating_films(self.contacts, self.films, supply=supply)

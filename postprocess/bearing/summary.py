@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from oilfilm.bearing.contacts.contacts import NEGLIGIBLE_LOAD
 from oilfilm.bearing.contacts.electrical import (
     CERAMIC_PERMITTIVITY,
     INSULATOR,
@@ -63,6 +64,7 @@ from .bearing_quantities import (
     CLEARANCE,
     CONTACT_STRENGTH,
     DUTY_CYCLE,
+    ELASTIC_RING,
     ELECTRICAL,
     FILM_LIFE,
     HEAT_BALANCE,
@@ -152,7 +154,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
     state = results.quasistatic
     torque = torque_block(results)
     document = {
-        "ring": _ring(state),
+        "ring": _ring(results),
         "equilibrium": {
             "converged": state.converged,
             "residual": state.residual,
@@ -191,9 +193,12 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
     return plain_document(head | document)
 
 
-def _ring(state: QuasistaticSolution) -> dict[str, Any]:
+def _ring(results: BearingResults) -> dict[str, Any]:
+    state = results.quasistatic
     matrix = {"order": list(STIFFNESS_ORDER), "matrix": state.stiffness, "units": STIFFNESS_UNITS}
-    return values_of(state, RING) | {"stiffness": matrix} | _tilts(state)
+    without_films = values_of(results.elastic, ELASTIC_RING)
+    elastic = {f"elastic_{key}": value for key, value in without_films.items()}
+    return values_of(state, RING) | elastic | {"stiffness": matrix} | _tilts(state)
 
 
 def _tilts(state: QuasistaticSolution) -> dict[str, Any]:
@@ -1166,12 +1171,29 @@ def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
                 "row": index + 1,
                 **values_of(row, ROW),
                 **values_of(alone, RING_LOAD),
-                "balls_loaded": int((alone.inner_load > 0.0).sum()),
+                "balls_loaded": balls_loaded(alone),
                 CAGE_SPEED.key: CAGE_SPEED.value(alone),
                 "frequencies_Hz": values_of(bearing_frequencies(alone), FREQUENCIES),
             }
         )
     return blocks
+
+
+def balls_loaded(state: QuasistaticSolution) -> int:
+    """Number of balls that carry more at the inner race than the lightest that count.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+
+    Returns
+    -------
+    int
+        Balls [-].
+    """
+    load = state.inner_load
+    return int((load > NEGLIGIBLE_LOAD * load.max(initial=0.0)).sum())
 
 
 def pair_block(state: QuasistaticSolution) -> dict[str, Any] | None:

@@ -33,6 +33,7 @@ from .results import BearingResults, balls_text
 
 WITHOUT_SEALS = ", without seals"
 CHURNING_SHARE = 0.2  # of the total, from which it is said beside it [-]
+MOSTLY = 0.5  # share of the load on asperities from which it is said [-]
 VISIBLE_LAG = 0.03  # of the orbit speed, from which it is said [-]
 BEYOND = "*"  # mark of a torque outside the range of its model
 LARGE_SHARE = 0.05  # of the torque: from there on it is reported what decides it
@@ -263,6 +264,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     else:
         yield f"torque_N_mm.total: the {_total_text(results, torque)}"
         yield from _lag_message(results, torque)
+        yield from _boundary_message(torque)
         yield from _inlet_messages(torque)
         yield from _free_message(results, torque)
         yield from _seal_message(torque)
@@ -354,6 +356,21 @@ def _lag_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[s
         f"torque_N_mm.total: the balls slide, driven against drag and rolling resistance their "
         f"orbits are {lag:.1%} slower than by '{kinematics}', "
         "whose speeds films, frequencies and cage_speed_rpm have"
+    )
+
+
+def _boundary_message(torque: TorqueBreakdown) -> Iterator[str]:
+    """Warn where asperities carry most of the load, so that they decide the friction."""
+    shear = torque.shear
+    if torque.chosen != "integrated" or shear is None or (shear.asperity_share or 0.0) < MOSTLY:
+        return
+    films = [film for film in shear.films if film is not None]
+    least = min(films, key=lambda film: film.central.value)
+    yield Caution(
+        f"torque_N_mm.total: films down to {from_si('film_um', least.central.value):.2g} um lie "
+        f"within the roughness, {from_si('film_um', least.roughness):.2g} um: asperities carry "
+        f"{shear.asperity_share:.0%} of the load and rub with {least.boundary_friction:.2g} "
+        "(friction.boundary_coefficient)"
     )
 
 
@@ -894,4 +911,4 @@ def _driven(results: BearingResults) -> list[ContactFilm]:
     films = () if results.torque is None else results.torque.films
     if results.supply is not None and isinstance(results.supply.oil, ReplenishedInlet):
         films = results.operating
-    return of_driven_balls(results.quasistatic, results.contacts, films) if films else []
+    return of_driven_balls(results.elastic, results.contacts, films) if films else []

@@ -11,6 +11,7 @@ from rich.console import Console, Group
 from rich.table import Table
 
 from oilfilm.bearing.contacts.contact import BearingContact
+from oilfilm.bearing.films.film import ContactFilm
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.ehl import ContactSolution
 from oilfilm.ehl.units import from_si, unit_of, unit_symbol, value_with_error
@@ -32,6 +33,7 @@ from .dry import dry_rows
 from .measured import residual_lines
 from .results import BearingResults
 from .summary import (
+    balls_loaded,
     duty_cycle_rows,
     frequency_lines,
     rating_rows,
@@ -48,6 +50,7 @@ GEOMETRY = (
 )
 WIDTH = 80  # of a terminal [columns]
 DECIMALS = 4  # of films [um], fewer where the table is wider than that
+MORE_OIL = "\N{UPWARDS ARROW}"  # of a film that more oil may thicken
 
 
 def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
@@ -194,7 +197,7 @@ def _bearing_table(results: BearingResults) -> Table:
         "stiffness": _stiffness_text(state),
         "temperature": f"{from_si('oil_C', state.operation.temperature):.1f} °C of the films",
         "cage_speed_rpm": f"{ring['cage_speed_rpm']:.1f} r/min",
-        "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
+        "balls loaded": f"{balls_loaded(state)} of {len(state.azimuth)}",
         "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
     }
     if not state.converged:
@@ -277,7 +280,7 @@ def _ball_cells(
             record.contact.row,
             record.contact.race.value,
             *(_contact_cell(record, values, key, most) for key in keys),
-            _flags(record.film),
+            _flags(record.film) + _more_oil(record.operating),
         )
         for record, values in ball
     )
@@ -302,9 +305,22 @@ def _flags(solution: ContactSolution | None) -> str:
     return ("" if solution.converged else "!") + ("" if solution.resolved else "?")
 
 
+def _more_oil(film: ContactFilm | None) -> str:
+    """Mark of a film that more oil may thicken by more than its error."""
+    more = film is not None and film.central.supply > film.central.error
+    return MORE_OIL if more else ""
+
+
 def _legend(results: BearingResults) -> list[str]:
     flags = "".join(_flags(s) for s in results.solutions)
     meanings = {"!": "! not converged", "?": "? film not resolved on this grid"}
     lines = ["  ".join(text for flag, text in meanings.items() if flag in flags)] if flags else []
+    marked = [film.central for film in results.operating if film and _more_oil(film)]
+    if marked:
+        most = max(from_si("film_um", film.value + film.supply) for film in marked)
+        lines.append(
+            f"{MORE_OIL} thicker where more oil comes back, up to {most:.2g} µm "
+            "(film_central_supply_high_um)"
+        )
     lines += mark_legend(results)
     return lines

@@ -100,6 +100,7 @@ def made_up_results(force):
         version="0.1.0",
         case={"schema_version": 1, "title": "6208, all silicon nitride, 3000 N, 10000 rpm", "source": "made up"},
         quasistatic=state,
+        elastic=state,
         lubricant=OIL,
         contacts=contacts,
         solutions=tuple(known.get((c.race, round(c.load, 6))) for c in contacts),

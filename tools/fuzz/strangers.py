@@ -170,8 +170,8 @@ def judged(draw: Draw) -> Draw:
         draw.faults = [traceback.format_exc(limit=-2)]
         return draw
     faults = [fault for law in LAWS for fault in law(document)]
-    if results.quasistatic.converged:
-        faults += _stiffness(results.quasistatic)
+    if results.elastic.converged:
+        faults += _stiffness(results.elastic)
     broken = list(results.broken_laws)
     if broken:
         draw.faults = broken

@@ -10,7 +10,7 @@ import pytest
 
 from oilfilm.bearing import Operation, load_bearing, load_lubricant, solve_quasistatic
 from oilfilm.bearing.contacts.contacts import contact_conditions
-from oilfilm.bearing.films.between_races import UNFILLED, contacts_between_films
+from oilfilm.bearing.films.between_races import UNFILLED, contacts_between_films, equilibrium_with_films
 from oilfilm.bearing.films.operating_film import operating_films, with_formulas
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.invariants import forces_left
@@ -91,6 +91,23 @@ def test_films_of_random_bearings_fit_their_gaps():
         checked += miss.size
         assert np.abs(miss).max(initial=0.0) < FITS, (seed, name, rpm, force, thrust, celsius, grade)
     assert checked > 20
+
+
+def test_position_and_stiffness_of_the_ring_have_the_films():
+    """Films lift the ring, and its stiffness is the difference of its own equilibria."""
+
+    def held(force):
+        solution, contacts, oil = state("6205", 3800.0, (0.0, force, 0.0), 40.0, 100)
+        return solution, *equilibrium_with_films(solution, contacts, oil)
+
+    dry, wet, contacts = held(700.0)
+    assert 1.5e-6 < dry.displacement[1] - wet.displacement[1] < 2.5e-6  # 18.3 less 16.3 um by hand
+    assert wet.inner_load == pytest.approx([c.load for c in contacts[::2]], rel=1e-12)
+    assert wet.ring_force == pytest.approx(dry.ring_force)
+    assert wet.row_load.sum(axis=0)[1] == pytest.approx(700.0, rel=1e-8)
+    steps = held(701.0)[1].displacement - held(699.0)[1].displacement
+    assert wet.stiffness[:3, :3] @ steps == pytest.approx([0.0, 2.0, 0.0], abs=1e-4)
+    assert np.allclose(wet.stiffness, wet.stiffness.T, rtol=1e-9, atol=1e-6 * wet.stiffness.max())
 
 
 def test_layers_that_do_not_fill_the_gap_carry_nothing():

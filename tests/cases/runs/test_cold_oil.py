@@ -9,10 +9,13 @@ is not held and leaves next to nothing in the cold.
 from __future__ import annotations
 
 import tomllib
+from datetime import UTC, datetime
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from oilfilm.bearing import load_bearing
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.supply.supply import ReplenishedInlet, Supply
 from oilfilm.cases.cli.main import app
@@ -168,3 +171,85 @@ def test_a_bath_is_its_own_layer(folder):
     given = ("6208", "iso vg 68", 3000.0, 1500.0, 0.0)
     bath, low = (at(folder, 40.0, *given, kind).lubricant.flooded_layer for kind in ("oil bath", "low oil bath"))
     assert (bath, low) == (1.0e-3, 1.0e-4)
+
+
+def test_thick_oil_in_a_bath_loses_its_films_to_the_heat_of_the_inlets(folder):
+    """At -20 C L_T is 250: films of 20 to 30 um would press all balls with kilonewtons. Displacement, loads and life
+    are those of the balance with films.
+    """
+    at_20, cold = (run_case(at(folder, t, "6306", "iso vg 68", 2900.0, 1300.0, 0.0, "oil bath")) for t in (20.0, -20.0))
+    palmgren = cold.torque.models["palmgren"].total
+    assert 0.5 * palmgren < cold.torque.total < 1.6 * palmgren
+    assert cold.converged
+    for results in (at_20, cold):
+        state = results.quasistatic
+        loads = [contact.load for contact in results.contacts[::2]]
+        assert state.inner_load == pytest.approx(loads, rel=1e-9)
+    # thin films lift the ring; thick ones push it down from above, too
+    assert 0.5e-6 < at_20.elastic.displacement[1] - at_20.quasistatic.displacement[1] < 4e-6
+    assert cold.life.basic_life < 0.8 * at_20.life.basic_life
+    messages = summary(cold)["messages"]
+    assert any("an estimate, the heat of some inlets lies beyond" in message for message in messages)
+
+
+def test_films_within_the_roughness_rub(folder):
+    """Without [surface] a typical roughness is assumed, and named: 1 r/min has the friction of the boundary."""
+    document = at(folder, 70.0, "6306", "iso vg 68", 1.0, 1300.0, 0.0, "oil bath").file.model_dump(exclude_none=True)
+    del document["surface"]
+    document = {key: value for key, value in document.items() if value} | {"assumed": []}
+    results = run_case(case_of_document(document))
+    assert results.torque.total == pytest.approx(results.torque.models["skf"].total, rel=0.25)
+    found = summary(results)
+    assert found["case"]["surface"]["ball_roughness_um"] == 0.02
+    assert "surface.ball_roughness_um" in found["case"]["assumed"]
+    assert any("asperities carry 9" in message for message in found["messages"])
+    assert found["torque_N_mm"]["total_range"]["parts"]["roughness"]["high"] > found["torque_N_mm"]["total"]
+    assert all(one["lambda_ratio"] for one in found["contacts"] if one["film_minimum_um"])
+
+
+def strangers():
+    """Two bearings drawn by the date: designation, oil, speed, radial and axial load, lubrication."""
+    generator = np.random.default_rng(int(datetime.now(tz=UTC).strftime("%Y%m%d")))
+    for names in (("6004", "6207", "6308", "6212", "16006", "6403"), ("7206B", "7305C", "7010AC", "6008", "61907")):
+        name = str(generator.choice(names))
+        entry = load_bearing(name)
+        speed = generator.uniform(2e4, 2.5e5) / (1e3 * entry.pitch_diameter)
+        load = generator.uniform(0.02, 0.1) * 2.6e7 * entry.balls * entry.ball_diameter**2
+        axial = float(generator.choice([0.0, 0.6])) if name[0] == "6" else 0.8
+        lubrication = str(generator.choice(["oil bath", "grease", "low oil bath"]))
+        yield name, f"iso vg {generator.choice([32, 68, 150])}", speed, load, axial * load, lubrication
+
+
+@pytest.mark.parametrize("given", list(strangers()), ids=lambda given: f"{given[0]} {given[-1]}")
+def test_film_torque_life_and_temperature_tell_one_story(folder, given):
+    """At -30, 20 and 110 C: one film in table, torque and lambda, one equilibrium in loads, life and position; below
+    the pour point none of oil; as thick oil gets thin, films and kappa fall.
+    """
+    kappas, films = [], []
+    for celsius in (-30.0, 20.0, 110.0):
+        results = run_case(at(folder, celsius, *given))
+        found = summary(results)
+        heavy = max(found["contacts"], key=lambda one: one["load_N"])
+        state = results.quasistatic
+        assert state.operation.temperature == pytest.approx(celsius + 273.15)
+        assert found["life"]["basic_reference_rating_h"] > 0.0
+        if results.frozen:
+            nothing = (found["torque_N_mm"]["total"], found["life"]["kappa"], found["life"]["a_iso"])
+            assert nothing == (None, None, None) and not found["converged"]
+            assert all(one["film_central_um"] is None for one in found["contacts"])
+            assert state is results.elastic
+            continue
+        assert found["converged"] or any("not converged" in message for message in found["messages"])
+        for contact, film, sheared in zip(results.contacts, results.operating, results.torque.shear.films, strict=True):
+            if film is not None:
+                assert sheared.central.value == pytest.approx(film.central.value, rel=1e-9)
+                assert contact.load == pytest.approx(
+                    (state.inner_load if contact.race is Race.INNER else state.outer_load)[contact.ball - 1], rel=1e-6
+                )
+        others = [results.torque.models[name].total for name in ("skf", "palmgren")]
+        assert 0.3 * min(others) < results.torque.total < 2.0 * max(others), (given, celsius, others)
+        kappas.append(found["life"]["kappa"])
+        films.append(heavy["film_central_um"])
+    assert kappas == sorted(kappas, reverse=True)
+    known = [film for film in films if film is not None]
+    assert known == sorted(known, reverse=True)

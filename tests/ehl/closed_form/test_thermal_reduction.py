@@ -67,9 +67,30 @@ def test_beyond_the_solved_ones_the_law_stays_and_says_so():
     assert near.central.inside and not far.central.inside
     for one in (*near, *far):
         assert 0.0 <= one.low < one.value < one.high <= 1.0
-    assert far.central.law > 3.0 * near.central.law
+    assert far.central.relative_error > 3.0 * near.central.relative_error
     isoviscous = reduction(lubricant=replace(OIL, viscosity_law=ViscosityLaw.ISOVISCOUS))
     assert np.isfinite(isoviscous.central.value) and not isoviscous.central.inside
+
+
+def test_cold_oil_loses_more_of_its_film_than_warm_oil():
+    """Beyond the largest L_T the losses go on as those of contacts with thinner oil do, within SKF's phi_ish and what
+    Murch and Wilson's formula leaves, 3.94/(3.94 + L_T^0.62), 0.16 at L_T 150.
+    """
+    thick = 1.14 / 2.0  # of the film over ln L_T
+    central, moments = [], []
+    for loading in (5.0, 11.0, 11.6, 25.0, 150.0):
+        x = np.log([loading, loading, 0.057, 250.0 * (11.0 / loading) ** 0.64, 0.022, 39.0, 0.43])
+        x[1] = np.log(9.0) + 2.0 * thick * np.log(loading / 11.0)
+        heat = thermal_reductions(x[None], [HeatRanges()])[0]
+        central.append(heat.central)
+        moments.append(heat.moment)
+    values = [one.value for one in central]
+    assert values == sorted(values, reverse=True)
+    assert values[1] / values[2] == pytest.approx((11.6 / 11.0) ** 0.45, rel=0.05)  # no step
+    assert [one.inside for one in central] == [True, True, False, False, False]
+    assert central[-1].value < 0.16 < central[-1].high + 0.05
+    assert 0.2 < moments[-1].value < moments[1].value
+    assert moments[-1].low < 0.4
 
 
 def test_ranges_of_the_oil_are_its_tangents():
