@@ -540,7 +540,7 @@ def _contacts(
     oil = case.lubricant
     contacts = contact_conditions(state, oil)
     held = state
-    if not case.frozen:
+    if not (case.frozen or case.dry):
         held, contacts = equilibrium_with_films(state, contacts, oil, oil_at_inlets(case))
     bodies = None
     if case.file.ehl.finite_bodies and state.converged:

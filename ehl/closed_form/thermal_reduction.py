@@ -283,6 +283,7 @@ def _factors(
     spread = np.sqrt(np.square(parts * ranges).sum(axis=1))
     # the law is steep in y far from the table: a range that holds both ends, of a contact below
     # the least L_T the loss there
+    light = np.minimum(more[0], 0.0)
     largest = np.where(light < 0.0, 1.0 / (1.0 + np.exp(light - y)), np.maximum(s, 1.0 - s))
     law = np.minimum(lost * error, largest)
     inside = np.asarray(~outside.any(axis=1))

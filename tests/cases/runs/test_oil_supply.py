@@ -214,14 +214,13 @@ def test_a_flow_tells_its_films_and_the_oil_in_the_cavity():
     assert supply["torque_N_mm"] < supply["flooded_torque_N_mm"]
 
 
-def test_without_a_roughness_the_total_is_starved_all_the_same(flooded):
+def test_a_typical_roughness_stands_for_one_that_is_not_given(flooded):
     document = found(with_film(0.2).replace(SURFACE, ""))
     assert document["torque_N_mm"]["parts"]["rolling"] < 0.2 * flooded["torque_N_mm"]["parts"]["rolling"]
     assert document["supply"]["film_share"] < 0.6
-    assert document["supply"]["lambda_least"] is None
-    text = " ".join(document["messages"])
-    for words in ("starved: null, needs [surface]", "supply.lambda_least: null"):
-        assert words in text
+    assert document["supply"]["lambda_least"] > 0.0
+    assert document["torque_N_mm"]["models"]["starved"]["total"] > 0.0
+    assert any("rms roughness assumed, typical: races 0.05 um (0.02 to 0.15)" in one for one in document["messages"])
 
 
 def test_at_rest_nothing_is_starved():
