@@ -103,7 +103,7 @@ def test_greased_bearing_brakes_in_the_cold(folder):
         assert results.converged
     assert palmgren == pytest.approx([293.7, 132.7, 43.4, 21.6], rel=0.01)
     assert all(0.45 < ours / theirs < 1.0 for ours, theirs in zip(found, palmgren, strict=True))
-    assert found == pytest.approx([210.5, 65.5, 26.2, 19.1], rel=0.05)
+    assert found == pytest.approx([198.5, 65.5, 26.5, 19.1], rel=0.05)
 
 
 def test_cold_oil_is_named_first(folder):
