@@ -46,7 +46,7 @@ class FilmThickness(NamedTuple):
     # error of mesh and box of a solved film, of the atlas, or of the formula [m]
     computed: float = 0.0
     heat: float = 0.0  # by the law of the thermal reduction [m]
-    # what more oil at the inlet may add, which is not among the errors [m]
+    # more oil at the inlet may add this, which is not among the errors [m]
     supply: float = 0.0
     oil: float = 0.0  # by the ranges of the oil's heat properties [m]
     pressure_viscosity: float = 0.0  # by the ends of an estimated coefficient [m]

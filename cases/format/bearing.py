@@ -447,7 +447,8 @@ def typical_surface(ball: Material) -> SurfaceTable:
     """
     steel = ball.kind is MaterialKind.BEARING_STEEL
     library = library_data(TYPICAL)
-    race, balls = library[RACES[0]], library[ROUGHNESS["ball_roughness_um"][0 if steel else 1]]
+    race = library[RACES[0]]
+    balls = library[ROUGHNESS["ball_roughness_um"][0 if steel else 1]]
     texts = [
         f"{name} {one['value']:g} um ({one['range'][0]:g} to {one['range'][1]:g})"
         for name, one in (("races", race), ("balls", balls))

@@ -482,7 +482,8 @@ def _films(
     """
     wanted, messages = wanted_contacts(case, state, contacts)
     if case.frozen:
-        wanted, messages = [None] * len(contacts), ()
+        wanted = [None] * len(contacts)
+        messages = ()
     plan = film_plan(case, contacts, wanted)
     solver = film_solver(solve, case.films)
     solutions, interrupted = solve_contacts(plan.wanted, case.solver, workers, notify, solver)
