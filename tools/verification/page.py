@@ -108,7 +108,7 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
     checks = [check for section in sections for check in section.checks]
     if checks:
         rows = tuple((*c.cells[:3], "yes" if c.passed else "**no**") for c in checks)
-        table = Table("What is checked:", ("statement", "found", "wanted", "holds"), rows)
+        table = Table("Statements:", ("statement", "found", "wanted", "holds"), rows)
         parts += ["## Checks", _table(table)]
     for section in sections:
         parts += [f"## {section.title}", section.text]

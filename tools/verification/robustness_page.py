@@ -100,7 +100,7 @@ def _kinds(finished: Sequence[Finished]) -> Table:
         counts = (len(group), len(good), sum(f.converged for f in good), plain)
         rows.append((kind, *map(str, counts), f"{seconds:.1f}"))
     head = columns("entrainment | draws | resolvable | of these converged | without any measure | mean time, s")
-    caption = "By the entrainment; time of a solve, on a machine that was shared:"
+    caption = "By the entrainment, with the time of a solve on a shared machine:"
     return Table(caption, head, tuple(rows))
 
 
@@ -111,7 +111,7 @@ def _unsolved(finished: Sequence[Finished]) -> Table:
         if f.outcome != OUTCOMES[0]
     ]
     head = columns("number | contact | p_h, GPa | H_min/(S h_x²) | message")
-    return Table("All that did not end converged and resolved:", head, tuple(rows))
+    return Table("Contacts that are not converged and resolved:", head, tuple(rows))
 
 
 def _fineness(value: float | None) -> str:
