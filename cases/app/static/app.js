@@ -7,7 +7,7 @@
     render() { return null; },
     mounted() {
       const dark = window.matchMedia && window.matchMedia("(prefers-color-scheme: dark)").matches;
-      if (dark) trigger("theme", [true]);
+      if (dark !== this.dark) trigger("theme", [dark]);
       trigger("opened", [decodeHash(window.location.hash)]);
       window.addEventListener("keydown", this.keys);
       window.addEventListener("hashchange", this.moved);

@@ -315,8 +315,7 @@ CONTRAST = """() => {
 def test_light_and_dark(browser, address, scheme):
     with opened(browser, address, color_scheme=scheme) as page:
         ready(page)
-        page.wait_for_timeout(500)
-        assert page.evaluate("document.querySelector('.of').classList.contains('dark')") == (scheme == "dark")
+        page.wait_for_selector(".of.dark" if scheme == "dark" else ".of:not(.dark)")
         for name in ("bearing", "life", "map", "contact"):
             page.click(f"#tab-{name}")
             page.wait_for_timeout(500)
