@@ -200,8 +200,9 @@ def as_document(value: Any, arrays: dict[str, Any]) -> Any:
     if isinstance(value, Enum):
         return value.value
     if is_dataclass(value):
-        parts = {name: as_document(getattr(value, name), arrays) for name in _hints(type(value))}
-        return {"class": type(value).__name__, **parts}
+        kind: Any = type(value)
+        parts = {name: as_document(getattr(value, name), arrays) for name in _hints(kind)}
+        return {"class": kind.__name__, **parts}
     if isinstance(value, tuple | list):
         return [as_document(part, arrays) for part in value]
     if isinstance(value, np.ndarray):
