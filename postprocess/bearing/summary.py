@@ -247,8 +247,8 @@ def _limit_messages(results: BearingResults) -> Iterator[str]:
             f"{high:g} mrad (2 to 10 minutes of arc)"
         )
     life = results.life
-    load = None if life is None else life.equivalent_load
-    if load is not None and load < (least := life.minimum_load):
+    load, least = (None, None) if life is None else (life.equivalent_load, life.minimum_load)
+    if load is not None and least is not None and load < least:
         yield Caution(
             f"life: an equivalent load of {load:.3g} N is below {least:.3g} N, 0.01 of the "
             "dynamic rating, from which balls roll without sliding by a rule of makers"
