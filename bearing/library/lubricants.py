@@ -358,6 +358,9 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
         colder = law(entry, temperature - STEP)
         return log(colder / warmer) / (2.0 * STEP)
 
+    if COOLPROP in entry:  # slopes of the end of the range, not of what is held there
+        low, high = (end + ZERO_CELSIUS for end in entry["range_C"])
+        temperature = min(max(temperature, low + STEP), high - STEP)
     law = heat_under_pressure(entry)
     conductivity, specific_heat = (
         _linear(entry[name], temperature)

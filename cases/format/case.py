@@ -457,7 +457,9 @@ def _bearing_case(file: BearingFile) -> Case:
         rating=rated,
         friction=torque,
         inlet=inlet,
-        heating=fits.heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
+        heating=None
+        if dry
+        else fits.heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
         clearance=clearance,
         seats=fits.seats_of(seats, file.temperatures),
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),

@@ -239,6 +239,9 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
     if dry != (oil == DRY) and values.given("lubricant"):
         allowed = f'allowed together: no [lubricant] with friction.lubrication = "{DRY}"'
         yield CaseProblem(("friction", "lubrication"), f"found with oil {shown(oil)}", allowed)
+    if dry and values.get("operation", "temperature") == "self-heated":
+        allowed = "allowed: given; dry_running.bulk_rise_K is the rise of a dry bearing"
+        yield CaseProblem(("operation", "temperature"), 'found "self-heated" running dry', allowed)
     surface = values.get("friction", "dry_surface")
     if surface is not None and matching_name(surface, list_dry_surfaces()) is None:
         allowed = f"allowed: {', '.join(list_dry_surfaces())}"

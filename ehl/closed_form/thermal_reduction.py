@@ -269,7 +269,8 @@ def _factors(
     t = sqrt(5.0) * distance
     decay = np.exp(-t)
     kernel = (1.0 + t * (1.0 + t / 3.0)) * decay
-    y = film.trend[0] + x @ film.trend[1:] + kernel @ film.weights + more[0]
+    least = film.trend[0] + x @ film.trend[1:] + kernel @ film.weights
+    y = least + more[0]
     pull = (1.0 + t) * decay * (-5.0 / 3.0 * film.weights)
     to_centres = pull.sum(axis=1)[:, None] * here - pull @ centres
     slope = film.trend[1:] + to_centres / film.scales
@@ -284,7 +285,7 @@ def _factors(
     # the law is steep in y far from the table: a range that holds both ends, of a contact below
     # the least L_T the loss there
     light = np.minimum(more[0], 0.0)
-    largest = np.where(light < 0.0, 1.0 / (1.0 + np.exp(light - y)), np.maximum(s, 1.0 - s))
+    largest = np.where(light < 0.0, 1.0 / (1.0 + np.exp(-least)), np.maximum(s, 1.0 - s))
     law = np.minimum(lost * error, largest)
     inside = np.asarray(~outside.any(axis=1))
     return [
