@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -62,8 +63,10 @@ def test_the_commands_of_the_tour_exist():
 
 
 @pytest.mark.parametrize("code", blocks("python"))
-def test_the_python_runs(code):
-    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
+def test_the_python_runs(code, tmp_path):
+    environment = os.environ | {"MPLBACKEND": "Agg"}
+    words = [sys.executable, "-c", code]
+    run = subprocess.run(words, capture_output=True, text=True, timeout=300, cwd=tmp_path, env=environment)
     assert run.returncode == 0, run.stderr
     assert run.stdout
 

@@ -28,6 +28,7 @@ r/min and as much as it at 530, is left out, and so is squeeze as it goes round.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import log
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -153,7 +154,7 @@ class _Balls:
         at = contact_conditions(moved, self.oil, thick=True)
         return [at[n] for n in _numbers(self.numbers)]
 
-    def arrays(self, load: Array, u: Array, V: Array) -> dict[str, Array]:
+    def arrays(self, load: Array, u: Array, V: Array) -> dict[str, Any]:
         """Loads and contact angles of all balls with these at u, as `contacts_at`."""
         w = V - u
         changes = {

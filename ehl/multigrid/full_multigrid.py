@@ -346,6 +346,7 @@ class Attempt:
     along_entrainment: bool = False
     # Newton's method in place of cycles, without a flow model or a layer at the inlet
     newton: bool = False
+    first_damping: Damping | None = None  # to begin with; None: by the contact
 
     def applies(self, contact: ScaledContact, entrainment_aligned: ScaledContact) -> bool:
         """Tell whether the attempt differs for a contact from those before it.
@@ -393,6 +394,8 @@ class Attempt:
         Damping
             under-relaxation of the solve
         """
+        if self.first_damping is not None:
+            return self.first_damping
         if self.mesh_y(contact) < 1.0 or contact.moes_load > HEAVY_LOAD[1]:
             return CAUTIOUS
         return DAMPED if self.careful(contact) else Damping()

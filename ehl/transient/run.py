@@ -207,7 +207,7 @@ def levels_over_time(
         contact,
         domain,
         SolverOptions(points=options.points, domain=options.domain),
-        Attempt(name="over time", damping=damping, along_entrainment=True),
+        Attempt(name="over time", damped=False, along_entrainment=True, first_damping=damping),
         full_domain=not conditions.symmetric,
     )
     return state, contact, domain
