@@ -1,5 +1,6 @@
 """Table and map of the sweep over random contacts."""
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from functools import partial
@@ -105,17 +106,18 @@ def _kinds(finished: Sequence[Finished]) -> Table:
 
 
 def _unsolved(finished: Sequence[Finished]) -> Table:
-    rows = [
-        (str(f.number), f.text, f"{f.hertz_pressure / 1e9:.2f}", _fineness(f.fineness), f.message)
-        for f in finished
-        if f.outcome != OUTCOMES[0]
-    ]
-    head = columns("number | contact | p_h, GPa | H_min/(S h_x²) | message")
-    return Table("Contacts that are not converged and resolved:", head, tuple(rows))
-
-
-def _fineness(value: float | None) -> str:
-    return "no film" if value is None else f"{value:.2g}"
+    """Failures by message, their numbers left out; the file of the draws has each."""
+    kinds: dict[str, list[Finished]] = {}
+    for f in finished:
+        if f.outcome != OUTCOMES[0]:
+            kinds.setdefault(re.sub(r"-?\d[\d.]*(e[-+]\d+)?", "…", f.message), []).append(f)
+    rows = []
+    for message, group in sorted(kinds.items(), key=lambda item: -len(item[1])):
+        loads = [f.moes_load for f in group]
+        numbers = ", ".join(str(f.number) for f in group)
+        rows.append((message, str(len(group)), f"{min(loads):.0f} to {max(loads):.0f}", numbers))
+    head = columns("message | contacts | M | numbers of the draws")
+    return Table("Contacts that are not converged and resolved, by message:", head, tuple(rows))
 
 
 def _map_point(f: Finished) -> MapPoint:
