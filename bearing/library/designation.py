@@ -28,8 +28,11 @@ SERIES = {
     "73": ("03", True),
 }
 SMALL = "small"  # series of miniature and inch bearings, whose code is a name of its own
-# miniature bearings, 608, 688 or 618/8, and inch ones, R168
-SMALL_CODE = r"(?:60[4-9]|62[3-9]|63[45]|68[3-9]|69[3-9]|61[89] [3-9])(?!\d)|R\d+A?(?![\dA])"
+# miniature bearings, 608, 688, 618/8 or MR63, and inch ones, R168 or EE3
+SMALL_CODE = (
+    r"(?:60[4-9]|62[3-9]|63[45]|68[3-9]|69[3-9]|61[89] [3-9])(?!\d)|R\d+A?(?![\dA])"
+    r"|MR(?:63|74|8[35]|95|10[56]|11[57]|12[68]|148)|EE[2-6](?!\d)"
+)
 SYNONYMS = {"68": "618", "69": "619", "79": "719"}  # NSK, NTN
 ANGLES = {"C": 15.0, "AC": 25.0, "B": 40.0}  # nominal contact angle by suffix [deg]
 SET_FOLLOWS = "(?=D[BFT](?!N))"  # 7014CDB is C and DB, not SKF's CD; TN is a cage
