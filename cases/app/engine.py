@@ -16,11 +16,11 @@ from pathlib import Path
 from time import perf_counter, process_time
 from typing import Any
 
-from oilfilm.bearing.films.film import FilmOrigin
+from oilfilm.bearing.films.film import ContactFilm, FilmOrigin
 from oilfilm.bearing.films.unsolved_films import too_thick
-from oilfilm.ehl import ContactSolution
 from oilfilm.ehl.atlas.field_maps import field_maps
 from oilfilm.postprocess.bearing.results import BearingResults
+from oilfilm.postprocess.bearing.summary import electrical_values
 from oilfilm.postprocess.contact.plots import draw_contact, film_text
 from oilfilm.postprocess.contact.shown_part import contact_view
 from oilfilm.postprocess.plot_style import png_of
@@ -58,6 +58,7 @@ class Engine:
     def __init__(self) -> None:
         self.equilibria = Equilibria()
         self.results: BearingResults | None = None
+        self.drawn: BearingResults | None = None  # the same with maps of its films
 
     def point(self, document: dict[str, Any]) -> Answer:
         """All numbers of a case.
@@ -75,6 +76,7 @@ class Engine:
         start = perf_counter()
         busy = process_time()
         case = _bearing_case(live_document(document))
+        self.drawn = None
         self.results = run_case(case, workers=1, equilibria=self.equilibria)
         return {
             "summary": summary(self.results),
@@ -83,15 +85,18 @@ class Engine:
         }
 
     def scene(self) -> Answer:
-        """Bodies and films of the last point, for the scene.
+        """Bodies and films of the last point, for the scene, and what its films are electrically.
 
         Returns
         -------
         dict[str, Any]
-            Arrays.
+            Arrays; capacitance and breakdown voltage of `postprocess`, or the reason for none.
         """
-        results = self.results
-        return {} if results is None else scene_arrays(results, _fields(results))
+        results = self._with_maps()
+        if results is None:
+            return {}
+        arrays = scene_arrays(results, results.fields)
+        return arrays | {"electrical": electrical_values(results)}
 
     def contact(self, ball: int, race: str) -> Answer:
         """Pressure and film of one contact of the last point, as a picture.
@@ -108,7 +113,12 @@ class Engine:
         dict[str, Any]
             The picture, its title, and a reason where there is none.
         """
-        return _contact_picture(self.results, ball, race)
+        return _contact_picture(self._with_maps(), ball, race)
+
+    def _with_maps(self) -> BearingResults | None:
+        if self.drawn is None and self.results is not None:
+            self.drawn = _with_maps(self.results)
+        return self.drawn
 
     def solve(self, document: dict[str, Any], ball: int, race: str, azimuth: float) -> Answer:
         """Solve the films of one ball, and draw one of them.
@@ -225,32 +235,23 @@ def _bearing_case(document: dict[str, Any]) -> Case:
     return case
 
 
-def _fields(results: BearingResults) -> tuple[ContactSolution | None, ...]:
-    """Pressure and film of all contacts, equal ones once."""
-    found: dict[tuple[str, ...], ContactSolution | None] = {}
-    fields = []
-    for number, contact in enumerate(results.contacts):
+def _with_maps(results: BearingResults) -> BearingResults:
+    """The results with pressure and film of the contacts whose film is the atlas's, equal ones
+    once; without those of a light ball between two films, which the gap decides.
+    """
+    found: dict[tuple[str, ...], ContactFilm] = {}
+    films = list(results.films)
+    for number, (contact, film) in enumerate(zip(results.contacts, results.films, strict=True)):
+        conditions = contact.conditions
+        if film is None or conditions is None or contact.gap is not None or too_thick(conditions):
+            continue
+        if film.origin is FilmOrigin.FORMULA or film.field is not None:
+            continue
         key = (contact.race.value, f"{contact.load:.9g}", f"{contact.contact_angle:.6g}")
         if key not in found:
-            found[key] = _field(results, number)
-        fields.append(found[key])
-    return tuple(fields)
-
-
-def _field(results: BearingResults, number: int) -> ContactSolution | None:
-    """Pressure and film of one contact: solved, or of the film atlas with the operating films."""
-    film = results.operating[number]
-    known = results.fields[number]
-    contact = results.contacts[number]
-    conditions = contact.conditions
-    if contact.gap is not None:  # a light ball between two films, which the gap decides
-        return known
-    if known is not None or film is None or conditions is None or too_thick(conditions):
-        return known
-    if film.origin is FilmOrigin.FORMULA:
-        return None
-    (field,) = field_maps([conditions])
-    return None if field is None else replace(film, field=field).operating_field
+            found[key] = replace(film, field=field_maps([conditions])[0])
+        films[number] = found[key]
+    return replace(results, formula_films=tuple(films))
 
 
 def _contact_picture(results: BearingResults | None, ball: int, race: str) -> Answer:
@@ -259,7 +260,7 @@ def _contact_picture(results: BearingResults | None, ball: int, race: str) -> An
     for number, contact in enumerate(results.contacts):
         if (contact.ball, contact.race.value) != (ball, race):
             continue
-        field = _field(results, number)
+        field = results.fields[number]
         if field is None:
             why = contact.note or "the film atlas has no map of this contact: solve it"
             return {"why": why}

@@ -139,12 +139,13 @@ def polar(found: Mapping[str, Any], key: str, title: str, unit: str, chosen: int
     marks = ticks(0.0, max(values), 3)
     top = max(max(values), marks[-1], 1e-12)
     content = [_text(125, 14, f"{title} [{unit}]", "title", "middle")]
+    above = []
     for mark in marks[1:]:
         at = radius * mark / top
         content.append(f'<circle cx="125" cy="{middle}" r="{at:.1f}" class="grid"/>')
         x = 125 + at * sin(-2.75)
         y = middle - at * cos(-2.75)
-        content.append(_text(x, y + 3, mark_text(mark), "tick", "middle"))
+        above.append(_text(x, y + 3, mark_text(mark), "tick on", "middle"))
     count = len({one["ball"] for one in contacts})
     for one in contacts:
         if one[key] is None:
@@ -172,7 +173,7 @@ def polar(found: Mapping[str, Any], key: str, title: str, unit: str, chosen: int
             y = middle - (radius + 14) * cos(azimuth)
             kind = "tick" + (" chosen" if one["ball"] == chosen else "")
             content.append(_text(x, y + 3, one["ball"], kind, "middle"))
-    return _svg(size, 236, title, content)
+    return _svg(size, 236, title, [*content, *above])
 
 
 def temperatures(found: Mapping[str, Any]) -> str:
@@ -261,7 +262,7 @@ def torque_over_speed(
         return left + (right - left) * value / reach
 
     def y(value: float) -> float:
-        return bottom - (bottom - top) * min(max(value / high, 0.0), 1.03)
+        return bottom - (bottom - top) * max(value / high, 0.0)
 
     content = []
     for mark in marks:
@@ -287,7 +288,12 @@ def torque_over_speed(
     for key, kind in models.items():
         line = [f"{x(at):.1f} {y(v):.1f}" for at, one in known if (v := one.get(key)) is not None]
         if len(line) > 1:
-            content.append(f'<path d="M{"L".join(line)}" class="curve {kind}"/>')
+            room = f"{left:g} {top:g} {right - left:g} {bottom - top:g}"
+            x0, y0, across, up = room.split()
+            content.append(
+                f'<svg x="{x0}" y="{y0}" width="{across}" height="{up}" viewBox="{room}">'
+                f'<path d="M{"L".join(line)}" class="curve {kind}"/></svg>'  # ends at the frame
+            )
     total = [f"{x(at):.1f} {y(one['torque_N_mm'] or 0.0):.1f}" for at, one in known]
     if len(total) > 1:
         content.append(f'<path d="M{"L".join(total)}" class="curve total"/>')

@@ -142,8 +142,8 @@ def _lines_below(found: Summary, values: Mapping[str, float | None]) -> dict[str
         lines["lambda"] = _place(ratio)
     lines["pressure_GPa"] = _largest_pressure(found)[1]
     if life is not None:
-        years = life / HOURS_A_YEAR
-        lines["life_h"] = f"{number(years)} years" if years < 1000.0 else "over 1000 years"
+        years = number(min(life, LONG_LIFE) / HOURS_A_YEAR)
+        lines["life_h"] = f"{'over ' if life > LONG_LIFE else ''}{years} years"
         lines["life_h"] += f", L10h {hours(basic)} h" if basic is not None else ""
     lines["static_safety"] = "C₀ over P₀"
     return lines
@@ -224,8 +224,8 @@ def life_rows(found: Summary) -> list[dict[str, Any]]:
     shown = []
     for title, rows in groups:
         given = [_row(label, value, unit) for label, value, unit in rows if value is not None]
-        words = "\N{EN DASH} needs solved films of every loaded ball: oilfilm run"
-        shown.append({"title": title, "rows": given, "why": "" if given else words})
+        why = found.get("electrical_lack", "the films are being drawn")
+        shown.append({"title": title, "rows": given, "why": "" if given else why})
     return shown
 
 

@@ -67,11 +67,16 @@ class Gate:
         Secret of the address.
     port : Callable
         Port of the server, known once it listens.
+    coming : Callable, optional
+        Called when a page is about to open.
     """
 
-    def __init__(self, token: str, port: Callable[[], int]) -> None:
+    def __init__(
+        self, token: str, port: Callable[[], int], coming: Callable[[], None] = lambda: None
+    ) -> None:
         self.token = token
         self.port = port
+        self.coming = coming
         self.pages: list[web.Request] = []
         self.came = False
 
@@ -137,6 +142,7 @@ class Gate:
                 text=IN_USE.format(href=f"/?token={self.token}&take=1"), content_type="text/html"
             )
         else:
+            self.coming()
             answer = web.Response(text=_index(), content_type="text/html")
         answer.set_cookie(self.cookie, self.token, httponly=True, samesite="Strict")
         return self._sealed(answer, request.host)
@@ -175,7 +181,9 @@ class Program:
         os.environ["WSLINK_READY_MSG"] = ""
         self.wanted_port = port
         self.keep = keep
-        self.gate = Gate(secrets.token_urlsafe(16), lambda: int(self.server.port))
+        self.gate = Gate(
+            secrets.token_urlsafe(16), lambda: int(self.server.port), lambda: self.session.coming()
+        )
         self.server = Server("oilfilm")
         self.server.client_type = "vue3"
         self.server.enable_module({

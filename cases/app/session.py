@@ -87,6 +87,11 @@ class Session:
 
     # designs
 
+    def coming(self) -> None:
+        """A page is about to open: nothing is ready before it has said which design it has."""
+        with self.state:
+            self.state.status = "computing"
+
     def opened(self, address: str) -> None:
         """Take the design of the address, if it has one.
 
@@ -235,6 +240,7 @@ class Session:
                     with self.state:
                         if design is self.history.now and "bodies" in arrays:
                             self._show_scene(arrays)
+                            self._show_electrical(*arrays["electrical"])
         finally:
             self._following = False
 
@@ -389,6 +395,12 @@ class Session:
         self.state.scene_note = text if arrays["patches"] else "no film maps in this state"
         self.state.legend = self.scene.legend()
         self.push_scene(others)
+
+    def _show_electrical(self, values: Mapping[str, Any] | None, lack: str) -> None:
+        """Take what needs the maps of the films, which are drawn after the numbers."""
+        if self.found is not None:
+            self.found = {**self.found, "electrical": values, "electrical_lack": lack}
+            self.state.life = readings.life_rows(self.found)
 
     async def _draw_contact(self) -> None:
         chosen = dict(self.state.chosen)

@@ -169,6 +169,7 @@ def app(
     from ..app.design import start
 
     design = start(case)
+    print_message("oilfilm app: starting; the address follows")
     from ..app.server import run_app
 
     try:

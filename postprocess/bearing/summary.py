@@ -183,7 +183,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "heat_balances": balance_blocks(results),
         **network_blocks(results),
         "reference_speed_rpm": results.reference_speed_rpm,
-        "electrical": _electrical(results),
+        "electrical": electrical_values(results)[0],
         "finite_bodies": finite_body_block(results),
         "timing_s": dict(results.timing),
     }
@@ -261,19 +261,29 @@ def _balls(state: QuasistaticSolution) -> dict[str, Any]:
     return numbers | values_of(state, BALL_QUANTITIES)
 
 
-def _electrical(results: BearingResults) -> dict[str, Any] | None:
-    """Capacitance between the rings and breakdown voltage; None with the reason in a message."""
+def electrical_values(results: BearingResults) -> tuple[dict[str, Any] | None, str]:
+    """Capacitance between the rings and breakdown voltage.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of a bearing.
+
+    Returns
+    -------
+    tuple[dict[str, Any] | None, str]
+        Values with their unit in their names, or None and the reason.
+    """
     parts = (results.quasistatic.bearing, results.contacts, results.instruments)
-    if electrical_lack(*parts):
-        return None
-    return values_of(bearing_electrical(*parts), ELECTRICAL)
+    if lack := electrical_lack(*parts):
+        return None, lack
+    return values_of(bearing_electrical(*parts), ELECTRICAL), ""
 
 
 def _electrical_messages(results: BearingResults) -> Iterator[str]:
     """Give the reason for a missing capacitance, and name assumptions."""
     bearing = results.quasistatic.bearing
-    lack = electrical_lack(bearing, results.contacts, results.instruments)
-    if lack:
+    if lack := electrical_values(results)[1]:
         yield null("electrical", lack)
         return
     if not results.case.get("lubricant", {}).get("relative_permittivity"):

@@ -14,6 +14,7 @@ import sys
 import time
 from contextlib import contextmanager
 from pathlib import Path
+from weakref import WeakKeyDictionary
 
 import pytest
 
@@ -136,10 +137,15 @@ def give(page, key, value):
     field.press("Enter")
 
 
+SEEN = WeakKeyDictionary()  # address of each page when its numbers were last waited for
+
+
 def moved(page):
-    """Wait for the numbers of what was just changed."""
-    page.wait_for_timeout(150)
+    """Wait for the numbers of what was just changed, which the address holds."""
+    if page in SEEN:
+        page.wait_for_function("seen => location.hash !== seen", arg=SEEN[page], timeout=PATIENCE)
     ready(page)
+    SEEN[page] = page.evaluate("location.hash")
 
 
 def tile(page, label):
@@ -240,7 +246,7 @@ def test_a_map_while_it_fills(page):
         picture(page, "map")
     else:
         page.click(".mapform button.main")
-    assert page.inner_text(".mapform button.main") == "Start"
+    page.wait_for_selector(".mapform button.main:has-text('Start')")
     before = page.input_value("#c-operation-inner_speed_rpm")
     page.locator(".map canvas").click(position={"x": 300, "y": 120})
     moved(page)
@@ -348,7 +354,7 @@ def test_undo_and_redo(page):
 def test_an_address_is_opened_again(browser):
     with program("6306", "--keep") as (_, url):
         with opened(browser, url) as page:
-            ready(page)
+            moved(page)
             give(page, "operation.radial_load_N", 1900)
             moved(page)
             where, torque = page.url, tile(page, "Friction torque")
