@@ -3,7 +3,7 @@ waviness.
 
 The film formulas are starting guesses and comparisons, never oracles. All take the entrainment
 along the principal direction x, smooth surfaces, a Newtonian oil and a flooded inlet; isothermal.
-Ranges of the fits: `docs/theory/contact.md`.
+Distance from solved films: `docs/validation/verification.md`.
 
 A small waviness r = Re r_a exp(i omega_x (x - u_b t) + i omega_y y) on a body of speed u_b, in a
 flat film h of uniform high pressure. Hooke (2006); as printed in Morales-Espejel and Brizmer,

@@ -18,7 +18,7 @@ ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two leve
 STEP_FRACTIONS = ((0.12, 0.35), (0.25, 0.7))
 # Minimum films at an angle: ratio of two steps of one sign up to which they are of second order
 # (4), and the fraction of a step that no step bears out. Of ten errors beyond the bar in 1000
-# random contacts nine stood behind the one or the other (docs/theory/contact.md).
+# random contacts nine stood behind the one or the other.
 EVEN_STEPS = 5.0
 SINGLE_STEP_FRACTION = 1.6
 APPROACH_FRACTION = 0.35  # of the approach, likewise; on 100 random contacts
