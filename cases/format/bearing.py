@@ -83,9 +83,15 @@ class BearingTable(Table):
 class SurfaceTable(Table):
     """Root-mean-square roughness; without the table typical values, which the results name."""
 
-    inner_ring_roughness_um: float = between(0, 100, "rms roughness of the inner raceway", ...)
-    outer_ring_roughness_um: float = between(0, 100, "rms roughness of the outer raceway", ...)
-    ball_roughness_um: float = between(0, 100, "rms roughness of the balls", ...)
+    inner_ring_roughness_um: float | None = between(
+        0, 100, "rms roughness of the inner raceway; typical if left out"
+    )
+    outer_ring_roughness_um: float | None = between(
+        0, 100, "rms roughness of the outer raceway; typical if left out"
+    )
+    ball_roughness_um: float | None = between(
+        0, 100, "rms roughness of the balls; typical if left out"
+    )
     load_sharing: Annotated[str, OneOf(LoadSharing)] = described(
         "of asperities and film, by the central film over the roughness", "zhou-hoeprich"
     )
@@ -432,33 +438,45 @@ def spectrum(table: SurfaceTable | None) -> Spectrum | None:
     )
 
 
-def typical_surface(ball: Material) -> SurfaceTable:
+def with_typical_roughness(
+    table: SurfaceTable | None, ball: Material
+) -> tuple[SurfaceTable, tuple[str, ...]]:
     """Typical roughness of ground races and of balls, where a case gives none; warns of it.
 
     Parameters
     ----------
+    table : SurfaceTable | None
+        The checked table [surface], where there is one.
     ball : Material
         Material of the balls.
 
     Returns
     -------
-    SurfaceTable
+    table : SurfaceTable
         Roughness of races and balls [um].
+    added : tuple[str, ...]
+        Keys that the case does not give.
     """
+    given = table or SurfaceTable()
     steel = ball.kind is MaterialKind.BEARING_STEEL
     library = library_data(TYPICAL)
-    race = library[RACES[0]]
-    balls = library[ROUGHNESS["ball_roughness_um"][0 if steel else 1]]
+    added = tuple(key for key in ROUGHNESS if getattr(given, key) is None)
+    kinds = {key: 0 if steel or "ring" in key else 1 for key in added}
+    typical = {key: library[ROUGHNESS[key][kind]] for key, kind in kinds.items()}
+    names = {key: key.removesuffix("_roughness_um").replace("_", " ") for key in added}
+    if {"inner_ring_roughness_um", "outer_ring_roughness_um"} <= typical.keys():
+        names = {key: names[key] for key in added if key != "outer_ring_roughness_um"}
+        names["inner_ring_roughness_um"] = "races"
     texts = [
-        f"{name} {one['value']:g} um ({one['range'][0]:g} to {one['range'][1]:g})"
-        for name, one in (("races", race), ("balls", balls))
+        f"{name} {typical[key]['value']:g} um "
+        f"({typical[key]['range'][0]:g} to {typical[key]['range'][1]:g})"
+        for key, name in names.items()
     ]
-    warnings.warn(f"surface: rms roughness assumed, typical: {', '.join(texts)}", stacklevel=2)
-    return SurfaceTable(
-        inner_ring_roughness_um=race["value"],
-        outer_ring_roughness_um=race["value"],
-        ball_roughness_um=balls["value"],
-    )
+    if texts:
+        told = f"surface: rms roughness assumed, typical: {', '.join(texts)}"
+        warnings.warn(told.replace("ball ", "balls "), stacklevel=2)
+    values = {key: one["value"] for key, one in typical.items()}
+    return given.model_copy(update=values), added
 
 
 def roughness(table: SurfaceTable | None) -> tuple[float, float] | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from oilfilm.cases import CaseError
+from oilfilm.cases import CaseError, load_case
 from oilfilm.cases.format.document import validate_text
 
 BEARING = """\
@@ -236,3 +236,16 @@ def test_an_oil_of_the_library_ends_at_a_temperature():
     (error,) = messages(named)
     assert "operation.temperature_C: found 450.0; allowed with an oil of the library: -100 to below 426.85" in error
     validate_text(own, "case.toml")
+
+
+def test_a_roughness_that_is_left_out_is_typical_and_named():
+    case = load_case("6208_life").with_values({"surface.ball_roughness_um": 0.004})
+    surface = case.document["surface"]
+    assert surface["ball_roughness_um"] == 0.004
+    assert surface["inner_ring_roughness_um"] == surface["outer_ring_roughness_um"] == 0.05
+    assert {"surface.inner_ring_roughness_um", "surface.outer_ring_roughness_um"} <= set(case.document["assumed"])
+    assert "surface.ball_roughness_um" not in case.document["assumed"]
+    (told,) = [warning for warning in case.warnings if "roughness" in warning]
+    assert "races" in told and "balls" not in told
+    ceramic = load_case("6208_full_ceramic").document["surface"]
+    assert ceramic["inner_ring_roughness_um"] == 0.05 > ceramic["ball_roughness_um"]
