@@ -271,7 +271,7 @@ def _other_speed(simulation: Simulation, numbers: SimulationStatistics | None) -
     if state is None or numbers is None or len(simulation.data.schedule) > 1:
         return
     rolling = state.cage_speed
-    if abs(numbers.cage_speed - rolling) > SAME * abs(rolling):
+    if rolling and abs(numbers.cage_speed - rolling) > SAME * abs(rolling):
         there = from_si("speed_rpm", rolling)
         yield (
             f"dynamics: the cage turns at {numbers.cage_speed / rolling:.3f} of the "
