@@ -82,7 +82,7 @@ def test_the_recipe_has_the_dependencies_of_the_project():
     recipe = (ROOT / "packaging" / "meta.yaml").read_text(encoding="utf-8")
     for dependency in project["dependencies"]:
         name, bound = re.match(r"([\w.-]+)(>=[\w.]+)", dependency).groups()
-        name = {"matplotlib": "matplotlib-base"}.get(name, name)
+        name = {"matplotlib": "matplotlib-base", "CoolProp": "coolprop"}.get(name, name)
         assert f"    - {name} {bound}\n" in recipe
 
 
