@@ -439,14 +439,17 @@ def spectrum(table: SurfaceTable | None) -> Spectrum | None:
 
 
 def with_typical_roughness(
-    table: SurfaceTable | None, ball: Material
+    table: SurfaceTable | None, assumed: Sequence[str], ball: Material
 ) -> tuple[SurfaceTable, tuple[str, ...]]:
-    """Typical roughness of ground races and of balls, where a case gives none; warns of it.
+    """Typical roughness of ground races and of balls, where a case gives none; warns of it, also
+    where a case has it and names it as assumed.
 
     Parameters
     ----------
     table : SurfaceTable | None
         The checked table [surface], where there is one.
+    assumed : Sequence[str]
+        Keys of the case whose values no source gives.
     ball : Material
         Material of the balls.
 
@@ -460,12 +463,17 @@ def with_typical_roughness(
     given = table or SurfaceTable()
     steel = ball.kind is MaterialKind.BEARING_STEEL
     library = library_data(TYPICAL)
-    added = tuple(key for key in ROUGHNESS if getattr(given, key) is None)
-    kinds = {key: 0 if steel or "ring" in key else 1 for key in added}
+    kinds = {key: 0 if steel or "ring" in key else 1 for key in ROUGHNESS}
     typical = {key: library[ROUGHNESS[key][kind]] for key, kind in kinds.items()}
-    names = {key: key.removesuffix("_roughness_um").replace("_", " ") for key in added}
-    if {"inner_ring_roughness_um", "outer_ring_roughness_um"} <= typical.keys():
-        names = {key: names[key] for key in added if key != "outer_ring_roughness_um"}
+    added = tuple(key for key in ROUGHNESS if getattr(given, key) is None)
+    told_of = [
+        key
+        for key, one in typical.items()
+        if key in added or (f"surface.{key}" in assumed and getattr(given, key) == one["value"])
+    ]
+    names = {key: key.removesuffix("_roughness_um").replace("_", " ") for key in told_of}
+    if {"inner_ring_roughness_um", "outer_ring_roughness_um"} <= names.keys():
+        del names["outer_ring_roughness_um"]
         names["inner_ring_roughness_um"] = "races"
     texts = [
         f"{name} {typical[key]['value']:g} um "
@@ -475,8 +483,7 @@ def with_typical_roughness(
     if texts:
         told = f"surface: rms roughness assumed, typical: {', '.join(texts)}"
         warnings.warn(told.replace("ball ", "balls "), stacklevel=2)
-    values = {key: one["value"] for key, one in typical.items()}
-    return given.model_copy(update=values), added
+    return given.model_copy(update={key: typical[key]["value"] for key in added}), added
 
 
 def roughness(table: SurfaceTable | None) -> tuple[float, float] | None:

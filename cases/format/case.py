@@ -471,7 +471,8 @@ def _bearing_case(file: BearingFile) -> Case:
 
 def _with_surface(file: BearingFile, bearing: Bearing) -> BearingFile:
     """The file with a typical roughness, named as assumed, where it gives none."""
-    surface, added = bearings.with_typical_roughness(file.surface, bearing.ball_material)
+    ball = bearing.ball_material
+    surface, added = bearings.with_typical_roughness(file.surface, file.assumed, ball)
     keys = tuple(f"surface.{key}" for key in added)
     return file.model_copy(update={"surface": surface, "assumed": (*file.assumed, *keys)})
 
