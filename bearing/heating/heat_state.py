@@ -354,6 +354,9 @@ class SelfHeatingProblem:
     # step of the film temperature that is not taken any more, of who asks whether that of the
     # operation is one of a balance [K]
     enough: float = 0.0
+    # film temperature of the balance of nearly the same problem, about which this one is looked
+    # for [K]; None: all balances are looked for
+    expected: float | None = None
 
     def clearance(self, temperatures: Array) -> float:
         """Diametral clearance at temperatures of the nodes; that of the outer ring is the mean of

@@ -281,7 +281,7 @@ def _nearby(
         state = _state(search, problem.operation.temperature, None)
         if abs(_excess(state)) <= tolerance:
             return state, state.film_temperature, ()
-    states = _scan(search)
+    states = _about(search) or _scan(search)
     brackets = [
         (low, high)
         for low, high in zip(states, states[1:], strict=False)
@@ -348,6 +348,30 @@ def _scan(search: _Search) -> list[HeatState]:
     for n in range(len(states) - 2, 0, -1):
         states[n : n + 1] = _turn(search, *states[n - 1 : n + 2])
     return states
+
+
+def _about(search: _Search) -> list[HeatState]:
+    """States on both sides of the stable balance about the temperature expected, by rising
+    temperature; none where it is not expected, or not found.
+    """
+    expected = search.problem.expected
+    if expected is None:
+        return []
+    around = search.problem.around
+    coldest, hottest = min(around.ambient, around.oil_supply), search.problem.hottest
+    step = NEAR
+    try:
+        states = [_state(search, expected, None)]
+        sign = 1.0 if _excess(states[0]) > 0.0 else -1.0
+        while sign * _excess(states[-1]) > 0.0:
+            at = states[-1].film_temperature + sign * step
+            if not coldest <= at <= hottest:
+                return []
+            states.append(_state(search, at, states[-1]))
+            step *= 2.0
+    except ValueError:  # balls that are not driven, or no equilibrium
+        return []
+    return sorted(states[-2:], key=lambda state: state.film_temperature)
 
 
 def _turn(

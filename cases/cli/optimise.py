@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -10,7 +11,7 @@ import typer
 from ..format.rules import CaseError
 from ..runs.interrupt import finish_first, print_message
 from .batch import Workers
-from .output import lock_output_directory, lock_output_file, report
+from .output import lock_output_directory, lock_output_file, report, report_cost
 from .terminal import (
     NOT_CONVERGED,
     CaseName,
@@ -92,17 +93,28 @@ def calibrate(
     quiet: Quiet = False,
 ) -> int:
     """Fit keys of a case to measured torque, film or temperature, each within its interval."""
-    from oilfilm.postprocess.bearing.measured import draw_measured
-    from oilfilm.postprocess.plot_style import write_figure
-
     from ..format.shipped import find_case
     from ..runs.measured import calibrate as fitted
-    from ..runs.measured import calibration_document
 
     file = None if output is None else lock_output_file(output)
     names = [key.strip() for key in keys.split(",") if key.strip()]
     with progress_bar(quiet=quiet) as progress:
-        found = fitted(find_case(case), measured, names, progress)
+        announce = partial(report_cost, quiet=quiet)
+        found = fitted(find_case(case), measured, names, progress, announce)
+    with finish_first("the fit"):
+        _write_fit(found, file, as_json=as_json, quiet=quiet)
+    if found.interrupted:
+        raise KeyboardInterrupt
+    return 0 if found.converged else NOT_CONVERGED
+
+
+def _write_fit(found: Calibration, file: Path | None, *, as_json: bool, quiet: bool) -> None:
+    """The fit in the terminal and in a file."""
+    from oilfilm.postprocess.bearing.measured import draw_measured
+    from oilfilm.postprocess.plot_style import write_figure
+
+    from ..runs.measured import calibration_document
+
     if as_json:
         print_json(calibration_document(found))
     elif not quiet:
@@ -113,7 +125,6 @@ def calibrate(
     elif file is not None:
         write_figure(file, lambda figure: draw_measured(figure, found.after))
         print_message(f"picture in {file}")
-    return 0 if found.converged else NOT_CONVERGED
 
 
 def calibration_table(found: Calibration) -> Group:

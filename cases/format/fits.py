@@ -437,6 +437,7 @@ class HeatingInput:
     # temperature at which clearance and fits were measured [K]; None: the clearance stays
     reference: float | None = None
     hottest: float = HIGHEST_TEMPERATURE  # of the films, beyond which no balance counts [K]
+    expected: float | None = None  # film temperature of the balance of nearly the same case [K]
 
 
 def heating(

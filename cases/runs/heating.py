@@ -231,6 +231,7 @@ def heating_problem(
         rows=case.rows or SINGLE,
         oil_share=case.friction.oil_share(case.bearing),
         hottest=given.hottest,
+        expected=given.expected,
         **_start_of_search(case, given, reported, equilibria),
     )
 

@@ -8,9 +8,10 @@ neither the errors of the model nor of the other keys.
 
 import re
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -33,7 +34,7 @@ from ..format.fields import is_number, rounded
 from ..format.load_cases import merged
 from ..format.operation import SELF_HEATED, OperationTable
 from ..format.rules import CaseError, key_lines
-from .bearing import run_case
+from .bearing import Interrupted, run_case
 from .films import Progress
 
 STATES = (
@@ -64,6 +65,8 @@ ALLOWED = (
 MOST_EVALUATIONS = 25  # of the model by the fit, without those of its differences
 STEP = 0.02  # of an interval, of the differences of the fit [-]
 INSENSITIVE = 1e-4  # of the largest change by a key, below which another has no effect [-]
+USUAL_STEPS = 5  # of a fit, for its time: most of those tried took 3 to 6 [-]
+FOLLOWED = 0.25  # of the time of a balance from ambient, one about the last: a 6306 [-]
 FIT_TOLERANCE = 1e-3  # of the sum of squares and of the keys, at which a fit ends [-]
 AT_END = 1e-3  # of an interval, within which a key counts as at its end [-]
 LEAST_SHARE = 0.02  # of the largest measured value, to which smaller ones are compared [-]
@@ -388,6 +391,8 @@ class _Model:
     file: str
     progress: Progress | None
     messages: list[str] = field(default_factory=list)
+    balances: dict[int, float] = field(default_factory=dict)  # last film temperatures by row [K]
+    done: list[str] = field(default_factory=list)  # of a fit, told with the progress
 
     def computed(self, case: Case) -> dict[str, Array]:
         """Wanted quantities of every row; nan where there are none."""
@@ -396,7 +401,7 @@ class _Model:
         known: dict[tuple[float, ...], Array] = {}
         for row in range(rows):
             if self.progress is not None:
-                self.progress(row, rows, "measured states")
+                self.progress(row, rows, ", ".join(["measured states", *self.done[-1:]]))
             keys = {k: float(v[row]) for k, v in self.states.items() if k != "time_s"}
             state = tuple(keys.values())
             if state not in known:
@@ -417,9 +422,19 @@ class _Model:
         except (CaseError, ValueError) as error:
             raise CaseError(f"{self.file}, row {row + 1}: {error}") from None
         assert isinstance(at_state, Case)  # a bearing
+        if at_state.heating is not None and row in self.balances:
+            near = replace(at_state.heating, expected=self.balances[row])
+            at_state = replace(at_state, heating=near)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            document = summary(run_case(replace(at_state, film_maps="none")))
+            try:
+                results = run_case(replace(at_state, film_maps="none"))
+            except Interrupted:
+                raise KeyboardInterrupt from None
+        heating = results.heating
+        if heating is not None and heating.balance is not None and heating.converged:
+            self.balances[row] = heating.balance.temperature
+        document = summary(results)
         if not document["converged"]:
             reason = next(iter(document.get("warnings", ())), "not converged")
             self.messages.append(f"row {row + 1}: {reason}")
@@ -465,12 +480,20 @@ class Calibration:
     converged: bool
     messages: tuple[str, ...]
     text: str  # of the case file with the values
+    interrupted: bool = False  # the values are the best so far
 
 
 def calibrate(
-    file: Path, measured: Path, keys: Sequence[str], progress: Progress | None = None
+    file: Path,
+    measured: Path,
+    keys: Sequence[str],
+    progress: Progress | None = None,
+    announce: Callable[[tuple[str, float]], None] = lambda cost: None,
 ) -> Calibration:
     """Fit keys of a case to a measured table, each within its interval.
+
+    A case that warms itself is balanced from ambient once in every state; further balances are
+    looked for about the last one. An interrupt of the fit leaves the best values so far.
 
     Parameters
     ----------
@@ -482,6 +505,8 @@ def calibrate(
         Keys as `lubricant.pressure_viscosity_1_GPa`, or with an interval, `KEY=LOW:HIGH`.
     progress : Progress | None, optional
         Called with rows done, rows in all, and a text.
+    announce : Callable[[tuple[str, float]], None], optional
+        Called once with the work of the fit and its time [s], by that of the case as it is.
 
     Returns
     -------
@@ -503,21 +528,33 @@ def calibrate(
     points = problem.points
     if points <= len(fitted):
         raise CaseError(f"{measured}: {points} measured values for {len(fitted)} keys; too few")
-    found = scipy.optimize.least_squares(
-        problem.residuals,
-        np.array([(one.start - one.low) / (one.high - one.low) for one in fitted]).clip(
-            0.01, 0.99
-        ),
-        bounds=(0.0, 1.0),
-        diff_step=np.full(len(fitted), STEP),
-        ftol=FIT_TOLERANCE,
-        xtol=FIT_TOLERANCE,
-        max_nfev=MOST_EVALUATIONS,
-    )
+    began = perf_counter()
+    at_start = problem.computed([one.start for one in fitted])
+    start_error = _rms(problem.relative(at_start))
+    count = USUAL_STEPS * (len(fitted) + 1)
+    what = f"fit of {len(fitted)} keys to {points} values, some {count} times all states"
+    share = FOLLOWED if model.balances else 1.0
+    announce((what, count * share * (perf_counter() - began)))
+    start = np.array([(one.start - one.low) / (one.high - one.low) for one in fitted])
+    interrupted = False
+    try:
+        found = scipy.optimize.least_squares(
+            problem.residuals,
+            start.clip(0.01, 0.99),
+            bounds=(0.0, 1.0),
+            diff_step=np.full(len(fitted), STEP),
+            ftol=FIT_TOLERANCE,
+            xtol=FIT_TOLERANCE,
+            max_nfev=MOST_EVALUATIONS,
+        )
+        deviations, correlation = _covariance(np.asarray(found.jac), found.fun, fitted)
+    except KeyboardInterrupt:
+        if problem.best is None:
+            raise
+        interrupted = True
+        found = problem.best
+        deviations, correlation = (None,) * len(fitted), None
     best = problem.values(found.x)
-    start = [one.start for one in fitted]
-    at_start = problem.computed(start)
-    deviations, correlation = _covariance(np.asarray(found.jac), found.fun, fitted)
     as_it_is = MeasuredComparison(
         file=str(measured),
         source=f"{file}, as it is",
@@ -533,12 +570,25 @@ def calibrate(
         correlation=correlation,
         before=as_it_is,
         after=replace(as_it_is, source=f"{file}, fitted", computed=problem.computed(best)),
-        fit_error=float(np.sqrt(np.mean(found.fun**2))),
-        start_error=float(np.sqrt(np.mean(problem.relative(at_start) ** 2))),
+        fit_error=_rms(found.fun),
+        start_error=start_error,
         converged=bool(found.success),
-        messages=(*notes, *_left_open(fitted, best, deviations, correlation, found)),
+        messages=(
+            *notes,
+            *(
+                ("interrupted: the best values so far, without standard deviations",)
+                if interrupted
+                else _left_open(fitted, best, deviations, correlation, found)
+            ),
+        ),
         text=after,
+        interrupted=interrupted,
     )
+
+
+def _rms(relative: Array) -> float:
+    """Root of the mean square."""
+    return float(np.sqrt(np.mean(relative**2)))
 
 
 def _bearing(text: str, name: str) -> Case:
@@ -564,6 +614,8 @@ class _Problem:
         self.keys = keys
         self.measured = measured
         self.model = model
+        self.known: dict[tuple[float, ...], dict[str, Array]] = {}  # computed, by values
+        self.best: scipy.optimize.OptimizeResult | None = None  # of the residuals so far
         self.scales = {
             key: np.maximum(abs(values), LEAST_SHARE * np.nanmax(abs(values)))
             for key, values in measured.items()
@@ -583,9 +635,13 @@ class _Problem:
         return [rounded(float(one.low + x * (one.high - one.low))) for x, one in pairs]
 
     def computed(self, values: Sequence[float]) -> dict[str, Array]:
-        """Computed quantities with values of the keys."""
-        changes = dict(zip((one.key for one in self.keys), values, strict=True))
-        return self.model.computed(_bearing(text_with(self.text, changes), self.name))
+        """Computed quantities with values of the keys; each is computed once."""
+        known = tuple(values)
+        if known not in self.known:
+            changes = dict(zip((one.key for one in self.keys), values, strict=True))
+            case = _bearing(text_with(self.text, changes), self.name)
+            self.known[known] = self.model.computed(case)
+        return self.known[known]
 
     def relative(self, computed: Mapping[str, Array]) -> Array:
         """Relative residuals of computed quantities [-]."""
@@ -600,7 +656,12 @@ class _Problem:
 
     def residuals(self, position: Array) -> Array:
         """Relative residuals at a position [-]."""
-        return self.relative(self.computed(self.values(position)))
+        left = self.relative(self.computed(self.values(position)))
+        if self.best is None or _rms(left) < _rms(self.best.fun):
+            self.best = scipy.optimize.OptimizeResult(x=position.copy(), fun=left, success=False)
+        told = f"evaluation {len(self.known)}, best {_rms(self.best.fun):.2%} off (rms)"
+        self.model.done.append(told)
+        return left
 
 
 def _fitted_key(case: Case, text: str, spelled: str) -> FittedKey:

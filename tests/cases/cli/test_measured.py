@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +13,8 @@ from typer.testing import CliRunner
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.runs import measured
+from oilfilm.cases.runs.bearing import Interrupted, run_case
+from oilfilm.cases.runs.heating import self_heated
 from oilfilm.cases.runs.measured import compare_temperatures, text_with
 
 CASE = """\
@@ -181,3 +184,40 @@ def test_values_in_the_text_of_a_case():
     )
     assert "pressure_viscosity_1_GPa = 20.5  # fitted, standard deviation 0.2\n" in changed
     assert changed.endswith("\n[friction]\nhysteresis_loss = 0.01  # fitted\n")
+
+
+WARM = CASE.replace("temperature_C = 80.0", 'temperature_C = 60.0\ntemperature = "self-heated"') + (
+    "[friction]\nheat_transfer_W_K = 1.2\nambient_C = 25.0\n"
+)
+
+
+@pytest.mark.parametrize("expected", [None, 200.0, 318.0, 330.0, 500.0])
+def test_a_balance_is_found_about_the_one_expected(expected):
+    """The same as that of the search from ambient, also from far away, in fewer states."""
+    case = measured.case_from_text(WARM, "warm.toml")
+    near = replace(case, heating=replace(case.heating, expected=expected))
+    found = self_heated(near, judged=False).balance
+    whole = self_heated(case, judged=False).balance
+    assert found.temperature == pytest.approx(whole.temperature, abs=2e-3)
+    if expected in (318.0, 330.0):
+        assert found.evaluations < 0.6 * whole.evaluations
+
+
+def test_an_interrupted_fit_leaves_the_best_so_far(rig, tmp_path, monkeypatch):
+    case, table, _ = rig
+    fitted = tmp_path / "best.toml"
+    left = iter(range(3 * 3))  # runs of the model: as it is, at the start and once beside it
+
+    def stopped(*arguments, **words):
+        if next(left, None) is None:
+            raise Interrupted(None)
+        return run_case(*arguments, **words)
+
+    monkeypatch.setattr(measured, "run_case", stopped)
+    key = "lubricant.pressure_viscosity_1_GPa"
+    found = invoke("calibrate", case, table, "--keys", key, "--json", "-o", fitted)
+    assert found.exit_code == 3
+    document = json.loads(found.stdout)
+    assert any(message.startswith("interrupted: the best") for message in document["messages"])
+    assert document["relative_error"] <= document["relative_error_before"]
+    assert "# fitted" in fitted.read_text()
