@@ -358,7 +358,8 @@ def _about(search: _Search) -> list[HeatState]:
     if expected is None:
         return []
     around = search.problem.around
-    coldest, hottest = min(around.ambient, around.oil_supply), search.problem.hottest
+    coldest = min(around.ambient, around.oil_supply)
+    hottest = search.problem.hottest
     step = NEAR
     try:
         states = [_state(search, expected, None)]

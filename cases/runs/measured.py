@@ -553,7 +553,8 @@ def calibrate(
             raise
         interrupted = True
         found = problem.best
-        deviations, correlation = (None,) * len(fitted), None
+        correlation = None
+        deviations = (None,) * len(fitted)
     best = problem.values(found.x)
     as_it_is = MeasuredComparison(
         file=str(measured),
