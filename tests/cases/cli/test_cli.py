@@ -672,6 +672,6 @@ def test_validation_refuses_what_a_run_refuses(tmp_path):
     from oilfilm.cases.format.shipped import shipped_cases as cases
 
     text = cases()["6208_full_ceramic"].read_text(encoding="utf-8")
-    (tmp_path / "case.toml").write_text(text.replace("temperature_C = 40.0", "temperature_C = -200.0"))
+    (tmp_path / "case.toml").write_text(text.replace("temperature_C = 40.0", "temperature_C = -300.0"))
     checked, run = oilfilm("validate", "case.toml"), oilfilm("run", "case.toml", "-o", "out")
     assert (checked.exit_code, checked.stderr) == (run.exit_code, run.stderr)

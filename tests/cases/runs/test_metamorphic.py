@@ -33,7 +33,7 @@ OF_THE_FRAME = ("centrifugal", "gyroscopic", "friction_N", "hoop_", "groove_tens
 TURN = 37.0  # about the axis [deg]
 ROUND_OFF = ("imbalance", "relative_error", "equilibrium/", "/residual$")
 NUMBERED = ("per_ball_N_mm", "/ball$", "/azimuth_deg$")  # by the count of the balls, which a mirror reverses
-VECTORS = ("displacement_um", "force_N", "tilt_mrad", "moment_N_mm")
+VECTORS = ("displacement_um", "elastic_displacement_um", "force_N", "tilt_mrad", "elastic_tilt_mrad", "moment_N_mm")
 ALONG, ACROSS = (1.0, -1.0), (-1.0, 1.0)  # of a component and the others at right angles to a mirror
 
 
