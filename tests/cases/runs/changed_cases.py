@@ -13,7 +13,15 @@ from oilfilm.cases import run_case
 from oilfilm.cases.format.case import case_from_text
 
 LEFT_OUT = ("case", "timing_s", "oilfilm")
-VECTORS = {"displacement_um", "elastic_displacement_um", "tilt_mrad", "elastic_tilt_mrad", "force_N", "moment_N_mm", "matrix"}
+VECTORS = {
+    "displacement_um",
+    "elastic_displacement_um",
+    "tilt_mrad",
+    "elastic_tilt_mrad",
+    "force_N",
+    "moment_N_mm",
+    "matrix",
+}
 # exponents of length, time and force in a unit, the last words of a key
 UNITS = {
     "m": (1, 0, 0), "mm": (1, 0, 0), "um": (1, 0, 0), "mm2": (2, 0, 0), "N": (0, 0, 1), "kN": (0, 0, 1),
