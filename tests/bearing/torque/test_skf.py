@@ -121,7 +121,7 @@ def test_replenishment_by_the_lubrication():
     """ln phi_rs = -K_rs nu n (d + D) sqrt(K_Z/(2 (D - d))), 6208 at 20 mm^2/s and 3000 r/min, K_Z = 3.1."""
     unit = 20.0 * 3000.0 * 120.0 * (3.1 / 80.0) ** 0.5
     expected = {"oil bath": 0.0, "low oil bath": 3e-8, "oil jet": 3e-8, "grease": 6e-8, "oil air": 6e-8}
-    for way in Lubrication:
+    for way in set(Lubrication) - {Lubrication.DRY}:
         torque = skf_torque(B6208, operation(3000.0, 2000.0, 0.0, lubrication=way))
         assert -np.log(torque.replenishment_factor) / unit == pytest.approx(expected[way.value], abs=1e-20)
 

@@ -86,7 +86,7 @@ def test_every_model_stands_side_by_side(radial):
         assert models[name]["total"] == pytest.approx(sum(parts), rel=1e-9)
     for name in ("balanced_lines", "coulomb", "kakuta", "constant_coulomb"):
         assert models[name]["total"] > 0.0
-    assert models["skf_lambda"]["total"] is None
+    assert models["skf_lambda"]["total"] > 0.0  # by the typical roughness
     assert models["constant_coulomb"]["total"] == pytest.approx(
         0.07 / torque["coulomb_coefficient"] * models["pure_rolling_lines"]["total"], rel=1e-9
     )
