@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from time import perf_counter
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -616,7 +617,7 @@ class _Problem:
         self.measured = measured
         self.model = model
         self.known: dict[tuple[float, ...], dict[str, Array]] = {}  # computed, by values
-        self.best: scipy.optimize.OptimizeResult | None = None  # of the residuals so far
+        self.best: Any = None  # result of the smallest residuals so far, as SciPy's; None before
         self.scales = {
             key: np.maximum(abs(values), LEAST_SHARE * np.nanmax(abs(values)))
             for key, values in measured.items()
@@ -659,7 +660,7 @@ class _Problem:
         """Relative residuals at a position [-]."""
         left = self.relative(self.computed(self.values(position)))
         if self.best is None or _rms(left) < _rms(self.best.fun):
-            self.best = scipy.optimize.OptimizeResult(x=position.copy(), fun=left, success=False)
+            self.best = SimpleNamespace(x=position.copy(), fun=left, success=False)
         told = f"evaluation {len(self.known)}, best {_rms(self.best.fun):.2%} off (rms)"
         self.model.done.append(told)
         return left
