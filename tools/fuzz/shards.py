@@ -159,9 +159,7 @@ def main() -> int:
             shard = f"{rng.randrange(chosen.shards) + 1}/{chosen.shards}"
             found = disturbed(kind, f"{words} -o out --shard {shard}", folder, rng, longest)
             faults += [f"round {k}, shard {shard}: {fault}" for fault in found]
-            print(
-                f"round {k}: {kind}, shard {shard}, {time.monotonic() - begun:.0f} s, {len(found)} faults", flush=True
-            )
+            print(f"round {k}: {kind}, shard {shard}, {time.monotonic() - begun:.0f} s", *found, sep="\n  ", flush=True)
         for k in range(chosen.shards):
             faults += ended(oilfilm(f"{words} -o out --shard {k + 1}/{chosen.shards}", folder), (0,), "at the end")
         faults += ended(oilfilm("batch sweep.toml -q -o out --collect", folder), (0,), "collecting")
