@@ -45,6 +45,7 @@ SLOW = (  # in an order in which the earlier ones make what the later ones read
     "optimise 6208_torque -q -o optimise_results",
     "calibrate rig.toml measured.csv --keys friction.hysteresis_loss=0.005:0.02 -q -o fitted.toml",
     "verify --quick",
+    "app --help",
 )
 DRIVE = Path(__file__).parents[2] / "data" / "rexs" / "SEW_3-stage_cylindrical_gearbox_1.0.rexs"
 RIG = """\

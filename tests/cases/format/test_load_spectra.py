@@ -73,7 +73,7 @@ def test_a_course_is_counted_by_levels_with_its_damage(tmp_path):
         ("share;load [um]\n0.5;3\n0.5;2\n", "the unit is none of radial_load_N"),
         ("share;load [N]\n0.5;3\n0.5;x\n", "line 3, column 2 (load [N]): found 'x'"),
         ("share;load [N]\n0.5;3\n0.5;\n", "line 3: no radial_load_N"),
-        ("share;load [N];temperature [C]\n0.5;3;40\n0.5;3;900\n", "found 900.0"),
+        ("share;load [N];temperature [C]\n0.5;3;40\n0.5;3;1400\n", "found 1400.0"),
     ],
 )
 def test_faults(tmp_path, content, expected):

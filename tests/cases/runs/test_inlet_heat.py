@@ -49,8 +49,9 @@ def test_every_film_is_printed_with_heat_and_the_isothermal_one_beside(name):
         for film in ("central", "minimum"):
             hot = contact[f"film_{film}_um"]
             assert hot == pytest.approx(shares[film] * contact[f"isothermal_film_{film}_um"])
-            parts = [contact[f"film_{film}_{part}_uncertainty_um"] for part in ("mesh", "heat", "oil", "supply")]
+            parts = [contact[f"film_{film}_{part}_uncertainty_um"] for part in ("mesh", "heat", "oil")]
             assert min(parts) > 0.0
+            parts.append(contact[f"film_{film}_pressure_viscosity_uncertainty_um"] or 0.0)
             assert contact[f"film_{film}_uncertainty_um"] == pytest.approx(sum(part**2 for part in parts) ** 0.5)
             assert parts[1] < (0.07 if name != "7014C" else 0.1) * hot  # its L_T is 7
         for kind in ("film", "isothermal_film"):
