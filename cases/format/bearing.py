@@ -26,11 +26,12 @@ from .rules import Below, CaseProblem, CaseValues, Needs, Where, bounded, shown,
 
 TYPICAL = "typical.toml"
 RACES = ("race_roughness_um", "precision_race_roughness_um")
+BALLS = ("ball_roughness_um", "ceramic_ball_roughness_um")
 # keys of the roughness, with the typical values that they may have
 ROUGHNESS = {
     "inner_ring_roughness_um": RACES,
     "outer_ring_roughness_um": RACES,
-    "ball_roughness_um": ("ball_roughness_um", "ceramic_ball_roughness_um"),
+    "ball_roughness_um": BALLS,
 }
 
 
@@ -463,26 +464,25 @@ def with_typical_roughness(
     given = table or SurfaceTable()
     steel = ball.kind is MaterialKind.BEARING_STEEL
     library = library_data(TYPICAL)
-    kinds = {key: 0 if steel or "ring" in key else 1 for key in ROUGHNESS}
-    typical = {key: library[ROUGHNESS[key][kind]] for key, kind in kinds.items()}
+    race = library[RACES[0]]
+    balls = library[BALLS[0 if steel else 1]]
+    typical = dict(zip(ROUGHNESS, (race, race, balls), strict=True))
     added = tuple(key for key in ROUGHNESS if getattr(given, key) is None)
-    told_of = [
+    named = {
         key
         for key, one in typical.items()
         if key in added or (f"surface.{key}" in assumed and getattr(given, key) == one["value"])
-    ]
-    names = {key: key.removesuffix("_roughness_um").replace("_", " ") for key in told_of}
-    if {"inner_ring_roughness_um", "outer_ring_roughness_um"} <= names.keys():
-        del names["outer_ring_roughness_um"]
-        names["inner_ring_roughness_um"] = "races"
+    }
+    inner, outer, of_balls = (key in named for key in ROUGHNESS)
+    races = "races" if inner and outer else "inner ring" if inner else "outer ring"
     texts = [
-        f"{name} {typical[key]['value']:g} um "
-        f"({typical[key]['range'][0]:g} to {typical[key]['range'][1]:g})"
-        for key, name in names.items()
+        f"{name} {one['value']:g} um ({one['range'][0]:g} to {one['range'][1]:g})"
+        for name, one, wanted in ((races, race, inner or outer), ("balls", balls, of_balls))
+        if wanted
     ]
     if texts:
         told = f"surface: rms roughness assumed, typical: {', '.join(texts)}"
-        warnings.warn(told.replace("ball ", "balls "), stacklevel=2)
+        warnings.warn(told, stacklevel=2)
     return given.model_copy(update={key: typical[key]["value"] for key in added}), added
 
 

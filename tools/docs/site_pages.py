@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import ast
 import re
 import tomllib
 from pathlib import Path
 from typing import Any, Literal
+
+from examples import SCRIPTS, WITHOUT, parts  # mkdocs finds modules beside its hook
 
 ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"
@@ -69,14 +70,11 @@ def changelog() -> str:
 def examples() -> str:
     """Every script of `docs/examples`: its title, its text, its picture, its code."""
     lines = ["# Examples", "", "Scripts of at most sixty lines, each with its picture; every one is run as a test.", ""]
-    paths = (ROOT / "docs" / "examples").glob("*.py")
-    for path in sorted(paths, key=lambda path: (path.stem not in FIRST, path.stem)):
-        source = path.read_text(encoding="utf-8")
-        title, _, text = (ast.get_docstring(ast.parse(source)) or path.stem).partition("\n")
-        lines += [f"## {title.rstrip('.')}", "", text.strip(), ""]
-        if (IMAGES / "examples" / f"{path.stem}.png").is_file():
+    for path in sorted(SCRIPTS.glob("*.py"), key=lambda path: (path.stem not in FIRST, path.stem)):
+        title, text, code = parts(path)
+        lines += [f"## {title}", "", text, ""]
+        if path.stem not in WITHOUT:
             lines += [f"![{title}](images/examples/{path.stem}.png)", ""]
-        code = source.split('"""', 2)[2].strip("\n")
         lines += [f"`docs/examples/{path.name}`", "", "```python", code, "```", ""]
     return "\n".join(lines)
 

@@ -14,7 +14,7 @@ from math import cos, pi, radians, sin
 import numpy as np
 import pytest
 
-from .changed_cases import LEFT_OUT, changed, differences, named, numbers, run, unit
+from .changed_cases import LEFT_OUT, VECTORS, changed, differences, named, numbers, run, unit
 from .made_up_cases import CASES
 
 SPEEDS = ("cage_speed_rpm", "orbit_speed", "spin_speed", "load_cases/.*speed_rpm")
@@ -33,7 +33,6 @@ OF_THE_FRAME = ("centrifugal", "gyroscopic", "friction_N", "hoop_", "groove_tens
 TURN = 37.0  # about the axis [deg]
 ROUND_OFF = ("imbalance", "relative_error", "equilibrium/", "/residual$")
 NUMBERED = ("per_ball_N_mm", "/ball$", "/azimuth_deg$")  # by the count of the balls, which a mirror reverses
-VECTORS = ("displacement_um", "elastic_displacement_um", "force_N", "tilt_mrad", "elastic_tilt_mrad", "moment_N_mm")
 ALONG, ACROSS = (1.0, -1.0), (-1.0, 1.0)  # of a component and the others at right angles to a mirror
 
 
