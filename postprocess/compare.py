@@ -42,7 +42,7 @@ class Difference:
     path: str
     first: Any
     second: Any
-    relative: float | None  # second less first over the magnitude [-]
+    relative: float | None  # second less first over the first [-]
     over_bars: float | None = None  # second less first over both error bars [-]; None without
 
     @property
@@ -253,7 +253,7 @@ def _group(path: str) -> tuple[str, str]:
 
 
 def relative(a: Any, b: Any, scale: float = 0.0) -> float | None:
-    """Second less first over the larger magnitude; None where they are not two numbers.
+    """Second less first over the first; None where they are not two numbers.
 
     Parameters
     ----------
@@ -262,7 +262,8 @@ def relative(a: Any, b: Any, scale: float = 0.0) -> float | None:
     b : Any
         Value of the second result.
     scale : float, default 0.0
-        Largest magnitude of the quantity, in its unit.
+        Largest magnitude of the quantity, in its unit; a first value below a hundredth of it counts
+        as that hundredth.
 
     Returns
     -------
@@ -273,7 +274,7 @@ def relative(a: Any, b: Any, scale: float = 0.0) -> float | None:
         return 0.0
     if not (is_number(a) and is_number(b)):
         return None
-    return (b - a) / max(abs(a), abs(b), MIN_MAGNITUDE * scale)
+    return (b - a) / (max(abs(a), MIN_MAGNITUDE * scale) or abs(b))
 
 
 def _over_bars(
@@ -299,8 +300,8 @@ def _error_names(path: str) -> Iterator[str]:
 
 
 def comparison_table(comparison: Comparison) -> Group:
-    """Differences of input and main results, and the largest of all results, second less first
-    [%].
+    """Differences of input, main results and parts of the torque, and the largest of all results,
+    second less first, in per cent of the first.
 
     Parameters
     ----------
@@ -312,9 +313,8 @@ def comparison_table(comparison: Comparison) -> Group:
     Group
         The tables.
     """
-    ordered = sorted(
-        comparison.results, key=lambda d: -1.0 if d.relative is None else -abs(d.relative)
-    )
+    ordered = sorted(comparison.results, key=lambda d: -abs(d.relative or 0.0))  # one-sided last
+    torque = [d for d in ordered if d.path.startswith("torque_N_mm.parts.")]
     shown = ordered[:MOST_ROWS]
     parts: list[Any] = [
         Text(f"{which}: {name} (oilfilm {version})")
@@ -327,6 +327,8 @@ def comparison_table(comparison: Comparison) -> Group:
     parts.append(_table("input", inputs) if inputs else Text("the inputs are equal"))
     if any(d.first is not None for d in main):
         parts.append(_table("main results", main))
+    if torque:
+        parts.append(_table("friction torque by its parts", torque))
     title = "all results, largest differences first"
     parts.append(_table(title, shown) if shown else Text("the results are equal"))
     if len(ordered) > len(shown):
@@ -350,8 +352,9 @@ def _table(title: str, differences: Iterable[Difference]) -> Table:
     for d in differences:
         if d.first is None and d.second is None:
             continue
-        percent = number(None if d.relative is None else 100.0 * d.relative, "+.3g")
-        percent = "0" if d.relative == 0.0 else percent
+        share = None if d.relative is None or (d.first == 0.0 and d.differs) else 100.0 * d.relative
+        percent = number(share, "+.3g" if share and abs(share) < 999.5 else "+.0f")
+        percent = "0" if share == 0.0 else percent
         percent += " ±" if d.relative is not None and d.covered and d.differs else ""
         cells = (d.path, _text(d.first), _text(d.second), percent)
         table.add_row(*(Text(cell) for cell in cells))

@@ -161,6 +161,7 @@ def test_relative_differences():
     assert relative(-1.0, 1.0) == 2.0
     assert relative(0.0, 2.0) == 1.0
     assert relative(2.0, 1.0) == -0.5
+    assert relative(150.0, 1500.0) == 9.0
     assert relative(0.0, 1e-6, scale=1.0) == pytest.approx(1e-4)
     assert relative(True, 1.5) is None
     assert relative(None, 1.0) is None
@@ -172,7 +173,7 @@ def test_the_table_fits_the_terminal(folder, changed):
     lines = console.export_text().splitlines()
     assert max(map(len, lines)) <= 80
     assert any("radial_load_N" in line for line in lines)
-    assert any("film_central_um" in line and line.split()[-1] == "+33.3" for line in lines)  # 1.5 times as thick [%]
+    assert any("film_central_um" in line and line.split()[-1] == "+50" for line in lines)  # 1.5 times as thick [%]
     console.file.close()
 
 
