@@ -262,8 +262,8 @@ def relative(a: Any, b: Any, scale: float = 0.0) -> float | None:
     b : Any
         Value of the second result.
     scale : float, default 0.0
-        Largest magnitude of the quantity, in its unit; a first value below a hundredth of it counts
-        as that hundredth.
+        Largest magnitude of the quantity, in its unit; a first value below a hundredth of it
+        counts as that hundredth.
 
     Returns
     -------
@@ -352,7 +352,8 @@ def _table(title: str, differences: Iterable[Difference]) -> Table:
     for d in differences:
         if d.first is None and d.second is None:
             continue
-        share = None if d.relative is None or (d.first == 0.0 and d.differs) else 100.0 * d.relative
+        from_zero = d.first == 0.0 and d.differs
+        share = None if d.relative is None or from_zero else 100.0 * d.relative
         percent = number(share, "+.3g" if share and abs(share) < 999.5 else "+.0f")
         percent = "0" if share == 0.0 else percent
         percent += " ±" if d.relative is not None and d.covered and d.differs else ""
