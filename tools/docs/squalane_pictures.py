@@ -1,4 +1,4 @@
-"""Draw the traction curves of squalane for docs/theory/traction.md and write the table there.
+"""Draw the traction curves of squalane for docs/theory/traction.md.
 
 The contact is that of the shipped case `squalane_ball_on_disc`.
 """
@@ -27,8 +27,6 @@ from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 IMAGE = DOCS / "images" / "squalane_traction_curves.png"
-PAGE = DOCS / "theory" / "traction.md"
-START, END = "<!-- written by tools/docs/squalane_pictures.py -->", "<!-- end of table -->"
 PRESSURES = (0.5, 0.8, 1.3)  # [GPa]
 LIMITS = (0.05, 0.075)  # limiting stress over pressure [-]
 RATIOS = np.concatenate([np.geomspace(1e-4, 0.02, 16), np.linspace(0.03, 1.5, 50)])
@@ -105,19 +103,6 @@ def with_heat(contact: ContactConditions) -> list[np.ndarray]:
     return coefficients
 
 
-def table(curves: list[list[list[np.ndarray]]]) -> str:
-    """Largest coefficient, its slide, coefficients at 5 and 150 % slide, as Markdown."""
-    rows = ["| | Hertz pressure | Λ | at 5 % | largest | at | at 150 % |", "|---|---|---|---|---|---|---|"]
-    for title, column in zip(TITLES, curves, strict=True):
-        for pressure, pair in zip(PRESSURES, column, strict=True):
-            for limit, curve in zip(LIMITS, pair, strict=True):
-                k = int(np.argmax(curve))
-                five = np.interp(0.05, RATIOS, curve)
-                numbers = f"{five:.4f} | {curve[k]:.4f} | {100 * RATIOS[k]:.0f} % | {curve[-1]:.4f} |"
-                rows.append(f"| {' '.join(title.split())} | {pressure} GPa | {limit} | {numbers}")
-    return "\n".join(rows)
-
-
 def draw(curves: list[list[list[np.ndarray]]]) -> None:
     """Bands between the two limiting stresses over the slide-roll ratio, on both scales."""
     with mpl.rc_context(RC):
@@ -147,8 +132,6 @@ def main() -> None:
     ways = ((isothermal, read), (with_heat, read), (with_heat, remembered))
     curves = [[way(conditions(pressure, oil)) for pressure in PRESSURES] for way, oil in ways]
     draw(curves)
-    head, rest = PAGE.read_text(encoding="utf-8").split(START)
-    PAGE.write_text(f"{head}{START}\n{table(curves)}\n{END}{rest.split(END)[1]}", encoding="utf-8")
 
 
 if __name__ == "__main__":
