@@ -1,4 +1,4 @@
-"""Write the tables of docs/user/libraries.md from the data of the libraries."""
+"""Write the tables of docs/reference/library.md from the data of the libraries."""
 
 from __future__ import annotations
 
@@ -8,14 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from oilfilm.bearing import (
-    list_bearings,
-    list_lubricants,
-    list_materials,
-    load_catalogue_entry,
-    load_lubricant,
-    typical_geometry,
-)
+from oilfilm.bearing import list_lubricants, list_materials, load_catalogue_entry, load_lubricant, typical_geometry
 from oilfilm.bearing.library.bearings import published_bearings
 from oilfilm.bearing.library.catalogue import CLEARANCE_CLASSES
 from oilfilm.bearing.library.catalogue import table as rows_of
@@ -24,11 +17,10 @@ from oilfilm.bearing.library.lubricants import PROPERTIES, lubricant_data
 from oilfilm.bearing.material import FIELDS, material_data
 
 DOCS = Path(__file__).parents[2] / "docs"
-PAGE = DOCS / "user" / "libraries.md"
+PAGE = DOCS / "reference" / "library.md"
 MARK = "<!-- {}: written by tools/docs/libraries.py -->"
 END = "<!-- end -->"
 UNVERIFIED_6203 = "Case Western Reserve University: 0.2656 and 1.122 in (from memory, unverified)"
-SHOWN_BORES = (10.0, 25.0, 40.0, 60.0, 85.0, 120.0)  # of the estimated bearings on the page [mm]
 KNOWN = (  # row of the ratings, balls, ball and pitch diameter [mm], where from
     ("6203", 8, 6.746, 28.50, UNVERIFIED_6203),
     ("6205", 9, 7.940, 39.04, "Case Western Reserve University: 0.3126 and 1.537 in"),
@@ -112,11 +104,9 @@ def guess(row: dict[str, str]) -> tuple[float, float, int]:
 
 
 def bearings() -> Iterator[Sequence[str]]:
-    """Published bearings, and of the others those of every fifth bore."""
-    for name in list_bearings():
+    """Published bearings."""
+    for name in published_bearings():
         entry = load_catalogue_entry(name)
-        if name not in published_bearings() and entry["bore_mm"] not in SHOWN_BORES:
-            continue
         size = [entry.get(key) for key in ("bore_mm", "outside_diameter_mm", "width_mm")]
         boundary = " × ".join("–" if value is None else f"{value:g}" for value in size)
         rating = [entry.get(f"basic_{kind}_rating_kN") for kind in ("dynamic", "static")]
@@ -127,17 +117,7 @@ def bearings() -> Iterator[Sequence[str]]:
             " / ".join("–" if value is None else f"{value:g}" for value in rating),
             f"{entry['balls']} × {entry['ball_diameter_mm']:g} on {entry['pitch_diameter_mm']:g}",
             f"{angle:g}°" if angle else f"{clearance:g} µm",
-            basis(name, entry),
         )
-
-
-def basis(name: str, entry: dict[str, Any]) -> str:
-    """What the internal geometry rests on."""
-    if name in published_bearings():
-        return "published"
-    if "basic_dynamic_rating_kN" in entry:
-        return "estimated from ratings"
-    return "typical" if "typical" in entry["source"] else "as with another angle"
 
 
 def clearances() -> Iterator[Sequence[str]]:
@@ -205,7 +185,7 @@ HEADS = {
     "checks": "bearing|known: balls × D on d_m, mm|estimated|D|d_m|known from",
     "fit": "series|number|C computed/printed|C_0 computed/printed|worst misfit"
     "|nearest second best|D from dimensions alone|balls from dimensions alone",
-    "bearings": "name|d × D × B, mm|C / C_0, kN|balls × D on d_m, mm|angle or clearance|geometry",
+    "bearings": "name|d × D × B, mm|C / C_0, kN|balls × D on d_m, mm|angle or clearance",
     "clearances": "bore, mm|C2|CN|CM|C3|C4|C5",
     "materials": "name|kind|E, GPa|ν|ρ, kg/m³|expansion, µm/(m K)|conductivity, W/(m K)|specific heat, J/(kg K)"
     "|bending strength, MPa|Weibull modulus|fracture toughness, MPa √m",
