@@ -132,10 +132,8 @@ class _Balls:
         s = self.solution
         return np.stack([s.inner_friction, s.outer_friction])[:, self.numbers]
 
-    @property
-    def dry(self) -> Array:
-        """Position of the ring in the dry equilibrium, (5,) [m]."""
-        s = self.solution
+    def position(self, s: QuasistaticSolution) -> Array:
+        """Position of the ring in an equilibrium, (5,) [m]."""
         return np.concatenate([s.displacement, s.tilt]) * self.ring.scale
 
     def between(self, q: Array) -> Array:
@@ -169,10 +167,11 @@ class _Balls:
             arrays[name][self.numbers] = values
         return arrays
 
-    def filled(self, V: Array, contacts: Sequence[BearingContact]) -> NDArray[np.bool_]:
+    def filled(self, contacts: Sequence[BearingContact]) -> NDArray[np.bool_]:
         """Balls whose gap the films fill under next to no load at the inner race, behind the
-        layers of contacts.
+        layers of contacts, with the ring of the dry equilibrium.
         """
+        V = self.between(self.position(self.solution))
         u = V * (self.lengths[1] / np.hypot(*V))
         least = np.stack([LEAST_LOAD * self.force, (1.0 + LEAST_LOAD) * self.force])
         supply = self.supply and on_tracks(self.supply, contacts)
@@ -197,6 +196,7 @@ def equilibrium_with_films(
     contacts: Sequence[BearingContact],
     oil: Lubricant,
     supply: OilAtInlets | None = None,
+    near: QuasistaticSolution | None = None,
 ) -> tuple[QuasistaticSolution, tuple[BearingContact, ...]]:
     """Balance of ring and balls with the films of all balls where some are without elastic load.
 
@@ -210,6 +210,8 @@ def equilibrium_with_films(
         The oil.
     supply : OilAtInlets, optional
         Oil that the contacts get; None: flooded.
+    near : QuasistaticSolution, optional
+        Such a balance at nearly the same temperature, from which this one is begun.
 
     Returns
     -------
@@ -226,36 +228,11 @@ def equilibrium_with_films(
     every = _Balls(
         solution=solution, oil=oil, supply=supply, ring=ring, numbers=np.arange(light.size)
     )
-    held, found = _with_films(every, light, contacts)
+    if near is not None and near.inner_load.size != light.size:
+        near = None
+    held, found = _with_films(every, light, contacts, near)
     changed = (found.get(n, contact) for n, contact in enumerate(contacts))
     return held, BearingContacts.of(solution, changed)
-
-
-def contacts_between_films(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    oil: Lubricant,
-    supply: OilAtInlets | None = None,
-) -> tuple[BearingContact, ...]:
-    """The contacts of `equilibrium_with_films`.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Equilibrium of the bearing.
-    contacts : sequence of BearingContact
-        Its contacts.
-    oil : Lubricant
-        The oil.
-    supply : OilAtInlets, optional
-        Oil that the contacts get; None: flooded.
-
-    Returns
-    -------
-    sequence of BearingContact
-        The same object where no ball is light.
-    """
-    return equilibrium_with_films(solution, contacts, oil, supply)[1]
 
 
 def _numbers(balls: NDArray[np.int64]) -> list[int]:
@@ -282,17 +259,22 @@ def _films(contacts: Sequence[BearingContact], supply: OilAtInlets | None) -> Ar
 
 
 def _with_films(
-    every: _Balls, light: NDArray[np.bool_], contacts: Sequence[BearingContact]
+    every: _Balls,
+    light: NDArray[np.bool_],
+    contacts: Sequence[BearingContact],
+    near: QuasistaticSolution | None,
 ) -> tuple[QuasistaticSolution, dict[int, BearingContact]]:
     """The balance with films, and contacts that they change, by their numbers."""
     held = every.solution
     free = light & (every.solution.inner_load == 0.0)
-    filled = free & every.filled(every.between(every.dry), contacts)
+    filled = np.zeros_like(free)
+    if free.any():
+        filled[free] = replace(every, numbers=np.flatnonzero(free)).filled(contacts)
     changed: dict[int, BearingContact] = {}
     for _ in range(SETS):
         # 1. balls and ring in balance
         balls = replace(every, numbers=np.flatnonzero(~free | filled))
-        balance = _rounds(balls)
+        balance = _rounds(balls, near)
         if balance is None:
             break
         # 2. balls that the ring has left are as those with too little oil
@@ -359,30 +341,34 @@ def _changed(
     }
 
 
-def _rounds(balls: _Balls) -> _Balance | None:
-    """Films and the balance of balls and ring in turn; None where they do not settle.
+def _rounds(balls: _Balls, near: QuasistaticSolution | None) -> _Balance | None:
+    """Films and the balance of balls and ring in turn, begun near another one; None where they do
+    not settle.
 
     The way of a load at which a film is taken is halved where it turns.
     """
-    q = balls.dry
+    s = balls.solution if near is None else near
+    q = balls.position(s)
     V = balls.between(q)
-    s = balls.solution
-    dry = np.stack([s.inner_load, s.outer_load])[:, balls.numbers]
+    load = np.stack([s.inner_load, s.outer_load])[:, balls.numbers]
     # from above, where films are as thin as of heavy balls
     start = np.maximum(balls.force, NEGLIGIBLE_LOAD * s.inner_load.max())
-    load = np.maximum(dry, np.stack([start, start + balls.force]))
+    least = np.stack([start, start + balls.force])
+    load = np.maximum(load, least) if near is None else np.where(load > 0.0, load, least)
     u = V * (balls.lengths[1] / np.hypot(*V))
     way = np.zeros_like(load)
     longest = np.full_like(load, LONGEST)
     slope = None
     last = np.inf
+    known = None  # the balls' places, where they are
     for _ in range(ROUNDS):
         springs = _springs(balls, load, u, V, slope)
         at = u
-        found = _in_balance(balls, springs, q)
+        found = _in_balance(balls, springs, q, known)
         if found is None:
             return None
-        q, V, u = found.q, found.V, found.u
+        q, V = found.q, found.V
+        u = known = found.u
         turn = float((np.hypot(*(u - at)) / np.hypot(*u)).max())
         ahead = np.log(found.load / load)
         change = float(np.abs(ahead).max())
@@ -403,9 +389,10 @@ def _springs(balls: _Balls, load: Array, u: Array, V: Array, slope: Array | None
     hertz = [contact.hertz for contact in contacts]
     approach = np.array([0.0 if one is None else one.approach for one in hertz])
     supply = balls.supply and on_tracks(balls.supply, contacts)
-    film = _films(contacts, supply).reshape(-1, 2).T
+    more = balls.contacts_at(STEP * load, u, V) if slope is None else []
+    film, *others = _films([*contacts, *more], supply).reshape(-1, load.shape[1], 2).swapaxes(1, 2)
     if slope is None:
-        other = _films(balls.contacts_at(STEP * load, u, V), supply).reshape(-1, 2).T
+        (other,) = others
         thin = film <= 0.0  # without a film
         ratio = np.where(thin, 1.0, film) / np.where(thin, 1.0, other)
         slope = np.clip(np.log(ratio) / log(STEP), 0.0, STEEPEST)
@@ -418,8 +405,9 @@ def _springs(balls: _Balls, load: Array, u: Array, V: Array, slope: Array | None
     )
 
 
-def _in_balance(balls: _Balls, springs: _Springs, q: Array) -> _Balance | None:
-    """Ring and balls in balance, begun with the ring at q (5,) [m]; None where it is not found.
+def _in_balance(balls: _Balls, springs: _Springs, q: Array, u: Array | None) -> _Balance | None:
+    """Ring and balls in balance, begun with the ring at q (5,) and the balls at u, where that is
+    known [m]; None where it is not found.
 
     Newton's method with the stiffness of balls in balance.
     """
@@ -429,23 +417,23 @@ def _in_balance(balls: _Balls, springs: _Springs, q: Array) -> _Balance | None:
     radius = balls.solution.bearing.inner_groove_radius
     couple = -radius * balls.friction[0]
 
-    def at(q: Array) -> tuple[_Balance, Array, Array]:
+    def at(q: Array, u: Array | None) -> tuple[_Balance, Array, Array]:
         V = balls.between(q)
-        u, load, push, stiffness = _balls_in_balance(balls, springs, V)
+        u, load, push, stiffness = _balls_in_balance(balls, springs, V, u)
         force = np.concatenate([-push, couple[None]])
         left = np.einsum("qfz,fz->q", gather, force) + balls.ring.load
         tangent = np.einsum("iqz,ijz,jpz->qp", movement, stiffness, movement)
         found = _Balance(q=q, V=V, u=u, load=load, force=force, tangent=tangent)
         return found, left[free], tangent[np.ix_(free, free)]
 
-    found, left, tangent = at(q)
+    found, left, tangent = at(q, u)
     for _ in range(NEWTON_STEPS):
         if np.abs(left).max(initial=0.0) < BALANCED * found.load.max():
             return found
         step = np.zeros(5)
         step[free] = np.linalg.pinv(tangent, SINGULAR, hermitian=True) @ left
         for _ in range(HALVINGS):
-            trial, ahead, stiffer = at(found.q + step)
+            trial, ahead, stiffer = at(found.q + step, found.u)
             if np.linalg.norm(ahead) < np.linalg.norm(left) or ahead @ step[free] > 0.0:
                 break
             step *= 0.5
@@ -454,15 +442,16 @@ def _in_balance(balls: _Balls, springs: _Springs, q: Array) -> _Balance | None:
 
 
 def _balls_in_balance(
-    balls: _Balls, springs: _Springs, V: Array
+    balls: _Balls, springs: _Springs, V: Array, u: Array | None
 ) -> tuple[Array, Array, Array, Array]:
     """Balls in balance at V: u (2, n) [m], loads and force on the inner ring (2, n) [N], and its
     stiffness by V (2, 2, n) [N/m].
 
-    Newton's method with the exact stiffness of the springs, whose energy is convex, begun on the
-    line between the grooves' centres.
+    Newton's method with the exact stiffness of the springs, whose energy is convex, begun at u or
+    on the line between the grooves' centres.
     """
-    u = V * ((springs.length[1] + _split(springs, V, balls.force)) / np.hypot(*V))
+    if u is None:
+        u = V * ((springs.length[1] + _split(springs, V, balls.force)) / np.hypot(*V))
     load, left, push, stiffness = _forces(balls, springs, u, V)
     both = stiffness.sum(axis=0)
     for _ in range(NEWTON_STEPS):

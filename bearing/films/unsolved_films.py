@@ -204,11 +204,21 @@ def _numbers(
 ) -> list[FormulaValues]:
     """The same of many contacts that differ: of the atlas, or as far beyond it as it is."""
     known = atlas_films_of_contacts([conditions for conditions, _ in contacts])
+    outside = [
+        n
+        for n, ((conditions, _), films) in enumerate(zip(contacts, known, strict=True))
+        if isinstance(films, NotInAtlasError) or skewed(conditions.entrainment_angle)
+    ]
+    nearest = [nearest_covered(contacts[n][0]) for n in outside]
+    places = {n: near for n, (near, way) in zip(outside, nearest, strict=True) if near and way}
+    there = dict(zip(places, atlas_films_of_contacts(list(places.values())), strict=True))
+    beyond = {
+        n: _beyond_atlas(contacts[n], places.get(n), there.get(n), way)
+        for n, (_, way) in zip(outside, nearest, strict=True)
+    }
     return [
-        _beyond_atlas(*contact)
-        if isinstance(films, NotInAtlasError) or skewed(contact[0].entrainment_angle)
-        else _of_atlas(films, *contact)
-        for contact, films in zip(contacts, known, strict=True)
+        beyond[n] if n in beyond else _of_atlas(films, *contact)
+        for n, (contact, films) in enumerate(zip(contacts, known, strict=True))
     ]
 
 
@@ -236,14 +246,18 @@ def _as_numbers(atlas: AtlasFilms, distance: float) -> FormulaValues:
     )
 
 
-def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> FormulaValues:
-    """Values of a contact that the atlas does not cover, by the nearest one that it does."""
+def _beyond_atlas(
+    contact: tuple[ContactConditions, tuple[float, float]],
+    near: ContactConditions | None,
+    known: AtlasFilms | NotInAtlasError | None,
+    distance: float,
+) -> FormulaValues:
+    """Values of a contact that the atlas does not cover, by the nearest one that it does, known
+    there, at a distance [-]; by formulas where there is none, or its film is too thick.
+    """
+    conditions, axes = contact
     own = _by_formulas(conditions, axes)
-    near, distance = nearest_covered(conditions)
-    if near is None or not distance:  # its film is too thick
-        return own
-    (known,) = atlas_films_of_contacts([near])
-    if isinstance(known, NotInAtlasError):
+    if near is None or known is None or isinstance(known, NotInAtlasError):
         return own
     stretch = (near.load / conditions.load) ** (1.0 / 3.0)
     there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))

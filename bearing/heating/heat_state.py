@@ -25,7 +25,7 @@ from oilfilm.ehl.traction.shear import dimensional_conditions, dimensional_grid
 
 from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions, with_oil
-from ..films.between_races import contacts_between_films
+from ..films.between_races import equilibrium_with_films
 from ..films.film import CONTACT_PRESSURE, ContactFilm, Films, FilmThickness, first_same
 from ..films.unsolved_films import formula_films
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
@@ -230,6 +230,7 @@ class FilmsHeat:
     friction: FrictionInput
     ends: bool = True  # whether the ends of conductances are wanted
     last: BalancedFriction | None = field(default=None)
+    held: QuasistaticSolution | None = field(default=None)  # by the films of the last state
     # the last equilibrium, its oil and its heat
     last_heat: tuple[QuasistaticSolution, Lubricant, FrictionHeat] | None = field(default=None)
 
@@ -275,7 +276,7 @@ class FilmsHeat:
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
         supply = self.friction.oil_at_inlets(inlet, solution.bearing.balls)
-        contacts = contacts_between_films(solution, contacts, oil, supply)
+        self.held, contacts = equilibrium_with_films(solution, contacts, oil, supply, self.held)
         operating, balance = computed.films, computed.balance
         if operating is None:
             none = (None,) * len(contacts)

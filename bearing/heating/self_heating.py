@@ -31,7 +31,10 @@ NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]
 CLEARANCE_TOLERANCE = 1.0e-10  # [m]
 MOST_STEPS = 30  # of the film temperature alone between two states of a balance
-SCAN_STEP = 8.0  # of the film temperature in search of all balances, at most [K]
+SCAN_STEP = 8.0  # of the film temperature in search of all balances, at least [K]
+WIDEST = 32.0  # such a step at most [K]
+# bend of the excess between two states that is looked for over that through the states beside [-]
+BEND = 4.0
 TURN_STEPS = 4  # of a parabola to where the excess turns between two states
 BALANCE_TOLERANCE = 0.02  # of balances that a warm-up does not reach [K]
 LAST_STATES = 3  # that a step goes by: a parabola
@@ -328,26 +331,52 @@ def _listed(bracket: _Bracket, state: HeatState, temperature: float | None) -> F
 
 
 def _scan(search: _Search) -> list[HeatState]:
-    """States from the coldest surroundings to the hottest films, each begun at the one before, by
-    rising temperature; without those whose balls are not driven, or that have no equilibrium.
+    """States from the coldest surroundings to the hottest films by rising temperature, closer to
+    each other where the excess passes zero or may do so between them; without those whose balls
+    are not driven, or that have no equilibrium.
     """
     around = search.problem.around
     hottest = search.problem.hottest
     coldest = min(around.ambient, around.oil_supply, hottest)
-    count = int(np.ceil((hottest - coldest) / SCAN_STEP)) + 1
+    count = int(np.ceil((hottest - coldest) / WIDEST)) + 1
     places = {*np.linspace(coldest, hottest, count).tolist(), min(around.ambient, hottest)}
     states: list[HeatState] = []
     lack: ValueError | None = None
-    for at in sorted(places):
-        try:
-            states.append(_state(search, at, states[-1] if states else None))
-        except ValueError as error:
-            lack = error
+    tried: set[float] = set()
+    while places:
+        for at in sorted(places):
+            near = min(states, key=lambda one: abs(one.film_temperature - at), default=None)
+            try:
+                states.append(_state(search, at, near))
+            except ValueError as error:
+                lack = error
+        tried |= places
+        states.sort(key=lambda one: one.film_temperature)
+        places = _between_which_zero_may_lie(states) - tried
     if not states:
         raise lack or ValueError(_no_balance(hottest))
     for n in range(len(states) - 2, 0, -1):
         states[n : n + 1] = _turn(search, *states[n - 1 : n + 2])
     return states
+
+
+def _between_which_zero_may_lie(states: Sequence[HeatState]) -> set[float]:
+    """Film temperatures in the middle between states where the excess passes zero, or comes so
+    near it that a bend may hide two balances [K].
+    """
+    at = np.array([one.film_temperature for one in states])
+    excess = np.array([_excess(one) for one in states])
+    if at.size < 2:
+        return set()
+    step = np.diff(at)
+    # of the parabolas through three states beside each other
+    bend = np.abs(np.diff(np.diff(excess) / step)) / (at[2:] - at[:-2])
+    bend = np.concatenate([[0.0], bend, [0.0]])
+    hidden = BEND * np.maximum(bend[1:], bend[:-1]) * step**2 / 4.0
+    nearest = np.minimum(np.abs(excess[1:]), np.abs(excess[:-1]))
+    passes = excess[1:] * excess[:-1] <= 0.0
+    wanted = (step > SCAN_STEP) & (passes | (nearest <= hidden))
+    return {float(middle) for middle in (0.5 * (at[1:] + at[:-1]))[wanted]}
 
 
 def _about(search: _Search) -> list[HeatState]:

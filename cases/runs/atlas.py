@@ -7,7 +7,7 @@ from time import perf_counter
 from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
-from oilfilm.bearing.films.between_races import contacts_between_films
+from oilfilm.bearing.films.between_races import equilibrium_with_films
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
 from oilfilm.bearing.films.operating_film import operating_films
 from oilfilm.bearing.films.unsolved_films import atlas_film, formula_films, too_thick
@@ -97,7 +97,7 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
     model = without_traction_equilibrium(case.model)
     state = solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
     contacts = contact_conditions(state, case.lubricant)
-    contacts = contacts_between_films(state, contacts, case.lubricant, oil_at_inlets(case))
+    _, contacts = equilibrium_with_films(state, contacts, case.lubricant, oil_at_inlets(case))
     if case.file.ehl.finite_bodies and state.converged:
         contacts = with_finite_bodies(contacts, finite_bodies(case.bearing, contacts))
     wanted, messages = wanted_contacts(case, state, contacts)

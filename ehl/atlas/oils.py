@@ -177,6 +177,8 @@ def density_excess(oil: Lubricant, pressure: float) -> float:
     float
         logarithm of the ratio [-]
     """
+    if oil.density_law is DensityLaw.DOWSON_HIGGINSON:
+        return 0.0
     other = replace(oil, density_law=DensityLaw.DOWSON_HIGGINSON)
     return _log_density(oil, pressure) - _log_density(other, pressure)
 

@@ -10,7 +10,7 @@ import pytest
 
 from oilfilm.bearing import Operation, load_bearing, load_lubricant, solve_quasistatic
 from oilfilm.bearing.contacts.contacts import contact_conditions
-from oilfilm.bearing.films.between_races import UNFILLED, contacts_between_films, equilibrium_with_films
+from oilfilm.bearing.films.between_races import UNFILLED, equilibrium_with_films
 from oilfilm.bearing.films.operating_film import operating_films, with_formulas
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.invariants import forces_left
@@ -53,7 +53,7 @@ def left(solution, contacts):
 def test_loads_of_free_balls(celsius):
     """Within 10 % and a digit, heavy ones 2 %: films have the heat of the inlet here."""
     solution, contacts, oil = state("6205", 3800.0, (0.0, 700.0, 0.0), celsius, 100)
-    found = contacts_between_films(solution, contacts, oil)
+    _, found = equilibrium_with_films(solution, contacts, oil)
     loads = [found[2 * ball].load for ball in range(5)]
     assert loads[:2] == pytest.approx(LOADS[celsius][:2], rel=0.02)
     assert loads[2:] == pytest.approx(LOADS[celsius][2:], rel=0.1, abs=0.05)
@@ -65,7 +65,7 @@ def test_loads_of_free_balls(celsius):
     assert radial[1] == pytest.approx(700.0, rel=1e-8)
     assert left(solution, found) < 1e-8
     assert np.abs(misfits(found)).max() < FITS
-    assert contacts_between_films(solution, found, oil) is found
+    assert equilibrium_with_films(solution, found, oil)[1] is found
 
 
 @pytest.mark.filterwarnings("ignore:lubricant")
@@ -85,7 +85,7 @@ def test_films_of_random_bearings_fit_their_gaps():
         solution, contacts, oil = state(name, rpm, (thrust, force, 0.0), celsius, grade)
         if not solution.converged:
             continue
-        found = contacts_between_films(solution, contacts, oil)
+        _, found = equilibrium_with_films(solution, contacts, oil)
         assert left(solution, found) < 1e-8, (seed, name, rpm, force, thrust, celsius, grade)
         miss = misfits(found)
         checked += miss.size
@@ -114,7 +114,7 @@ def test_layers_that_do_not_fill_the_gap_carry_nothing():
     """Two micrometres of oil on each race do not bridge the gaps of 15 and 23 um."""
     solution, contacts, oil = state("6205", 3800.0, (0.0, 700.0, 0.0), 40.0, 100)
     scarce = OilAtInlets(oil=PrescribedInlet(layer=2e-6), balls=9)
-    found = contacts_between_films(solution, contacts, oil, scarce)
+    _, found = equilibrium_with_films(solution, contacts, oil, scarce)
     for ball in (3, 4, 5, 6):
         assert found[2 * ball].load == 0.0
         assert found[2 * ball].note == UNFILLED
@@ -126,7 +126,7 @@ def test_heavy_balls_yield_to_their_films_where_no_gap_is_filled():
     """As where the layers just fill one: loads do not jump as the last light ball leaves its inner film."""
     solution, contacts, oil = state("6205", 3800.0, (0.0, 700.0, 0.0), 40.0, 100)
     scarce = OilAtInlets(oil=PrescribedInlet(layer=3e-7), balls=9)
-    found = contacts_between_films(solution, contacts, oil, scarce)
+    _, found = equilibrium_with_films(solution, contacts, oil, scarce)
     assert all(contact.gap is None for contact in found)
     assert left(solution, found) < 1e-8
     assert 1e-3 < 1.0 - found[0].load / contacts[0].load < 0.05  # the balls beside it carry more
@@ -135,7 +135,7 @@ def test_heavy_balls_yield_to_their_films_where_no_gap_is_filled():
 
 def test_nothing_changes_without_light_balls_or_rotation():
     solution, contacts, oil = state("7012AC", 3000.0, (1000.0, 0.0, 0.0), 40.0, 68)
-    assert contacts_between_films(solution, contacts, oil) is contacts
+    assert equilibrium_with_films(solution, contacts, oil)[1] is contacts
     solution, contacts, oil = state("6205", 0.0, (0.0, 700.0, 0.0), 40.0, 68)
-    assert contacts_between_films(solution, contacts, oil) is contacts
+    assert equilibrium_with_films(solution, contacts, oil)[1] is contacts
     assert all(contact.race in Race and replace(contact).gap is None for contact in contacts)
