@@ -369,7 +369,7 @@ def _between_which_zero_may_lie(states: Sequence[HeatState]) -> set[float]:
     if at.size < 2:
         return set()
     step = np.diff(at)
-    # of the parabolas through three states beside each other
+    # parabolas through three states beside each other
     bend = np.abs(np.diff(np.diff(excess) / step)) / (at[2:] - at[:-2])
     bend = np.concatenate([[0.0], bend, [0.0]])
     hidden = BEND * np.maximum(bend[1:], bend[:-1]) * step**2 / 4.0
