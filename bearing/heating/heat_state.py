@@ -46,7 +46,7 @@ from .friction_heat import (
     solid_thermal,
 )
 from .limits import HIGHEST_TEMPERATURE
-from .network import AMBIENT, NODES, OIL_SUPPLY, HeatNetwork, HeatPath
+from .network import NODES, HeatNetwork, HeatPath
 from .paths import Surroundings, solid_paths, state_paths
 
 POINTS = 129  # of a solved film along rolling, at most, that a contact is marched on [-]
@@ -532,8 +532,7 @@ def heat_state(
     around = problem.around
     sources = friction.sources(effusivity_shares(bearing), around.pumped_to_oil)
     paths = state_paths(bearing, around, oil, friction, solution.cage_speed, len(problem.rows))
-    boundaries = {AMBIENT: around.ambient, OIL_SUPPLY: around.oil_supply}
-    network = HeatNetwork(paths=(*fixed, *paths), boundaries=boundaries)
+    network = HeatNetwork(paths=(*fixed, *paths), boundaries=around.boundaries)
     return HeatState(
         film_temperature=film_temperature,
         clearance=clearance,

@@ -45,7 +45,6 @@ NODES = (
 )
 AMBIENT = "ambient"
 OIL_SUPPLY = "oil_supply"
-BOUNDARIES = (AMBIENT, OIL_SUPPLY)
 
 
 @dataclass(frozen=True, slots=True)
@@ -295,10 +294,11 @@ class HeatPath:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeatNetwork:
-    """Paths between `NODES` and to boundaries of given temperatures."""
+    """Paths between nodes, of a bearing `NODES`, and to boundaries of given temperatures."""
 
     paths: tuple[HeatPath, ...]
     boundaries: Mapping[str, float]  # [K]
+    nodes: tuple[str, ...] = NODES
 
     def matrix(self, end: int = 0) -> tuple[Array, Array]:
         """L and b of the heat that leaves the nodes, L T - b.
@@ -315,18 +315,18 @@ class HeatNetwork:
         prescribed
             b, shape (nodes,) [W]
         """
-        leaving = np.zeros((len(NODES), len(NODES)))
-        prescribed = np.zeros(len(NODES))
+        leaving = np.zeros((len(self.nodes), len(self.nodes)))
+        prescribed = np.zeros(len(self.nodes))
         for path in self.paths:
             g = path.conductance.end(end)
             ends = (path.first, path.second), (path.second, path.first)
             for node, neighbour in ends:
-                if node not in NODES:
+                if node not in self.nodes:
                     continue
-                row = NODES.index(node)
+                row = self.nodes.index(node)
                 leaving[row, row] += g
-                if neighbour in NODES:
-                    leaving[row, NODES.index(neighbour)] -= g
+                if neighbour in self.nodes:
+                    leaving[row, self.nodes.index(neighbour)] -= g
                 else:
                     prescribed[row] += g * self.boundaries[neighbour]
         return leaving, prescribed
@@ -354,7 +354,9 @@ class HeatNetwork:
         leaving, prescribed = self.matrix(end)
         scale = np.sqrt(np.diag(leaving))
         if not (scale > 0.0).all():
-            isolated = [name for name, entry in zip(NODES, scale, strict=True) if not entry > 0.0]
+            isolated = [
+                name for name, entry in zip(self.nodes, scale, strict=True) if not entry > 0.0
+            ]
             raise ValueError(f"no heat leaves {', '.join(isolated)}")
         even = leaving / np.outer(scale, scale)
         if np.linalg.eigvalsh(even)[0] < 1e-12:
@@ -374,7 +376,7 @@ class HeatNetwork:
         tuple[float, ...]
             heat of each path [W]
         """
-        by_name = dict(zip(NODES, temperatures, strict=True)) | dict(self.boundaries)
+        by_name = dict(zip(self.nodes, temperatures, strict=True)) | dict(self.boundaries)
         return tuple(
             float(path.conductance.value * (by_name[path.first] - by_name[path.second]))
             for path in self.paths
@@ -394,7 +396,7 @@ class HeatNetwork:
             heat [W]
         """
         pairs = zip(self.paths, self.flows(temperatures), strict=True)
-        return sum(flow for path, flow in pairs if path.second in BOUNDARIES)
+        return sum(flow for path, flow in pairs if path.second not in self.nodes)
 
     def imbalance(self, temperatures: Array, sources: Array) -> float:
         """Energy error: heat of the sources less what leaves, in all and on the worst node.

@@ -74,6 +74,14 @@ class Surroundings:
     filled: bool = True  # oil passes the walls of the cavity, else air
     # fraction of the inlets' heat that the oil takes, the rest goes into the surfaces [-]
     pumped_to_oil: float = PUMPED_TO_OIL
+    # paths to other bearings on the shaft, and the temperatures of these [K]
+    neighbours: tuple[tuple[HeatPath, float], ...] = ()
+
+    @property
+    def boundaries(self) -> dict[str, float]:
+        """Temperatures prescribed [K]."""
+        own = {AMBIENT: self.ambient, OIL_SUPPLY: self.oil_supply}
+        return own | {path.second: temperature for path, temperature in self.neighbours}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -183,7 +191,7 @@ def _ring_paths(
 
 
 def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iterator[HeatPath]:
-    """Shaft and housing to the surroundings, oil and air that pass through."""
+    """Shaft and housing to the surroundings and other bearings, oil and air that pass through."""
     if around.conductance is not None:
         sizes = {"shaft": size.bore, "housing": size.outside}
         for name, diameter in sizes.items():
@@ -206,6 +214,7 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
             conductance=Conductance.exactly(AIR_CAPACITY * around.air_flow),
             description="air that passes through, rho c V",
         )
+    yield from (path for path, _ in around.neighbours)
 
 
 def oil_path(flow: float) -> HeatPath:

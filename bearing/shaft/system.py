@@ -6,10 +6,13 @@ from enum import Enum
 import numpy as np
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.units import ZERO_CELSIUS
 
 from ..geometry import SINGLE, Bearing, Row
 from ..operation import QuasistaticModel
 from .beam import FREEDOMS, Beam, Section, stepped_beam
+
+REFERENCE_TEMPERATURE = ZERO_CELSIUS + 20.0  # of lengths without thermal growth [K]
 
 
 class AxialLocation(Enum):
@@ -60,6 +63,9 @@ class ShaftSystem:
     loads: tuple[PointLoad, ...]
     speed: float = 0.0  # about +x [rad/s]
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # acceleration [m/s^2]
+    housing_expansion: float = 0.0  # thermal [1/K]
+    # heat along the housing from bearing to bearing [W/K]; None: an estimate
+    housing_conductance: float | None = None
 
     @property
     def stations(self) -> list[float]:
@@ -109,3 +115,66 @@ class ShaftSystem:
             first = FREEDOMS * beam.node(load.position)
             vector[first : first + FREEDOMS] += (*load.force, *load.moment)
         return vector
+
+    def thermal_resistance(self, places: Array) -> Array:
+        """Resistance of the shaft to heat from its left end to places, sum of l/(k A).
+
+        Parameters
+        ----------
+        places : Array
+            Along the shaft (n,) [m].
+
+        Returns
+        -------
+        Array
+            Shape (n,) [K/W].
+
+        Raises
+        ------
+        ValueError
+            If the conductivity of a section is not known.
+        """
+        total = np.zeros(places.size)
+        for section in self.sections:
+            k = section.material.thermal_conductivity
+            if k is None:
+                name = section.material.name
+                raise ValueError(f"materials.{name}: thermal_conductivity_W_m_K is needed")
+            inside = np.clip(places - section.start, 0.0, section.end - section.start)
+            total += inside / (k * section.area)
+        return total
+
+    def axial_growth(self, shaft: float | Array, housing: float | Array) -> Array:
+        """Growth of the shaft less that of the housing from the left end to each bearing.
+
+        Between bearings the temperature of the shaft is linear over its resistance to heat, that
+        of the housing over its length; beyond the last bearing it stays.
+
+        Parameters
+        ----------
+        shaft, housing : float or Array
+            Temperatures at the bearings, or one of all (supports,) [K].
+
+        Returns
+        -------
+        Array
+            Shape (supports,) [m].
+        """
+        places = np.array([support.position for support in self.supports])
+        marks = np.unique([0.0, *places, *(section.end for section in self.sections)])
+        middle = 0.5 * (marks[1:] + marks[:-1])
+        steel = np.array([self._section(x).material.thermal_expansion or 0.0 for x in middle])
+        mean = []
+        for temperature, over in ((shaft, self.thermal_resistance), (housing, np.asarray)):
+            rise = np.broadcast_to(temperature, places.shape) - REFERENCE_TEMPERATURE
+            if np.ptp(rise) > 0.0:
+                order = np.argsort(places)
+                ends = np.interp(over(marks), over(places)[order], rise[order])
+                mean.append(0.5 * (ends[1:] + ends[:-1]))
+            else:  # one temperature needs no conductivity
+                mean.append(np.full(middle.size, rise[0]))
+        growth = (steel * mean[0] - self.housing_expansion * mean[1]) * np.diff(marks)
+        return np.interp(places, marks, np.concatenate([[0.0], np.cumsum(growth)]))
+
+    def _section(self, place: float) -> Section:
+        return next(section for section in self.sections if place < section.end)

@@ -172,6 +172,7 @@ class ShaftFile(CaseFile):
     bearing: dict[str, BearingTable] = described("bearings by name", {})
     model: ModelTable = ModelTable()
     surface: SurfaceTable | None = None
+    fit: FitTable | None = None
     friction: FrictionTable = FrictionTable()
     lubricants: dict[str, OilTable] = described("oils by name", {})
 

@@ -18,11 +18,15 @@ from .fields import (
     is_number,
     within,
 )
+from .operation import SELF_HEATED
 from .rules import CaseProblem, CaseValues, Relation, shown
 
 RELATIONS: tuple[Relation, ...] = ()
 # tables of a bearing case that all bearings of a shaft have in common
-SHARED = ("schema_version", "lubricant", "lubricants", "materials", "surface", "friction", "model")
+SHARED = (
+    *("schema_version", "lubricant", "lubricants", "materials"),
+    *("surface", "friction", "model", "fit"),
+)
 
 
 class SectionTable(Table):
@@ -57,6 +61,9 @@ class ShaftSupportTable(Table):
     preload_N: float | None = between(0, FORCE_MAXIMUM, "axial, at rest, before the shaft bends")
     offset_um: float | None = within(1e4, "or beyond first touch; negative leaves play")
     temperature_C: float | None = between(-100, 500, "of its oil; else that of [operation]")
+    heat_transfer_W_K: float | None = above(
+        0, 1e5, "from its shaft and housing to the surroundings; else that of [friction]"
+    )
 
 
 class ShaftLoadTable(Table):
@@ -80,6 +87,9 @@ class HousingTable(Table):
     tilting_stiffness_N_m_mrad: float | None = above(0, 1e6, "against tilt")
     thermal_expansion_um_m_K: float = between(0, 100, "of the housing", 12.0)
     temperature_C: float | None = between(-100, 500, "of the housing, for its length")
+    conductance_W_K: float | None = between(
+        0, 1e5, "heat from a bearing to the next one; left out, an estimate by their diameters"
+    )
 
 
 class ShaftOperationTable(Table):
@@ -88,6 +98,11 @@ class ShaftOperationTable(Table):
     inner_speed_rpm: float = within(SPEED_MAXIMUM, "speed of the shaft", 0.0)
     temperature_C: float = between(-100, 500, "of the oil in the contacts", 40.0)
     shaft_temperature_C: float | None = between(-100, 500, "of the shaft, for its length")
+    temperature: Literal["given", "self-heated"] = described(
+        "given: temperature_C; self-heated: those where friction and cooling agree, the bearings "
+        "joined by shaft and housing",
+        "given",
+    )
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
@@ -142,9 +157,25 @@ def _support_faults(values: CaseValues) -> Iterator[CaseProblem]:
             if table.get(key) is not None and table.get("loaded_by") is None:
                 path = ("support", index, "loaded_by")
                 yield CaseProblem(path, "missing", f"needed with {key}: which push loads it")
+    yield from _heat_faults(values, tables)
     if tables and all(table.get("fixed", "both") == "none" for table in tables):
         finding = "no support holds the shaft along x"
         yield CaseProblem(("support",), finding, 'needed: fixed = "both" at one of them')
+
+
+def _heat_faults(values: CaseValues, tables: list[dict[str, Any]]) -> Iterator[CaseProblem]:
+    """Temperatures that are wanted and given, and bearings that give off no heat."""
+    if values.get("operation", "temperature") != SELF_HEATED:
+        return
+    for path in (("operation", "shaft_temperature_C"), ("housing", "temperature_C")):
+        if values.get(*path) is not None:
+            finding = f'found together with operation.temperature = "{SELF_HEATED}"'
+            yield CaseProblem(path, finding, "allowed: one of them")
+    for index, table in enumerate(tables):
+        if values.get("friction", "heat_transfer_W_K") or table.get("heat_transfer_W_K"):
+            continue
+        needed = f'needed with operation.temperature = "{SELF_HEATED}", here or in [friction]'
+        yield CaseProblem(("support", index, "heat_transfer_W_K"), "missing", needed)
 
 
 def bearing_document(document: dict[str, Any], support: dict[str, Any]) -> dict[str, Any]:
@@ -172,7 +203,11 @@ def bearing_document(document: dict[str, Any], support: dict[str, Any]) -> dict[
     case["operation"] = {
         "inner_speed_rpm": operation.get("inner_speed_rpm", 0.0),
         "temperature_C": temperature,
+        "temperature": operation.get("temperature", "given"),
     }
+    if "heat_transfer_W_K" in support:
+        own_transfer = {"heat_transfer_W_K": support["heat_transfer_W_K"]}
+        case["friction"] = case.get("friction", {}) | own_transfer
     case["ehl"] = {"film_maps": "none"}
     if support.get("loaded_by") is not None:
         row = {"axial_position_mm": 0.0, "loaded_by": support["loaded_by"]}

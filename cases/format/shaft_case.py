@@ -1,6 +1,6 @@
 """A shaft case: shaft, supports and loads in SI, and a case of each bearing."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -9,18 +9,23 @@ import numpy as np
 from oilfilm.bearing.geometry import SINGLE
 from oilfilm.bearing.material import Material
 from oilfilm.bearing.shaft.beam import Section
-from oilfilm.bearing.shaft.system import AxialLocation, PointLoad, ShaftSystem, Support
+from oilfilm.bearing.shaft.system import (
+    REFERENCE_TEMPERATURE,
+    AxialLocation,
+    PointLoad,
+    ShaftSystem,
+    Support,
+)
 from oilfilm.ehl.arrays import Array
-from oilfilm.ehl.units import ZERO_CELSIUS
 
 from .case import Case, case_of_document
 from .document import ShaftFile, read_text, validate_text
 from .library import materials
+from .operation import SELF_HEATED
 from .rules import CaseError, CaseProblem, key_lines
 from .shaft import HousingTable, SectionTable, bearing_document
 from .shipped import find_case
 
-REFERENCE_TEMPERATURE = ZERO_CELSIUS + 20.0  # of lengths without thermal growth [K]
 RIGID = 1.0e13  # stiffness of a direction that a housing leaves out [N/m], [N m/rad]
 
 
@@ -37,6 +42,12 @@ class ShaftCase:
     names: tuple[str, ...]  # of the bearings
     document: dict[str, Any]  # the file as run
     warnings: tuple[str, ...] = ()
+
+    @property
+    def self_heated(self) -> bool:
+        """Temperatures are wanted, and the shaft turns."""
+        wanted = self.document["operation"]["temperature"] == SELF_HEATED
+        return wanted and self.system.speed != 0.0
 
 
 def load_shaft(name_or_path: str | Path) -> ShaftCase:
@@ -185,32 +196,6 @@ def seat_stiffness(table: HousingTable) -> Array | None:
     return np.diag([axial, radial, radial, tilting, tilting])
 
 
-def thermal_growth(found: tuple[Section, ...], place: float, shaft_rise: float) -> float:
-    """Growth of a shaft from its left end to a place.
-
-    Parameters
-    ----------
-    found : tuple of Section
-        Of the shaft.
-    place : float
-        Along it [m].
-    shaft_rise : float
-        Of its temperature [K].
-
-    Returns
-    -------
-    float
-        Growth [m].
-    """
-    return sum(
-        (section.material.thermal_expansion or 0.0)
-        * shaft_rise
-        * (min(section.end, place) - section.start)
-        for section in found
-        if section.start < place
-    )
-
-
 def shaft_system(
     file: ShaftFile, cases: tuple[Case, ...], library: dict[str, Material]
 ) -> ShaftSystem:
@@ -232,28 +217,19 @@ def shaft_system(
     """
     pieces = sections(file.shaft.section, library)
     operation, housing = file.operation.si(), file.housing.si()
-    warm = operation["shaft_temperature"]
-    cool = housing["temperature"]
-    shaft_rise = 0.0 if warm is None else warm - REFERENCE_TEMPERATURE
-    housing_rise = 0.0 if cool is None else cool - REFERENCE_TEMPERATURE
     seat = seat_stiffness(file.housing)
-    supports = []
-    for table, case in zip(file.support, cases, strict=True):
-        place = table.si()["at"]
-        growth = thermal_growth(pieces, place, shaft_rise)
-        growth -= housing["thermal_expansion"] * housing_rise * place
-        supports.append(
-            Support(
-                position=place,
-                bearing=case.bearing,
-                rows=case.rows or SINGLE,
-                temperature=case.operation.temperature,
-                model=case.model,
-                location=AxialLocation(table.fixed),
-                seat_stiffness=seat,
-                growth=growth,
-            )
+    supports = tuple(
+        Support(
+            position=table.si()["at"],
+            bearing=case.bearing,
+            rows=case.rows or SINGLE,
+            temperature=case.operation.temperature,
+            model=case.model,
+            location=AxialLocation(table.fixed),
+            seat_stiffness=seat,
         )
+        for table, case in zip(file.support, cases, strict=True)
+    )
     loads = tuple(
         PointLoad(
             position=si["at"],
@@ -267,10 +243,19 @@ def shaft_system(
         )
         for si in (table.si() for table in file.load)
     )
-    return ShaftSystem(
+    system = ShaftSystem(
         sections=pieces,
-        supports=tuple(supports),
+        supports=supports,
         loads=loads,
         speed=operation["inner_speed"],
         gravity=file.shaft.si()["gravity"],
+        housing_expansion=housing["thermal_expansion"],
+        housing_conductance=housing["conductance"],
     )
+    warm, cool = (
+        REFERENCE_TEMPERATURE if given is None else given
+        for given in (operation["shaft_temperature"], housing["temperature"])
+    )
+    growth = system.axial_growth(warm, cool).tolist()
+    grown = tuple(replace(s, growth=g) for s, g in zip(supports, growth, strict=True))
+    return replace(system, supports=grown)

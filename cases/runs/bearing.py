@@ -343,7 +343,7 @@ def run_case(
         if abs(found - at.operation.temperature) <= WARM_TOLERANCE:
             break
         warmed = with_temperature(case, heating)
-    return _in_balance(results, at)
+    return in_balance(results, at)
 
 
 def _with_all_balances(
@@ -369,9 +369,21 @@ def _by_rough_films(case: Case, warmed: Case, run: Callable[[Case], BearingResul
     return with_temperature(case, heating) if found else warmed
 
 
-def _in_balance(results: BearingResults, case: Case) -> BearingResults:
+def in_balance(results: BearingResults, case: Case) -> BearingResults:
     """The results of a case at its own temperature with the balance of their own torque; not
     converged where the last rounds still moved the temperature.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the case.
+    case : Case
+        The bearing at the temperature of a balance.
+
+    Returns
+    -------
+    BearingResults
+        With the temperatures of their own heat.
     """
     heating = results.heating
     assert heating is not None and heating.balance is not None
@@ -384,13 +396,31 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
         note = f"the temperature still moves by {moved:.2g} K after {WARM_ROUNDS} rounds of films"
         balance = replace(heating.balance, converged=False, message=note)
         return replace(results, heating=replace(heating, balance=balance, note=note))
+    reported = reported_torque(case, results)
+    assert reported is not None
+    return replace(results, heating=with_heat_balance(heating, case, reported))
+
+
+def reported_torque(case: Case, results: BearingResults) -> ReportedTorque | None:
+    """The torque of a run with its operating films.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    results : BearingResults
+        Its results.
+
+    Returns
+    -------
+    ReportedTorque or None
+        None where the run has no torque.
+    """
     state = results.elastic
     contacts = results.contacts
     operating = _operating(case, state, contacts, results.films, results.torque)
     conductances = results.conductances
-    reported = _reported(case, results.torque, operating, state, contacts, conductances)
-    assert reported is not None
-    return replace(results, heating=with_heat_balance(heating, case, reported))
+    return _reported(case, results.torque, operating, state, contacts, conductances)
 
 
 class _Films(NamedTuple):

@@ -1,13 +1,17 @@
 """Run a shaft case: its equilibrium, a bearing case for each support, and its vibrations."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import pi
 from time import perf_counter
-from typing import Any
+from warnings import catch_warnings, simplefilter
 
 import numpy as np
 
-from oilfilm.bearing.shaft.equilibrium import ShaftSolution, floats, solve_shaft
+from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
+from oilfilm.bearing.shaft.equilibrium import ShaftSolution, solve_shaft
+from oilfilm.bearing.shaft.heat import ShaftHeat, held_operation, solve_shaft_heat
+from oilfilm.bearing.shaft.system import ShaftSystem
 from oilfilm.bearing.shaft.vibration import (
     Vibration,
     critical_speeds,
@@ -22,7 +26,8 @@ from oilfilm.postprocess.shaft.results import ShaftResults, ShaftVibration
 from ..format.case import Case, case_of_document
 from ..format.shaft_case import ShaftCase
 from ..version import version
-from .bearing import run_case
+from .bearing import WARM_ROUNDS, in_balance, reported_torque, run_case
+from .heating import WARM_TOLERANCE, ReportedTorque, heating_problem, with_temperature
 
 Progress = Callable[[int, int, str], None]
 CRITICAL = 6  # critical speeds that are reported, the lowest [-]
@@ -55,25 +60,33 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
     notify(0, steps, "shaft")
     solution = solve_shaft(case.system)
     timing = {"shaft": perf_counter() - start}
-    # 2. each bearing where the shaft holds its inner ring
-    bearings: list[BearingResults | None] = []
-    for k, document in enumerate(case.documents):
-        notify(k + 1, steps, f"bearing {k + 1}")
-        bearings.append(_bearing(document, solution, k) if solution.converged else None)
+    # 2. each bearing where the shaft holds its inner ring, or all of them in balance of heat
+    bearings: list[BearingResults | None] = [None] * len(case.cases)
+    heat = None
+    notes = [] if solution.converged else [f"shaft: {solution.message}"]
+    try:
+        if case.self_heated and solution.converged:
+            heat, warmed = _in_balance_of_heat(case, solution, lambda text: notify(1, steps, text))
+            solution = heat.shaft
+            bearings = list(warmed)
+    except ValueError as error:
+        notes.append(f"operation.temperature: not self-heated, {error}; temperature_C is taken")
+    if heat is not None and not heat.stable:
+        notes.append("the balance of heat is not stable: shaft and bearings run away from it")
+    for k in range(len(bearings)):
+        if heat is None and solution.converged:
+            notify(k + 1, steps, f"bearing {k + 1}")
+            bearings[k] = run_case(_given_temperature(_held(case, solution, k)), 1)
     timing["bearings"] = perf_counter() - start - timing["shaft"]
     # 3. small vibrations about the equilibrium
     notify(steps - 1, steps, "vibration")
     moving = None
-    note = ""
     if solution.converged:
         try:
             moving = _vibration(solution)
         except ValueError as error:
-            note = f"critical_speeds_rpm: null, {error}"
+            notes.append(f"critical_speeds_rpm: null, {error}")
     timing["total"] = perf_counter() - start
-    notes = [note] if note else []
-    if not solution.converged:
-        notes.append(f"shaft: {solution.message}")
     return ShaftResults(
         version=version(),
         case=case.document,
@@ -81,26 +94,115 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
         solution=solution,
         bearings=tuple(bearings),
         vibration=moving,
+        heat=heat,
         messages=(*notes, *case.warnings),
         timing=timing,
     )
 
 
-def _bearing(document: dict[str, Any], solution: ShaftSolution, index: int) -> BearingResults:
-    """Results of one bearing under the radial load of the shaft, its ring held along the axis and
+def _held(case: ShaftCase, solution: ShaftSolution, index: int) -> Case:
+    """Case of one bearing under the radial load of the shaft, its ring held along the axis and
     tilted as the shaft has it.
     """
-    state = solution.bearings[index]
-    axial = "free" if floats(state) else float(from_si("displacement_um", state.displacement[0]))
+    document = case.documents[index]
+    held = held_operation(solution.bearings[index])
+    places = [
+        "free" if x is None else float(from_si("displacement_um", x)) for x in held.displacement
+    ]
     operation = {
         **document["operation"],
-        "force_N": [0.0, *(float(from_si("force_N", x)) for x in state.ring_force[1:])],
-        "displacement_um": [axial, "free", "free"],
-        "tilt_mrad": [float(from_si("tilt_mrad", x)) for x in state.tilt],
+        "force_N": [float(from_si("force_N", x or 0.0)) for x in held.force],
+        "displacement_um": places,
+        "tilt_mrad": [float(from_si("tilt_mrad", x or 0.0)) for x in held.tilt],
     }
-    case = case_of_document({**document, "operation": operation})
-    assert isinstance(case, Case)  # a bearing
-    return run_case(case, 1)
+    found = case_of_document({**document, "operation": operation})
+    assert isinstance(found, Case)  # a bearing
+    return found
+
+
+def _given_temperature(case: Case) -> Case:
+    """The case at its temperature_C."""
+    operation = case.file.operation.model_copy(update={"temperature": "given"})
+    return replace(case, file=case.file.model_copy(update={"operation": operation}))
+
+
+def _in_balance_of_heat(
+    case: ShaftCase, solution: ShaftSolution, notify: Callable[[str], None]
+) -> tuple[ShaftHeat, list[BearingResults]]:
+    """The balance of heat of shaft and bearings, and the results of these there: with films
+    without a solve first, then with the torque of the results until temperatures repeat.
+    """
+    notify("balance of heat")
+    heat = balance_of_heat(case, solution)
+    for _ in range(WARM_ROUNDS):
+        if not heat.bearings[0].converged:
+            raise ValueError(heat.bearings[0].balance.message if heat.bearings[0].balance else "")
+        at = [
+            _among_neighbours(with_temperature(_held(case, heat.shaft, k), own), own)
+            for k, own in enumerate(heat.bearings)
+        ]
+        notify("bearings")
+        results = [run_case(one, 1) for one in at]
+        pairs = list(zip(results, at, strict=True))
+        if all(_moved(found, one) <= WARM_TOLERANCE for found, one in pairs):
+            break
+        reported = [reported_torque(one, found) for found, one in pairs]
+        heat = _balance_of_heat(case.system, at, reported, heat)
+    return heat, [in_balance(found, one) for found, one in pairs]
+
+
+def balance_of_heat(case: ShaftCase, solution: ShaftSolution) -> ShaftHeat:
+    """Temperatures of shaft and bearings with films without a solve.
+
+    Parameters
+    ----------
+    case : ShaftCase
+        Shaft and bearings that warm themselves.
+    solution : ShaftSolution
+        Equilibrium at the temperatures of the case.
+
+    Returns
+    -------
+    ShaftHeat
+        Temperatures [K].
+    """
+    cases = [_held(case, solution, k) for k in range(len(case.cases))]
+    return _balance_of_heat(case.system, cases, [None] * len(cases), None)
+
+
+def _balance_of_heat(
+    system: ShaftSystem,
+    cases: Sequence[Case],
+    reported: Sequence[ReportedTorque | None],
+    start: ShaftHeat | None,
+) -> ShaftHeat:
+    """The balance of heat with films without a solve, scaled to the torque reported."""
+    inputs = [(one, one.heating, torque) for one, torque in zip(cases, reported, strict=True)]
+    with catch_warnings():
+        simplefilter("ignore")  # the search looks beyond the range of the oil's data
+        problems = [
+            heating_problem(one, given, torque, ends=False)
+            for one, given, torque in inputs
+            if given is not None
+        ]
+        models = [given.model for _, given, _ in inputs if given is not None]
+        return solve_shaft_heat(system, problems, models, start)
+
+
+def _among_neighbours(case: Case, heating: SelfHeatingSolution) -> Case:
+    """The case with the other bearings on its shaft as neighbours."""
+    assert case.heating is not None
+    neighbours = heating.around.neighbours
+    around = replace(case.heating.around, neighbours=neighbours)
+    return replace(case, heating=replace(case.heating, around=around))
+
+
+def _moved(results: BearingResults, case: Case) -> float:
+    """Change of film temperature that the torque of a run asks for [K]."""
+    heating = results.heating
+    if heating is None or heating.balance is None or not heating.converged:
+        return 0.0  # told by the results
+    return abs(heating.balance.temperature - case.operation.temperature)
 
 
 def _vibration(solution: ShaftSolution) -> ShaftVibration:

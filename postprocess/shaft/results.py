@@ -5,7 +5,9 @@ from typing import Any
 
 import numpy as np
 
+from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.shaft.equilibrium import ShaftSolution
+from oilfilm.bearing.shaft.heat import ShaftHeat
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si
 
@@ -51,6 +53,7 @@ class ShaftResults(Results):
     solution: ShaftSolution
     bearings: tuple[BearingResults | None, ...]  # None where the shaft has no equilibrium
     vibration: ShaftVibration | None
+    heat: ShaftHeat | None = None  # None where temperatures are given
 
     @property
     def converged(self) -> bool:
@@ -129,6 +132,7 @@ def shaft_summary(results: ShaftResults) -> dict[str, Any]:
             "frequency_Hz": WHIRL.in_unit(moving.whirl),
         },
         "unbalance": _unbalance(moving),
+        "heat": None if results.heat is None else _heat(results.heat),
         "bearings": [None if b is None else bearing_summary(b) for b in results.bearings],
         "timing_s": dict(results.timing),
     }
@@ -148,7 +152,31 @@ def _support(results: ShaftResults, index: int) -> dict[str, Any]:
         "moment_N_mm": list(from_si("moment_N_mm", state.ring_moment)),
         "displacement_um": list(from_si("displacement_um", state.displacement)),
         "tilt_mrad": list(from_si("tilt_mrad", state.tilt)),
+        "growth_um": float(from_si("growth_um", support.growth)),
         "seat_displacement_um": list(from_si("displacement_um", solution.seats[index, :3])),
+    }
+
+
+def _heat(heat: ShaftHeat) -> dict[str, Any]:
+    """Films, shaft and housing at the bearings, heat along shaft and housing between them."""
+    films = [one.state.film_temperature for one in heat.bearings if one.state is not None]
+    return {
+        "film_C": from_si("temperature_C", np.array(films)),
+        "shaft_C": from_si("temperature_C", heat.temperatures[:, NODES.index("shaft")]),
+        "housing_C": from_si("temperature_C", heat.temperatures[:, NODES.index("housing")]),
+        "stable": heat.stable,
+        "paths": [
+            {
+                "path": link.node,
+                "bearings": [k + 1 for k in link.bearings],
+                "what": link.description,
+                "conductance_W_K": link.conductance.value,
+                "conductance_low_W_K": link.conductance.low,
+                "conductance_high_W_K": link.conductance.high,
+                "heat_W": float(flow),
+            }
+            for link, flow in zip(heat.links, heat.flows, strict=True)
+        ],
     }
 
 

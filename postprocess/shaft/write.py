@@ -199,6 +199,10 @@ def shaft_table(results: ShaftResults) -> Group:
         largest = float(abs(moving.response[:, 1:3]).max())
         text = f"largest amplitude by unbalance {number(AMPLITUDE.in_unit(largest))} µm, undamped"
         lines.append(Text(text, style="dim"))
+    if results.heat is not None:
+        films = [one.state.film_temperature for one in results.heat.bearings if one.state]
+        words = ", ".join(f"{from_si('temperature_C', film):.0f}" for film in films)
+        lines.append(Text(f"films at {words} °C, where friction and cooling agree"))
     torque = results.torque
     life = results.modified_life or results.basic_life
     if torque is not None:

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 import pytest
 
+from oilfilm.bearing.heating.network import NODES
+from oilfilm.bearing.shaft.equilibrium import solve_shaft
 from oilfilm.cases.cli.main import app
+from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.format.shaft_case import load_shaft
 from oilfilm.cases.format.shipped import shipped_cases
-from oilfilm.cases.runs.shaft import run_shaft
+from oilfilm.cases.runs.heating import self_heated
+from oilfilm.cases.runs.shaft import balance_of_heat, run_shaft
 from oilfilm.postprocess.shaft.results import shaft_summary
 from oilfilm.postprocess.shaft.write import write_shaft
 
@@ -75,3 +80,101 @@ def test_a_shaft_is_not_run_as_a_bearing_nor_a_bearing_as_a_shaft():
     shaft = runner.invoke(app, ["shaft", "6208_full_ceramic"])
     assert (shaft.exit_code, "oilfilm run" in shaft.output + shaft.stderr) == (2, True)
     assert runner.invoke(app, ["validate", "spindle_two_bearings"]).exit_code == 0
+
+
+HEATED = """
+schema_version = 1
+title = "Spindle"
+[lubricant]
+name = "iso vg 32"
+[operation]
+inner_speed_rpm = 8000.0
+temperature = "self-heated"
+[shaft]
+gravity_m_s2 = [0.0, 0.0, 0.0]
+[[shaft.section]]
+to_mm = 250.0
+outside_mm = 40.0
+{supports}
+[[load]]
+at_mm = 100.0
+force_N = [150.0, 400.0, 0.0]
+[housing]
+conductance_W_K = 0.5
+thermal_expansion_um_m_K = 12.0
+[friction]
+heat_transfer_W_K = 1.5
+lubrication = "grease"
+heating_torque = "palmgren"
+"""
+SUPPORT = '[[support]]\nbearing = "7008C"\nat_mm = {}\nloaded_by = "{}x"\npreload_N = 200.0\n'
+
+
+def heated(tmp_path, supports: str):
+    """A shaft that warms itself on supports, read and solved."""
+    path = tmp_path / "spindle.toml"
+    path.write_text(HEATED.format(supports=supports), encoding="utf-8")
+    case = load_shaft(path)
+    return case, balance_of_heat(case, solve_shaft(case.system))
+
+
+def test_one_bearing_on_a_shaft_has_the_balance_of_heat_of_the_bearing_alone(tmp_path):
+    one = SUPPORT.format(100.0, "+")
+    case, heat = heated(tmp_path, one)
+    operation = {**case.documents[0]["operation"], "force_N": [150.0, 400.0, 0.0], "tilt": "free"}
+    alone = self_heated(case_of_document({**case.documents[0], "operation": operation}))
+    own = heat.bearings[0]
+    assert own.converged
+    assert heat.stable
+    assert own.balance.temperature == pytest.approx(alone.balance.temperature, abs=1e-3)
+    assert own.state.temperatures == pytest.approx(alone.state.temperatures, abs=1e-3)
+    assert heat.links == ()
+
+
+def test_bearings_warm_each_other_and_growth_between_them_frees_the_pair(tmp_path):
+    case, heat = heated(tmp_path, SUPPORT.format(60.0, "+") + SUPPORT.format(200.0, "-"))
+    flows = np.zeros(2)
+    for link, flow in zip(heat.links, heat.flows, strict=True):
+        flows[link.bearings[0]] += flow
+        flows[link.bearings[1]] -= flow
+    assert len(heat.links) == 2
+    for own, flow in zip(heat.bearings, flows, strict=True):
+        # 1. each bearing in balance with what goes to its neighbour
+        assert own.converged
+        assert own.balance.residual == pytest.approx(0.0, abs=1e-6)
+        assert own.state.film_temperature == pytest.approx(own.state.resulting_temperature, abs=1e-3)
+        by_hand = own.balance.power - sum(
+            flow
+            for path, flow in zip(own.state.network.paths, own.state.network.flows(own.state.temperatures), strict=True)
+            if path.second in ("ambient", "oil_supply")
+        )
+        assert by_hand == pytest.approx(flow, abs=1e-4 * own.balance.power)
+    # 2. growth of the shaft against the housing by the temperatures of both at the bearings
+    shaft, housing = (heat.temperatures[:, NODES.index(name)] - 293.15 for name in ("shaft", "housing"))
+    steel = case.system.sections[0].material.thermal_expansion
+    by_hand = 0.14 * (steel * shaft.mean() - 12e-6 * housing.mean())
+    growth = [support.growth for support in heat.shaft.system.supports]
+    assert growth[1] - growth[0] == pytest.approx(by_hand, rel=1e-3)
+    # 3. back to back it unloads the pair: fewer newtons on the bearing that the load does not press
+    cold = solve_shaft(case.system)
+    assert growth[1] > growth[0]
+    assert abs(heat.shaft.reactions[1, 0]) < abs(cold.reactions[1, 0])
+
+
+def test_temperatures_are_given_or_wanted_and_need_a_way_out(tmp_path):
+    path = tmp_path / "spindle.toml"
+    text = HEATED.format(supports=SUPPORT.format(60.0, "+"))
+    faults = {
+        'temperature = "self-heated"\nshaft_temperature_C = 50.0': "operation.shaft_temperature_C: found together",
+        'temperature = "self-heated"': "",
+    }
+    for line, message in faults.items():
+        path.write_text(text.replace('temperature = "self-heated"', line), encoding="utf-8")
+        if message:
+            with pytest.raises(CaseError, match=message):
+                load_shaft(path)
+        else:
+            load_shaft(path)
+    path.write_text(text.replace("heat_transfer_W_K = 1.5", ""), encoding="utf-8")
+    with pytest.raises(CaseError, match=r"support.0.heat_transfer_W_K: missing"):
+        load_shaft(path)
