@@ -15,6 +15,7 @@ from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.traction.friction_coefficients import RampedCoulomb
 
+from ..films.damping import HERTZ_EXPONENT, film_lag
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import reduced_modulus
 from ..operation import Operation
@@ -55,7 +56,6 @@ from .inputs import CageBody, DynamicsModel, Guide, Settling, Surfaces
 from .reduction import solved_indices
 from .support import Support
 
-HERTZ_EXPONENT = 1.5
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
 # fraction of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed
@@ -670,18 +670,11 @@ def reference_load(schedule: Array, numbers: Constants, balls: int) -> float:
 def film_damping(
     bearing: Bearing, race: Race, angle: float, load: float, oil: Lubricant, schedule: Array
 ) -> tuple[float, float]:
-    r"""Damping of the film of a rolling ball at slow movement, estimated, and the load below which
-    it fades.
+    """Damping of the film of a rolling ball at slow movement, estimated (`films.damping`), and the
+    load below which it fades.
 
-    The film follows the load after the time the oil takes through the contact: with h ~ Q^-n and
-    the delay T = 5 a/u, the approach w(Q) - h(Q) + T h' dQ/dt has
-
-    .. math:: c = n T \frac{h k^2}{Q} = \frac{h a k^2}{3 u Q}, \qquad k = dQ/dw.
-
-    Solved responses (`ehl.traction.linear_response`) of races with Ry/Rx of 10 to 45 under 40 to
-    2000 N have 0.97 to 1.1 of it, of a circle 0.6. It changes little with the load, so one number
-    stands for all; it fades in proportion to lighter loads, whose bodies give way by less than
-    their film is thick. At the balls' own vibration, 10 kHz and more, films damp 0.1 to 0.6 of it.
+    It changes little with the load, so one number stands for all; it fades in proportion to
+    lighter loads, whose bodies give way by less than their film is thick.
 
     Parameters
     ----------
@@ -723,7 +716,7 @@ def film_damping(
     film = film_nijenbanning_central(contact)
     hertz = hertz_contact(load, *radii, modulus)
     stiffness = HERTZ_EXPONENT * load / hertz.approach
-    damping = film * hertz.semi_axis_x * stiffness**2 / (3.0 * speed * load)
+    damping = film_lag(contact, hertz) * stiffness**2
     return damping, load * (film / hertz.approach) ** HERTZ_EXPONENT
 
 

@@ -200,8 +200,9 @@ def floats(state: QuasistaticSolution) -> bool:
     return state.operation.force[0] is not None
 
 
-def ring_tangent(state: QuasistaticSolution) -> Array:
-    """Stiffness of a bearing as the shaft meets it, without the axial one where its ring floats.
+def ring_part(state: QuasistaticSolution) -> Array:
+    """Movement of a ring against its seat per movement of the shaft: where it floats it moves
+    along the axis as its axial force, which stays zero, asks for.
 
     Parameters
     ----------
@@ -211,9 +212,18 @@ def ring_tangent(state: QuasistaticSolution) -> Array:
     Returns
     -------
     Array
-        In the order x, y, z, tilt y, tilt z (5, 5) [N/m], [N], [N m].
+        In the order x, y, z, tilt y, tilt z (5, 5) [-], [m].
     """
-    return _without_axial(state.stiffness) if floats(state) else state.stiffness
+    return _floating_part(state.stiffness) if floats(state) else np.eye(len(RING))
+
+
+def _floating_part(tangent: Array) -> Array:
+    """Movement of a ring that finds its own axial place per movement of the shaft."""
+    part = np.eye(len(RING))
+    part[0] = 0.0
+    if tangent[0, 0] > 0.0:
+        part[0, 1:] = -tangent[0, 1:] / tangent[0, 0]
+    return part
 
 
 def _held(state: QuasistaticSolution) -> Array:
@@ -246,10 +256,10 @@ def _bearing_at(
         push = state.ring_force[0]
         sides = (AxialLocation.BOTH, AxialLocation.RIGHT if push >= 0.0 else AxialLocation.LEFT)
         if location in sides:
-            return state, ring_tangent(state)
+            return state, state.stiffness @ ring_part(state)
     # the outer ring finds the place in its housing where no axial force is left
     state = _solved(problem, support, (0.0, None, None, None, None), at, guess)
-    return state, ring_tangent(state)
+    return state, state.stiffness @ ring_part(state)
 
 
 def _solved(
@@ -352,18 +362,9 @@ def _start(problem: _Problem) -> _Point:
             forces[k] = _held(state)
             springs[k] = state.stiffness.copy()
             if support.location is AxialLocation.NONE:
-                springs[k] = _without_axial(springs[k])
+                springs[k] = springs[k] @ _floating_part(springs[k])
     assert best is not None
     return best
-
-
-def _without_axial(tangent: Array) -> Array:
-    """Tangent of a ring that finds its own axial place."""
-    condensed = tangent.copy()
-    if tangent[0, 0] > 0.0:
-        condensed = tangent - np.outer(tangent[:, 0], tangent[0]) / tangent[0, 0]
-    condensed[0] = condensed[:, 0] = 0.0
-    return condensed
 
 
 def _linear(

@@ -1,8 +1,10 @@
 """Small vibrations of a shaft about its equilibrium: whirl, critical speeds, unbalance.
 
-M q'' + (C + W G) q' + K q = f at the speed W; K has the tangents of the bearings at the
-equilibrium (of its speed and load), G is the gyroscopic matrix over the speed. Damping of the
-bearings is left out unless it is given.
+M q'' + (C + W G) q' + (K + S) q = f at the speed W; K has the tangents of the bearings at the
+equilibrium (of its speed and load), G is the gyroscopic matrix over the speed. The films of the
+balls damp by C; as the balls orbit they also push across, by the skew S, so that what turns with
+the balls is not damped. Frequencies are those without C and S, which are small; their damping
+follows from the undamped modes.
 """
 
 from collections.abc import Sequence
@@ -15,7 +17,7 @@ import scipy
 from oilfilm.ehl.arrays import Array
 
 from .beam import FREEDOMS, RING, Beam
-from .equilibrium import ShaftSolution, ring_tangent
+from .equilibrium import ShaftSolution, ring_part
 
 ELEMENTS = (
     40  # at least along the shaft: its mass, and with it the frequencies, converge with them
@@ -33,12 +35,15 @@ class Vibration:
 
     beam: Beam
     stiffness: Array  # with the bearings, (n, n) [N/m], [N], [N m]
-    damping: Array  # of the bearings, (n, n) [N s/m], ...
+    damping: Array  # by the films of the bearings, (n, n) [N s/m], ...
+    across: Array  # force over displacement by the orbit of the balls, (n, n) [N/m], ...
     free: Array  # unknowns that are not held
 
 
 def vibration(
-    solution: ShaftSolution, damping: Sequence[Array] | None = None, longest: float | None = None
+    solution: ShaftSolution,
+    films: Sequence[tuple[Array, Array]] | None = None,
+    longest: float | None = None,
 ) -> Vibration:
     """Matrices of the small vibrations about an equilibrium.
 
@@ -46,8 +51,8 @@ def vibration(
     ----------
     solution : ShaftSolution
         Converged equilibrium.
-    damping : sequence of Array, optional
-        Of each bearing in the order x, y, z, tilt y, tilt z (5, 5) [N s/m], [N s], [N m s].
+    films : sequence of (Array, Array), optional
+        Damping of each bearing, and force across, `films.damping.ring_damping`.
     longest : float, optional
         Longest element [m]; left out, a fortieth of the shaft.
 
@@ -60,19 +65,24 @@ def vibration(
     length = system.sections[-1].end - system.sections[0].start
     beam = system.beam(longest or length / ELEMENTS)
     stiffness = beam.stiffness.copy()
-    resisting = np.zeros_like(stiffness)
+    resisting, across = (np.zeros_like(stiffness) for _ in range(2))
     for k, (support, state) in enumerate(zip(system.supports, solution.bearings, strict=True)):
-        tangent = ring_tangent(state)
+        # movement of the ring against its seat per movement of the shaft
+        part = ring_part(state)
+        tangent = state.stiffness @ part
         if support.seat_stiffness is not None:
             # both in series: K_b (K_b + K_seat)^-1 K_seat
             seat = support.seat_stiffness
-            tangent = tangent @ np.linalg.solve(tangent + seat, seat)
+            part = part @ np.linalg.solve(tangent + seat, seat)
+            tangent = state.stiffness @ part
         places = FREEDOMS * beam.node(support.position) + RING
-        stiffness[np.ix_(places, places)] += 0.5 * (tangent + tangent.T)
-        if damping is not None:
-            resisting[np.ix_(places, places)] += damping[k]
+        block = np.ix_(places, places)
+        stiffness[block] += 0.5 * (tangent + tangent.T)
+        if films is not None:
+            resisting[block] += part.T @ films[k][0] @ part
+            across[block] += part.T @ films[k][1] @ part
     free = np.setdiff1d(np.arange(stiffness.shape[0]), [3])
-    return Vibration(beam=beam, stiffness=stiffness, damping=resisting, free=free)
+    return Vibration(beam=beam, stiffness=stiffness, damping=resisting, across=across, free=free)
 
 
 def critical_speeds(matrices: Vibration, highest: float) -> Array:
@@ -134,13 +144,16 @@ def _lateral(vector: Array, free: Array) -> bool:
     return bool(size[(freedom == 1) | (freedom == 2)].max() > along)
 
 
-def whirl_frequencies(matrices: Vibration, speeds: Sequence[float], count: int) -> Array:
-    """Natural frequencies of bending over the speed of the shaft, for Campbell's diagram.
+def whirl_frequencies(
+    matrices: Vibration, speeds: Sequence[float], count: int
+) -> tuple[Array, Array]:
+    """Natural frequencies of bending over the speed of the shaft, for Campbell's diagram, and
+    their damping ratios by the films.
 
     Parameters
     ----------
     matrices : Vibration
-        Of the shaft; the stiffness of the bearings is kept.
+        Of the shaft; stiffness and damping of the bearings are kept.
     speeds : sequence of float
         Of the shaft [rad/s].
     count : int
@@ -148,8 +161,10 @@ def whirl_frequencies(matrices: Vibration, speeds: Sequence[float], count: int) 
 
     Returns
     -------
-    Array
+    frequencies
         Shape (speeds, count) [rad/s].
+    ratios
+        Of the damping to the critical one, to first order (speeds, count) [-].
     """
     mass, gyroscopic, scale = _over_root_of_stiffness(matrices)
     # 1. the lowest modes at rest: M between them is the diagonal of 1/w^2
@@ -160,7 +175,9 @@ def whirl_frequencies(matrices: Vibration, speeds: Sequence[float], count: int) 
     at_rest = flexibility**-0.5
     turning = (modes.T @ gyroscopic @ modes) * np.outer(at_rest, at_rest)
     # 2. the gyroscopic moments couple them
-    rows = []
+    keep = np.ix_(matrices.free, matrices.free)
+    damping, across = matrices.damping[keep], matrices.across[keep]
+    rows, ratios = [], []
     for speed in speeds:
         # x' = S x with S skew, so that i S is Hermitian: its eigenvalues are the frequencies, in
         # pairs
@@ -169,10 +186,17 @@ def whirl_frequencies(matrices: Vibration, speeds: Sequence[float], count: int) 
         state[:size, size:] = -np.diag(at_rest)
         state[size:, :size] = np.diag(at_rest)
         values, vectors = scipy.linalg.eigh(1j * state)
-        shapes = scale @ modes @ vectors[size:, values > 0.0]
+        positive = values > 0.0
+        shapes = scale @ modes @ vectors[size:, positive]
         bends = [_lateral(shape, matrices.free) for shape in shapes.T]
-        rows.append(values[values > 0.0][bends][:count])
-    return np.array(rows)
+        found = values[positive][bends][:count]
+        rows.append(found)
+        # 3. the modes turn as exp(-i w t) and have the energy 1/4; C and S take 2 w/4 of it times
+        # the ratio
+        shape = shapes[:, bends][:, :count]
+        force = -1j * found * (damping @ shape) + across @ shape
+        ratios.append(-np.imag(np.sum(shape.conj() * force, axis=0)))
+    return np.array(rows), np.array(ratios)
 
 
 def unbalance_response(matrices: Vibration, solution: ShaftSolution, speed: float) -> Array:
@@ -181,7 +205,7 @@ def unbalance_response(matrices: Vibration, solution: ShaftSolution, speed: floa
     Parameters
     ----------
     matrices : Vibration
-        Of the shaft, with the damping of the bearings.
+        Of the shaft, with the damping of its bearings.
     solution : ShaftSolution
         With the unbalances among its loads.
     speed : float
@@ -204,7 +228,7 @@ def unbalance_response(matrices: Vibration, solution: ShaftSolution, speed: floa
         force[first + 1] += pull
         force[first + 2] += -1j * pull
     resisting = matrices.damping + speed * beam.gyroscopic
-    dynamic = matrices.stiffness + 1j * speed * resisting - speed**2 * beam.mass
+    dynamic = matrices.stiffness + matrices.across + 1j * speed * resisting - speed**2 * beam.mass
     found = np.zeros_like(force)
     keep = matrices.free
     found[keep] = np.linalg.solve(dynamic[np.ix_(keep, keep)], force[keep])

@@ -8,6 +8,7 @@ from warnings import catch_warnings, simplefilter
 
 import numpy as np
 
+from oilfilm.bearing.films.damping import ring_damping
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.shaft.equilibrium import ShaftSolution, solve_shaft
 from oilfilm.bearing.shaft.heat import ShaftHeat, held_operation, solve_shaft_heat
@@ -83,7 +84,7 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
     moving = None
     if solution.converged:
         try:
-            moving = _vibration(solution)
+            moving = _vibration(solution, [one for one in bearings if one is not None])
         except ValueError as error:
             notes.append(f"critical_speeds_rpm: null, {error}")
     timing["total"] = perf_counter() - start
@@ -205,19 +206,22 @@ def _moved(results: BearingResults, case: Case) -> float:
     return abs(heating.balance.temperature - case.operation.temperature)
 
 
-def _vibration(solution: ShaftSolution) -> ShaftVibration:
+def _vibration(solution: ShaftSolution, bearings: Sequence[BearingResults]) -> ShaftVibration:
     """Critical speeds, frequencies of whirl over the speed, amplitudes under unbalance."""
-    matrices: Vibration = vibration(solution)
+    films = [ring_damping(one.elastic, one.contacts) for one in bearings]
+    matrices: Vibration = vibration(solution, films)
     speed = abs(solution.system.speed)
     critical = critical_speeds(matrices, HIGHEST)[:CRITICAL]
     first = float(critical[0]) if critical.size else LEAST_SPEED
     speeds = np.linspace(0.0, BEYOND * max(speed, first), SPEEDS)
+    whirl, ratios = whirl_frequencies(matrices, speeds.tolist(), WHIRLS)
     unbalanced = any(load.unbalance for load in solution.system.loads)
     response = unbalance_response(matrices, solution, speed) if unbalanced and speed else None
     return ShaftVibration(
         critical=critical,
         speeds=speeds,
-        whirl=whirl_frequencies(matrices, speeds.tolist(), WHIRLS) / (2.0 * pi),
+        whirl=whirl / (2.0 * pi),
+        ratios=ratios,
         positions=matrices.beam.positions,
         response=response,
     )

@@ -34,11 +34,12 @@ SYSTEM = quantities(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShaftVibration:
-    """Small vibrations of a shaft about its equilibrium, undamped."""
+    """Small vibrations of a shaft about its equilibrium."""
 
     critical: Array  # speeds, ascending [rad/s]
     speeds: Array  # of the shaft, of Campbell's diagram (n,) [rad/s]
     whirl: Array  # natural frequencies there (n, m) [Hz]
+    ratios: Array  # damping by the films over the critical one (n, m) [-]
     positions: Array  # of the nodes (k,) [m]
     # complex amplitudes under the unbalances at the speed of the case (k, 6) [m], [rad]; None
     # without unbalance
@@ -130,6 +131,7 @@ def shaft_summary(results: ShaftResults) -> dict[str, Any]:
         else {
             "speed_rpm": SPEED.in_unit(moving.speeds),
             "frequency_Hz": WHIRL.in_unit(moving.whirl),
+            "damping_ratio": moving.ratios,
         },
         "unbalance": _unbalance(moving),
         "heat": None if results.heat is None else _heat(results.heat),
@@ -248,5 +250,6 @@ def shaft_variables(results: ShaftResults) -> Variables:
         turning = {"units": "rad/s"}
         variables["speed"] = (("speed",), moving.speeds, turning)
         variables["whirl"] = (("speed", "mode"), moving.whirl, {"units": "Hz"})
+        variables["damping_ratio"] = (("speed", "mode"), moving.ratios, {"units": "1"})
         variables["critical_speed"] = (("critical",), moving.critical, turning)
     return variables

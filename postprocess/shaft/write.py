@@ -197,7 +197,7 @@ def shaft_table(results: ShaftResults) -> Group:
         lines.append(Text(f"critical speeds {speeds} r/min", style="dim"))
     if moving is not None and moving.response is not None:
         largest = float(abs(moving.response[:, 1:3]).max())
-        text = f"largest amplitude by unbalance {number(AMPLITUDE.in_unit(largest))} µm, undamped"
+        text = f"largest amplitude by unbalance {number(AMPLITUDE.in_unit(largest))} µm"
         lines.append(Text(text, style="dim"))
     if results.heat is not None:
         films = [one.state.film_temperature for one in results.heat.bearings if one.state]

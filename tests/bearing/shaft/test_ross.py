@@ -69,7 +69,8 @@ def test_critical_speeds(shaft):
     beam = system.beam(system.sections[-1].end / 40)
     stiffness = held(beam, shaft, places)
     free = np.setdiff1d(np.arange(stiffness.shape[0]), [3])
-    matrices = Vibration(beam=beam, stiffness=stiffness, damping=np.zeros_like(stiffness), free=free)
+    none = np.zeros_like(stiffness)
+    matrices = Vibration(beam=beam, stiffness=stiffness, damping=none, across=none, free=free)
     expected = shaft["critical"]
     found = critical_speeds(matrices, 2.9e4)[: len(expected)]
     assert len(found) >= 1

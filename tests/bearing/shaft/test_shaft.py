@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+import oilfilm
 from oilfilm.bearing import Operation, load_bearing, load_material, solve_quasistatic
+from oilfilm.bearing.contacts.contacts import contact_conditions
+from oilfilm.bearing.films.damping import film_lag, ring_damping
 from oilfilm.bearing.shaft.beam import FREEDOMS, Section, stepped_beam
 from oilfilm.bearing.shaft.equilibrium import solve_shaft
 from oilfilm.bearing.shaft.system import AxialLocation, PointLoad, ShaftSystem, Support
@@ -189,8 +192,8 @@ def test_frequencies_of_a_simply_supported_beam():
         for freedom in range(3):
             stiffness[FREEDOMS * node + freedom, FREEDOMS * node + freedom] += 1e13
     free = np.setdiff1d(np.arange(stiffness.shape[0]), [3])
-    matrices = Vibration(beam=beam, stiffness=stiffness, damping=0.0 * stiffness, free=free)
-    found = whirl_frequencies(matrices, [0.0], 4)[0]
+    matrices = Vibration(beam=beam, stiffness=stiffness, damping=0.0 * stiffness, across=0.0 * stiffness, free=free)
+    found = whirl_frequencies(matrices, [0.0], 4)[0][0]
     assert_allclose(found, np.repeat([timoshenko(1), timoshenko(2)], 2), rtol=3e-4)
 
 
@@ -204,7 +207,7 @@ def test_critical_speeds_are_where_whirl_meets_the_speed():
     critical = critical_speeds(matrices, 1e4)
     assert critical.size >= 2
     for speed in critical[:3]:
-        whirl = whirl_frequencies(matrices, [speed], 8)[0]
+        whirl = whirl_frequencies(matrices, [speed], 8)[0][0]
         assert abs(whirl / speed - 1.0).min() < 1e-4
     near, far = (
         abs(unbalance_response(matrices, solution, factor * critical[0])[:, 1:3]).max() for factor in (0.999, 0.5)
@@ -221,3 +224,46 @@ def test_a_bearing_off_its_shoulder_adds_no_axial_stiffness_to_the_vibration():
     assert_allclose(found, expected, rtol=1e-6, atol=1e-6 * abs(expected).max())
     tangent = one_sided.bearings[1].stiffness
     assert tangent[0, 0] > 1e6  # of the bearing itself
+
+
+OIL = oilfilm.load_lubricant("iso vg 68", 330.0)
+
+
+def test_stiffness_of_the_balls_in_the_directions_of_their_films_is_that_of_the_ring():
+    """With c = k of each ball the damping matrix is the stiffness, but for the turn of the contact angles."""
+    at = Operation(inner_speed=1.0, force=(50.0, 0.0, 0.0))  # light: the contact angles hardly turn
+    state = solve_quasistatic(ANGULAR, at)
+    contacts = contact_conditions(state, OIL)
+    damping, _ = ring_damping(state, contacts)
+    ball = [c for c in contacts if c.ball == 1]
+    flexibility = sum(c.hertz.approach / (1.5 * c.load) for c in ball)
+    each = sum(film_lag(c.conditions, c.hertz) for c in ball) / flexibility**2
+    assert_allclose(damping / each, state.stiffness * flexibility, rtol=0.03, atol=1e-9)
+
+
+def test_films_that_turn_with_the_shaft_do_not_damp_it():
+    """Balls that orbit as fast as the shaft whirls: C q' + S q of the circular whirl is zero."""
+    state = solve_quasistatic(ANGULAR, Operation(inner_speed=500.0, force=(1000.0, 0.0, 0.0)))
+    damping, across = ring_damping(state, contact_conditions(state, OIL))
+    whirl = np.array([0.0, 1.0, -1j, 0.0, 0.0])  # from y to z, exp(i w t)
+    orbit = state.cage_speed
+    assert_allclose((1j * orbit * damping + across) @ whirl, 0.0, atol=1e-9 * orbit * damping.max())
+
+
+def test_damping_of_whirl_and_of_unbalance_are_those_of_a_rotor_on_springs():
+    """A stiff shaft between two bearings: m x'' + c x' + k x, at rest and at its critical speed."""
+    load = PointLoad(position=0.15, mass=30.0, unbalance=1e-5)
+    supports = tuple(
+        Support(position=x, bearing=ANGULAR, rows=(preloaded_row(ANGULAR, 0.0, sense, 400.0),))
+        for x, sense in ((0.11, 1), (0.19, -1))
+    )
+    solution = solve_shaft(ShaftSystem(sections=stepped(1.0e4), supports=supports, loads=(load,), speed=500.0))
+    lateral = np.zeros((5, 5))
+    lateral[1, 1] = lateral[2, 2] = 2000.0
+    matrices = vibration(solution, [(lateral, 0.0 * lateral)] * 2)
+    found, ratio = (values[0, 0] for values in whirl_frequencies(matrices, [0.0], 2))
+    mass = 30.0 + sum(s.area * (s.end - s.start) * STEEL.density for s in stepped())
+    assert_allclose(ratio, 4000.0 / (2.0 * mass * found), rtol=0.05)
+    critical = critical_speeds(matrices, 1e4)[0]
+    amplitude = abs(unbalance_response(matrices, solution, critical)[:, 1]).max()
+    assert_allclose(amplitude, 1e-5 * critical / 4000.0, rtol=0.1)
