@@ -15,7 +15,7 @@ from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.oil.lubricant import Lubricant
 from oilfilm.ehl.traction.friction_coefficients import RampedCoulomb
 
-from ..films.damping import HERTZ_EXPONENT, film_lag
+from ..films.unsolved_films import film_lag
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import reduced_modulus
 from ..operation import Operation
@@ -56,6 +56,7 @@ from .inputs import CageBody, DynamicsModel, Guide, Settling, Surfaces
 from .reduction import solved_indices
 from .support import Support
 
+HERTZ_EXPONENT = 1.5
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
 # fraction of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed
@@ -670,7 +671,7 @@ def reference_load(schedule: Array, numbers: Constants, balls: int) -> float:
 def film_damping(
     bearing: Bearing, race: Race, angle: float, load: float, oil: Lubricant, schedule: Array
 ) -> tuple[float, float]:
-    """Damping of the film of a rolling ball at slow movement, estimated (`films.damping`), and the
+    """Damping of the film of a rolling ball at slow movement, estimated (`film_lag`), and the
     load below which it fades.
 
     It changes little with the load, so one number stands for all; it fades in proportion to

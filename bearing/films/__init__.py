@@ -2,7 +2,6 @@
 
 asperities     - mixed lubrication, first order: the fraction of the load on asperities
 between_races  - balls that the elastic contacts leave free, between two films
-damping        - damping of contacts and of a ring by the films of rolling balls
 decay          - film of a bearing over the time after its oil supply has stopped
 film           - the film of one contact, its origin, values, errors and fractions
 heavy_moment   - moment that resists the rolling of heavily loaded contacts, by a formula

@@ -52,7 +52,7 @@ def vibration(
     solution : ShaftSolution
         Converged equilibrium.
     films : sequence of (Array, Array), optional
-        Damping of each bearing, and force across, `films.damping.ring_damping`.
+        Damping of each bearing, and force across, `studies.stiffness.ring_damping`.
     longest : float, optional
         Longest element [m]; left out, a fortieth of the shaft.
 

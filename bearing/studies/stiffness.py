@@ -1,4 +1,4 @@
-"""Stiffness of a bearing over speed."""
+"""Stiffness of a bearing over speed, and damping by its films."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -9,8 +9,11 @@ from numpy.typing import NDArray
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import RPM
 
+from ..contacts.contact import BearingContact
+from ..films.unsolved_films import film_lag
 from ..geometry import SINGLE, Bearing, Row
 from ..operation import Operation, QuasistaticModel
+from ..quasistatic.ring import ring_of
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
 
@@ -79,4 +82,54 @@ def stiffness_over_speed(
         matrices=matrices,
         displacements=displacements,
         messages=tuple(messages),
+    )
+
+
+def ring_damping(
+    state: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> tuple[Array, Array]:
+    """Damping of a ring by the films of its balls, and the force across by their orbit.
+
+    Inner and outer film of a ball act one after the other, along the contact angle of the inner
+    race. The balls orbit at w_b, so that the approach of a ball changes by the movement u of the
+    ring and by its own: f = sum c g (g' du/dt + w_b (dg/dpsi)' u), g the approach over u.
+
+    Parameters
+    ----------
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts; those without a film do not damp.
+
+    Returns
+    -------
+    damping
+        In the order x, y, z, tilt y, tilt z (5, 5) [N s/m], [N s], [N m s].
+    across
+        Force over displacement, likewise (5, 5) [N/m], [N], [N m].
+    """
+    balls = state.azimuth.size
+    lag, flexibility = np.zeros(balls), np.zeros(balls)
+    films = np.zeros(balls)
+    for contact in contacts:
+        if contact.conditions is None or contact.hertz is None:
+            continue
+        ball = contact.ball - 1
+        films[ball] += 1
+        lag[ball] += film_lag(contact.conditions, contact.hertz)
+        flexibility[ball] += contact.hertz.approach / (1.5 * contact.load)
+    both = films == 2.0
+    damping = np.where(both, lag / np.where(both, flexibility, 1.0) ** 2, 0.0)
+    ring = ring_of(state.bearing, state.operation, state.rows)
+    angle = state.inner_contact_angle
+    turned = np.zeros_like(ring.movement)
+    turned[:, [1, 3]] = -ring.movement[:, [2, 4]]
+    turned[:, [2, 4]] = ring.movement[:, [1, 3]]
+    approach, orbiting = (
+        (np.sin(angle) * m[0] + np.cos(angle) * m[1]) * ring.scale[:, None]
+        for m in (ring.movement, turned)
+    )
+    return (
+        (damping * approach) @ approach.T,
+        (damping * state.orbit_speed * approach) @ orbiting.T,
     )

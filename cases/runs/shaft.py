@@ -8,7 +8,6 @@ from warnings import catch_warnings, simplefilter
 
 import numpy as np
 
-from oilfilm.bearing.films.damping import ring_damping
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.shaft.equilibrium import ShaftSolution, solve_shaft
 from oilfilm.bearing.shaft.heat import ShaftHeat, held_operation, solve_shaft_heat
@@ -20,6 +19,7 @@ from oilfilm.bearing.shaft.vibration import (
     vibration,
     whirl_frequencies,
 )
+from oilfilm.bearing.studies.stiffness import ring_damping
 from oilfilm.ehl.units import from_si
 from oilfilm.postprocess.bearing.results import BearingResults
 from oilfilm.postprocess.shaft.results import ShaftResults, ShaftVibration

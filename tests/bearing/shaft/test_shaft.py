@@ -9,12 +9,13 @@ from numpy.testing import assert_allclose
 import oilfilm
 from oilfilm.bearing import Operation, load_bearing, load_material, solve_quasistatic
 from oilfilm.bearing.contacts.contacts import contact_conditions
-from oilfilm.bearing.films.damping import film_lag, ring_damping
+from oilfilm.bearing.films.unsolved_films import film_lag
 from oilfilm.bearing.shaft.beam import FREEDOMS, Section, stepped_beam
 from oilfilm.bearing.shaft.equilibrium import solve_shaft
 from oilfilm.bearing.shaft.system import AxialLocation, PointLoad, ShaftSystem, Support
 from oilfilm.bearing.shaft.vibration import Vibration, critical_speeds, unbalance_response, vibration, whirl_frequencies
 from oilfilm.bearing.studies.preload import Arrangement, duplex, preloaded_row
+from oilfilm.bearing.studies.stiffness import ring_damping
 
 STEEL = load_material("bearing steel")
 BAR = Section(start=0.0, end=0.3, outside_diameter=0.04, inside_diameter=0.01, material=STEEL)
