@@ -6,10 +6,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from oilfilm.ehl import Lubricant
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import RPM
 
 from ..contacts.contact import BearingContact
+from ..contacts.contacts import contact_conditions
 from ..films.unsolved_films import film_lag
 from ..geometry import SINGLE, Bearing, Row
 from ..operation import Operation, QuasistaticModel
@@ -27,6 +29,7 @@ class StiffnessOverSpeed:
     matrices: Array  # [N/m], [N/rad], [N m/rad]
     displacements: Array  # [m], [rad], shape (n, 5)
     messages: tuple[str, ...]  # of the speeds without an equilibrium
+    damping: Array  # by the films, in the same order; zero without oil (n, 5, 5) [N s/m], ...
 
     @property
     def converged(self) -> NDArray[np.bool_]:
@@ -41,6 +44,7 @@ def stiffness_over_speed(
     model: QuasistaticModel | None = None,
     rows: Sequence[Row] = SINGLE,
     solve: Callable[..., QuasistaticSolution] = solve_quasistatic,
+    oil: Lubricant | None = None,
 ) -> StiffnessOverSpeed:
     """Stiffness at several speeds of the inner ring, all else as in the operation.
 
@@ -58,6 +62,8 @@ def stiffness_over_speed(
         rows of balls on the inner ring
     solve : Callable[..., QuasistaticSolution], default solve_quasistatic
         called as `solve_quasistatic`
+    oil : Lubricant | None, optional
+        lubricant of the films that damp
 
     Returns
     -------
@@ -65,6 +71,7 @@ def stiffness_over_speed(
         stiffness and displacement over speed, NaN without an equilibrium
     """
     matrices = np.full((len(speeds), 5, 5), np.nan)
+    damping = np.zeros_like(matrices)
     displacements = np.full((len(speeds), 5), np.nan)
     last: QuasistaticSolution | None = None
     messages = []
@@ -74,6 +81,8 @@ def stiffness_over_speed(
         if solution.converged:
             matrices[index] = solution.stiffness
             displacements[index] = [*solution.displacement, *solution.tilt]
+            if oil is not None:
+                damping[index], _ = ring_damping(solution, contact_conditions(solution, oil))
             last = solution
         else:
             messages.append(f"{speed / RPM:.6g} r/min: {solution.message}")
@@ -82,6 +91,7 @@ def stiffness_over_speed(
         matrices=matrices,
         displacements=displacements,
         messages=tuple(messages),
+        damping=damping,
     )
 
 

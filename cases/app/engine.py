@@ -26,7 +26,7 @@ from oilfilm.postprocess.contact.shown_part import contact_view
 from oilfilm.postprocess.plot_style import png_of
 from oilfilm.postprocess.report.page import report_page
 from oilfilm.postprocess.scene.live_arrays import scene_arrays
-from oilfilm.postprocess.stiffness.results import ross_table
+from oilfilm.postprocess.stiffness.results import ross_lines
 from oilfilm.postprocess.writer import summary, write_results
 
 from ..format.case import Case, case_of_document
@@ -39,16 +39,6 @@ from .readings import main_numbers
 
 Answer = dict[str, Any]
 ROSS_POINTS = 5
-ROSS_LINES = """\
-import numpy as np
-import ross as rs
-
-# {title}: stiffness of the bearing over the speed of the rotor; ROSS has z along the shaft
-bearing = rs.BearingElement(
-    n=0,  # node of the shaft
-    {arguments},
-)
-"""
 PICTURE_DPI = 150
 
 
@@ -200,14 +190,8 @@ class Engine:
         dict[str, Any]
             The lines as text.
         """
-        study = run_stiffness(_bearing_case(document), "case", None, ROSS_POINTS, 0.0).study
-        rows = {
-            name: ", ".join(f"{value:.6g}" for value in values)
-            for name, values in ross_table(study).items()
-        }
-        arguments = ",\n    ".join(f"{name}=np.array([{row}])" for name, row in rows.items())
-        title = document.get("title") or "bearing"
-        return {"text": ROSS_LINES.format(title=title, arguments=arguments)}
+        study = run_stiffness(_bearing_case(document), "case", None, ROSS_POINTS).study
+        return {"text": ross_lines(study, None, document.get("title") or "bearing")}
 
 
 def live_document(document: Mapping[str, Any]) -> dict[str, Any]:

@@ -202,8 +202,14 @@ def stiffness(
         int, typer.Option(min=2, max=1001, metavar="N", help="Speeds, evenly spaced.")
     ] = 11,
     damping: Annotated[
-        float, typer.Option(min=0.0, metavar="C", help="Damping handed to the rotor code [N s/m].")
-    ] = 0.0,
+        float | None,
+        typer.Option(
+            min=0.0, metavar="C", help="Damping for the rotor code [N s/m]; default: by the films."
+        ),
+    ] = None,
+    ross: Annotated[
+        bool, typer.Option("--ross", help="Print the lines for the rotor code ROSS.")
+    ] = False,
     as_json: terminal.Json = False,
     quiet: terminal.Quiet = False,
     notes: terminal.Notes = False,
@@ -218,11 +224,13 @@ def stiffness(
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
     with terminal.progress_bar(quiet=quiet) as progress:
         results = run_stiffness(loaded, case, ends, points, damping, progress)
-    from oilfilm.postprocess.stiffness.results import stiffness_summary
+    from oilfilm.postprocess.stiffness.results import ross_lines, stiffness_summary
     from oilfilm.postprocess.stiffness.write import stiffness_table, write_stiffness
 
     save_with(lambda folder: write_stiffness(results, folder), directory)
     document = stiffness_summary(results)
+    if ross and not as_json:
+        typer.echo(ross_lines(results.study, damping, loaded.title))
     return report(document, lambda: stiffness_table(results), directory, as_json, quiet, notes)
 
 

@@ -191,7 +191,7 @@ def run_stiffness(
     name: str,
     speeds: tuple[float, float] | None,
     points: int,
-    damping: float,
+    damping: float | None = None,
     progress: Progress | None = None,
 ) -> StiffnessResults:
     """Stiffness at evenly spaced speeds.
@@ -206,8 +206,8 @@ def run_stiffness(
         First and last [rad/s]; None: from rest to the speed of the case.
     points : int
         Number of speeds [-].
-    damping : float
-        Damping for the rotor code [N s/m].
+    damping : float, optional
+        Damping for the rotor code [N s/m]; left out, that of the films.
     progress : Progress | None, optional
         Called with speeds done, speeds in all, and a text.
 
@@ -235,6 +235,7 @@ def run_stiffness(
         case.model,
         case.rows or SINGLE,
         equilibrium_solver(case),
+        None if case.dry or case.frozen else case.lubricant,
     )
     return StiffnessResults(
         version=version(),

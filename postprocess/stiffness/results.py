@@ -18,7 +18,19 @@ ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 SPEED = Quantity("speeds_rpm", "speed of the inner ring", "speeds")
 STIFFNESS = Quantity("stiffness_N_um", "stiffness")
 TILTING_STIFFNESS = Quantity("tilting_stiffness_N_m_mrad", "tilting stiffness")
-DAMPING = "ross: damping {:g} N s/m as given, the equilibrium has none"
+DAMPING = "ross: damping {:g} N s/m as given"
+FILMS = "ross: damping by the films, an estimate at slow movement"
+ROSS_LINES = """\
+import numpy as np
+import ross as rs
+
+# {title}: stiffness and damping of the bearing over the speed of the rotor; ROSS has z along the
+# shaft
+bearing = rs.BearingElement(
+    n=0,  # node of the shaft
+    {arguments},
+)
+"""
 MIXED = {"units": "SI: N, m, rad, N m"}
 
 
@@ -27,7 +39,8 @@ class StiffnessResults(Results):
     """Stiffness of one case over speed."""
 
     study: StiffnessOverSpeed
-    damping: float  # handed through to the rotor code [N s/m]
+    # handed through to the rotor code [N s/m]; None: damping by the films
+    damping: float | None
 
     @property
     def converged(self) -> bool:
@@ -35,7 +48,7 @@ class StiffnessResults(Results):
         return bool(self.study.converged.all())
 
 
-def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Array]:
+def ross_table(study: StiffnessOverSpeed, damping: float | None = None) -> dict[str, Array]:
     """Arguments of the BearingElement of the rotor code ROSS 3 over speed.
 
     ROSS 2 calls the speed `frequency`. ROSS has z along the shaft; its x and y are our -z and y (a
@@ -47,8 +60,8 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
     ----------
     study : StiffnessOverSpeed
         Stiffness over speed; speeds without an equilibrium are left out.
-    damping : float, default 0.0
-        Viscous damping in x, y and z, which the equilibrium does not know [N s/m].
+    damping : float, optional
+        Viscous damping in x, y and z [N s/m]; left out, that of the films.
 
     Returns
     -------
@@ -61,18 +74,43 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
     ValueError
         If the damping is negative.
     """
-    if not damping >= 0.0:
+    if damping is not None and not damping >= 0.0:
         raise ValueError(f"damping must not be negative, got {damping!r} N s/m")
     kept = study.converged
-    turned = ROSS_AXES @ study.matrices[kept][:, :3, :3] @ ROSS_AXES.T
-    size = int(kept.sum())
-    stiffness = {"kxx": (0, 0), "kxy": (0, 1), "kyx": (1, 0), "kyy": (1, 1), "kzz": (2, 2)}
+    films = study.damping[kept][:, :3, :3]
+    if damping is not None:
+        films = np.broadcast_to(damping * np.eye(3), films.shape)
+    places = {"xx": (0, 0), "xy": (0, 1), "yx": (1, 0), "yy": (1, 1), "zz": (2, 2)}
     table = {"speed": study.speeds[kept]}
-    table |= {name: turned[:, i, j] for name, (i, j) in stiffness.items()}
-    return table | {
-        name.replace("k", "c"): np.full(size, damping if i == j else 0.0)
-        for name, (i, j) in stiffness.items()
+    for letter, matrices in (("k", study.matrices[kept][:, :3, :3]), ("c", films)):
+        turned = ROSS_AXES @ matrices @ ROSS_AXES.T
+        table |= {letter + name: turned[:, i, j] for name, (i, j) in places.items()}
+    return table
+
+
+def ross_lines(study: StiffnessOverSpeed, damping: float | None, title: str) -> str:
+    """Lines of Python that give the bearing to the rotor code ROSS.
+
+    Parameters
+    ----------
+    study : StiffnessOverSpeed
+        Stiffness and damping over speed.
+    damping : float or None
+        As for `ross_table`.
+    title : str
+        Of the case.
+
+    Returns
+    -------
+    str
+        The lines.
+    """
+    rows = {
+        name: ", ".join(f"{value:.6g}" for value in values)
+        for name, values in ross_table(study, damping).items()
     }
+    arguments = ",\n    ".join(f"{name}=np.array([{row}])" for name, row in rows.items())
+    return ROSS_LINES.format(title=title or "bearing", arguments=arguments)
 
 
 def stiffness_summary(results: StiffnessResults) -> dict[str, Any]:
@@ -103,7 +141,8 @@ def stiffness_summary(results: StiffnessResults) -> dict[str, Any]:
         "points": rows_of(columns),
         "ross": ross_table(study, results.damping),
     }
-    head = results.head(results.converged, [*lost, DAMPING.format(results.damping)])
+    words = FILMS if results.damping is None else DAMPING.format(results.damping)
+    head = results.head(results.converged, [*lost, words])
     return head | dict(plain(document)) | {"timing_s": results.timing}
 
 

@@ -75,3 +75,15 @@ def test_speeds_without_equilibrium_are_flagged(tmp_path):
 def test_bad_input_is_told():
     assert run("209_radial_8900N", "--json").exit_code == 2  # at rest, and no speeds are given
     assert run("moes_20_10", "--json").exit_code == 2
+
+
+def test_the_lines_for_the_rotor_code_have_the_damping_of_the_films(tmp_path):
+    arguments = (CASE, "-o", str(tmp_path / "out"), "--points", "2", "--speeds", "6000", "12000", "--ross")
+    found = run(*arguments)
+    assert found.exit_code == 0, found.output
+    assert "rs.BearingElement(" in found.stdout
+    document = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
+    table = document["ross"]
+    assert all(10.0 < c < 1e4 for c in table["cxx"])  # one ball under 100 N and 5 m/s has some 50 N s/m
+    assert table["cxx"][1] < table["cxx"][0]  # film over speed falls
+    assert any("damping by the films" in message for message in document["messages"])
