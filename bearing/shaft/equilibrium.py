@@ -135,10 +135,12 @@ def solve_shaft(system: ShaftSystem) -> ShaftSolution:
 def _problem(system: ShaftSystem) -> _Problem:
     beam = system.beam()
     shaft = beam.stiffness.shape[0]
-    elastic = [s.seat_stiffness is not None for s in system.supports]
-    size = shaft + len(RING) * sum(elastic)
+    seats = 0 if system.housing is None else system.housing.shape[0]
+    size = shaft + seats
     stiffness = np.zeros((size, size))
     stiffness[:shaft, :shaft] = beam.stiffness
+    if system.housing is not None:
+        stiffness[shaft:, shaft:] = system.housing
     load = np.zeros(size)
     load[:shaft] = system.load_vector(beam)
     selectors = []
@@ -147,10 +149,8 @@ def _problem(system: ShaftSystem) -> _Problem:
         selector = np.zeros((len(RING), size))
         first = FREEDOMS * beam.node(support.position)
         selector[np.arange(len(RING)), first + RING] = 1.0
-        if support.seat_stiffness is not None:
-            places = slice(seat, seat + len(RING))
-            stiffness[places, places] = support.seat_stiffness
-            selector[:, places] = -np.eye(len(RING))
+        if system.housing is not None:
+            selector[:, seat : seat + len(RING)] = -np.eye(len(RING))
             seat += len(RING)
         selectors.append(selector)
     free = np.setdiff1d(np.arange(size), [3])  # torsion is held at the first node
@@ -387,11 +387,8 @@ def _linear(
 def _solution(problem: _Problem, point: _Point, iterations: int) -> ShaftSolution:
     shaft = problem.beam.stiffness.shape[0]
     seats = np.zeros((len(problem.system.supports), len(RING)))
-    place = shaft
-    for k, support in enumerate(problem.system.supports):
-        if support.seat_stiffness is not None:
-            seats[k] = point.unknowns[place : place + len(RING)]
-            place += len(RING)
+    if problem.system.housing is not None:
+        seats = point.unknowns[shaft:].reshape(seats.shape)
     converged = point.size <= max(TOLERANCE, point.noise) and point.valid
     message = f"converged in {iterations} iterations"
     if not converged:

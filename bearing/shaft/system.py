@@ -34,9 +34,6 @@ class Support:
     temperature: float = 313.15  # [K]
     model: QuasistaticModel = field(default_factory=QuasistaticModel)
     location: AxialLocation = AxialLocation.BOTH
-    # stiffness of its seat in the order x, y, z, tilt y, tilt z (5, 5) [N/m], [N], [N m]; rigid
-    # where it is None
-    seat_stiffness: Array | None = None
     growth: float = 0.0  # thermal, of the shaft less that of the housing, at its place [m]
 
 
@@ -63,6 +60,9 @@ class ShaftSystem:
     loads: tuple[PointLoad, ...]
     speed: float = 0.0  # about +x [rad/s]
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # acceleration [m/s^2]
+    # stiffness of the housing at the seats, condensed on x, y, z, tilt y, tilt z of each support,
+    # symmetric (5 supports, 5 supports) [N/m], [N], [N m]; None: rigid
+    housing: Array | None = None
     housing_expansion: float = 0.0  # thermal [1/K]
     # heat along the housing from bearing to bearing [W/K]; None: an estimate
     housing_conductance: float | None = None

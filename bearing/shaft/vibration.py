@@ -64,23 +64,25 @@ def vibration(
     system = solution.system
     length = system.sections[-1].end - system.sections[0].start
     beam = system.beam(longest or length / ELEMENTS)
-    stiffness = beam.stiffness.copy()
+    # 1. movement of the rings against their seats per movement of the shaft
+    part = scipy.linalg.block_diag(*(ring_part(state) for state in solution.bearings))
+    bearings = scipy.linalg.block_diag(*(state.stiffness for state in solution.bearings))
+    if system.housing is not None:
+        # both in series: K_b (K_b + K_housing)^-1 K_housing
+        part = part @ np.linalg.solve(bearings @ part + system.housing, system.housing)
+    # 2. of the places on the shaft per unknown
+    select = np.zeros((part.shape[0], beam.stiffness.shape[0]))
+    places = [FREEDOMS * beam.node(support.position) + RING for support in system.supports]
+    select[np.arange(part.shape[0]), np.concatenate(places)] = 1.0
+    tangent = bearings @ part
+    stiffness = beam.stiffness + select.T @ (0.5 * (tangent + tangent.T)) @ select
     resisting, across = (np.zeros_like(stiffness) for _ in range(2))
-    for k, (support, state) in enumerate(zip(system.supports, solution.bearings, strict=True)):
-        # movement of the ring against its seat per movement of the shaft
-        part = ring_part(state)
-        tangent = state.stiffness @ part
-        if support.seat_stiffness is not None:
-            # both in series: K_b (K_b + K_seat)^-1 K_seat
-            seat = support.seat_stiffness
-            part = part @ np.linalg.solve(tangent + seat, seat)
-            tangent = state.stiffness @ part
-        places = FREEDOMS * beam.node(support.position) + RING
-        block = np.ix_(places, places)
-        stiffness[block] += 0.5 * (tangent + tangent.T)
-        if films is not None:
-            resisting[block] += part.T @ films[k][0] @ part
-            across[block] += part.T @ films[k][1] @ part
+    if films is not None:
+        held = part @ select
+        resisting, across = (
+            held.T @ scipy.linalg.block_diag(*matrices) @ held
+            for matrices in zip(*films, strict=True)
+        )
     free = np.setdiff1d(np.arange(stiffness.shape[0]), [3])
     return Vibration(beam=beam, stiffness=stiffness, damping=resisting, across=across, free=free)
 

@@ -80,8 +80,14 @@ class ShaftLoadTable(Table):
 
 
 class HousingTable(Table):
-    """Seats of the outer rings, alike; left out they are rigid."""
+    """Seats of the outer rings, alike or by a matrix of the housing; left out they are rigid."""
 
+    stiffness: str | None = described(
+        "file of its stiffness, condensed on x, y, z and the rotations about them of a seat (6 x "
+        "6, of all seats alike) or of all seats in the order of [[support]]",
+        min_length=1,
+    )
+    stiffness_units: Literal["N m rad", "N mm rad"] = described("of that file", "N m rad")
     radial_stiffness_N_um: float | None = above(0, 1e6, "along y and z, of a seat")
     axial_stiffness_N_um: float | None = above(0, 1e6, "along the shaft")
     tilting_stiffness_N_m_mrad: float | None = above(0, 1e6, "against tilt")
@@ -142,6 +148,10 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
             if is_number(place) and place > ends[-1]:
                 allowed = f"allowed: on the shaft, up to {ends[-1]:g} mm"
                 yield CaseProblem((name, index, "at_mm"), f"found {shown(place)}", allowed)
+    for key in ("radial_stiffness_N_um", "axial_stiffness_N_um", "tilting_stiffness_N_m_mrad"):
+        if values.get("housing", "stiffness") is not None and values.get("housing", key):
+            finding = "found together with stiffness"
+            yield CaseProblem(("housing", key), finding, "allowed: one of them")
     yield from _support_faults(values)
 
 

@@ -19,13 +19,16 @@ from oilfilm.bearing.shaft.system import (
 from oilfilm.ehl.arrays import Array
 
 from .case import Case, case_of_document
+from .data_tables import case_table
 from .document import ShaftFile, read_text, validate_text
 from .library import materials
 from .operation import SELF_HEATED
-from .rules import CaseError, CaseProblem, key_lines
+from .rules import CaseError, CaseProblem, InvalidKeyError, key_lines
 from .shaft import HousingTable, SectionTable, bearing_document
 from .shipped import find_case
 
+ASYMMETRY = 1.0e-3  # of a matrix from a file, by rounding [-]
+MILLIMETRES = {"N m rad": 1.0, "N mm rad": 1.0e-3}  # lengths of a file of stiffness [m]
 RIGID = 1.0e13  # stiffness of a direction that a housing leaves out [N/m], [N m/rad]
 
 
@@ -115,11 +118,15 @@ def shaft_case(file: ShaftFile, name: str, text: str = "") -> ShaftCase:
         documents.append(own)
         cases.append(case)
     library = materials(file.materials, [table.material for table in file.shaft.section])
+    try:
+        system = shaft_system(file, tuple(cases), library)
+    except InvalidKeyError as error:
+        raise CaseError([error.fault.text(name, key_lines(text))], [error.fault]) from None
     return ShaftCase(
         title=file.title,
         source=file.source,
         assumed=file.assumed,
-        system=shaft_system(file, tuple(cases), library),
+        system=system,
         cases=tuple(cases),
         documents=tuple(documents),
         names=tuple(support["bearing"] for support in document["support"]),
@@ -175,25 +182,61 @@ def sections(
     return tuple(found)
 
 
-def seat_stiffness(table: HousingTable) -> Array | None:
-    """Stiffness of a seat in the order x, y, z, tilt y, tilt z.
+def housing_stiffness(table: HousingTable, seats: int) -> Array | None:
+    """Stiffness of a housing at its seats in the order x, y, z, tilt y, tilt z of each.
 
     Parameters
     ----------
     table : HousingTable
         The checked table.
+    seats : int
+        Their number.
 
     Returns
     -------
     Array or None
-        Shape (5, 5) [N/m], [N], [N m]; None where all is rigid.
+        Shape (5 seats, 5 seats) [N/m], [N], [N m]; None where all is rigid.
+
+    Raises
+    ------
+    InvalidKeyError
+        If the file of the key `stiffness` holds no such matrix.
     """
+    if table.stiffness is not None:
+        return _matrix_of_file(table.stiffness, MILLIMETRES[table.stiffness_units], seats)
     si = table.si()
     values = (si["axial_stiffness"], si["radial_stiffness"], si["tilting_stiffness"])
     if all(value is None for value in values):
         return None
     axial, radial, tilting = (RIGID if value is None else value for value in values)
-    return np.diag([axial, radial, radial, tilting, tilting])
+    return np.kron(np.eye(seats), np.diag([axial, radial, radial, tilting, tilting]))
+
+
+def _matrix_of_file(file: str, unit: float, seats: int) -> Array:
+    """Matrix of a file [N, `unit` m, rad] without the rotations about the axis, which nothing
+    loads.
+    """
+    key = ("housing", "stiffness")
+    needed = f"needed: a symmetric matrix of 6 rows and columns, or {6 * seats} for all seats"
+    matrix = np.column_stack([column.values for column in case_table(key, file).columns])
+    if matrix.shape not in ((6, 6), (6 * seats, 6 * seats)):
+        finding = f"{file}: {matrix.shape[0]} rows of {matrix.shape[1]} numbers"
+        raise InvalidKeyError(key, finding, needed)
+    if matrix.shape[0] == 6:
+        matrix = np.kron(np.eye(seats), matrix)
+    lengths = np.tile([1.0 / unit] * 3 + [1.0] * 3, seats)
+    matrix = matrix * np.outer(lengths, lengths) * unit
+    root = np.sqrt(np.abs(np.diag(matrix)))
+    scaled = matrix / np.outer(root, root) if root.all() else np.full_like(matrix, np.nan)
+    if not np.abs(scaled - scaled.T).max() <= ASYMMETRY:
+        raise InvalidKeyError(key, f"{file}: not symmetric, or a zero diagonal", needed)
+    if np.linalg.eigvalsh(scaled)[0] <= 0.0:
+        finding = f"{file}: not positive definite: the housing gives way to a load without end"
+        raise InvalidKeyError(key, finding, needed)
+    flexible = np.linalg.inv(scaled) / np.outer(root, root)
+    keep = np.flatnonzero(np.arange(root.size) % 6 != 3)
+    found = np.linalg.inv(flexible[np.ix_(keep, keep)])
+    return np.asarray(0.5 * (found + found.T))
 
 
 def shaft_system(
@@ -217,7 +260,6 @@ def shaft_system(
     """
     pieces = sections(file.shaft.section, library)
     operation, housing = file.operation.si(), file.housing.si()
-    seat = seat_stiffness(file.housing)
     supports = tuple(
         Support(
             position=table.si()["at"],
@@ -226,7 +268,6 @@ def shaft_system(
             temperature=case.operation.temperature,
             model=case.model,
             location=AxialLocation(table.fixed),
-            seat_stiffness=seat,
         )
         for table, case in zip(file.support, cases, strict=True)
     )
@@ -249,6 +290,7 @@ def shaft_system(
         loads=loads,
         speed=operation["inner_speed"],
         gravity=file.shaft.si()["gravity"],
+        housing=housing_stiffness(file.housing, len(supports)),
         housing_expansion=housing["thermal_expansion"],
         housing_conductance=housing["conductance"],
     )

@@ -178,3 +178,42 @@ def test_temperatures_are_given_or_wanted_and_need_a_way_out(tmp_path):
     path.write_text(text.replace("heat_transfer_W_K = 1.5", ""), encoding="utf-8")
     with pytest.raises(CaseError, match=r"support.0.heat_transfer_W_K: missing"):
         load_shaft(path)
+
+
+def test_a_housing_by_its_matrix_is_that_of_its_springs(tmp_path, monkeypatch):
+    """Diagonal springs as numbers and as a file in N and mm; a rotation about the axis gives way freely."""
+    monkeypatch.chdir(tmp_path)
+    matrix = np.diag([2e5, 1e5, 1e5, 7.0, 3e7, 3e7])  # N/mm, N mm/rad
+    matrix[1, 3] = matrix[3, 1] = 100.0
+    np.savetxt("k.csv", matrix, delimiter=",")
+    matrix[1, 1] -= 100.0**2 / 7.0  # of a seat that turns with it
+    springs = "radial_stiffness_N_um = {}\naxial_stiffness_N_um = 200.0\ntilting_stiffness_N_m_mrad = 30.0"
+    found = []
+    for housing in ('stiffness = "k.csv"\nstiffness_units = "N mm rad"', springs.format(100.0)):
+        path = tmp_path / "shaft.toml"
+        path.write_text(f"{TEXT}\n[housing]\n{housing}\n", encoding="utf-8")
+        found.append(load_shaft(path).system.housing)
+    file, numbers = found
+    assert file.shape == (10, 10)
+    assert file[1, 1] == pytest.approx(1e3 * matrix[1, 1])
+    file[[1, 6], [1, 6]] = numbers[1, 1]
+    assert file == pytest.approx(numbers, rel=1e-9, abs=1.0)
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        ("1,2\n3,4\n", "2 rows of 2 numbers; needed: a symmetric matrix of 6 rows and columns, or 12"),
+        (np.triu(np.ones((6, 6))), "not symmetric"),
+        (-np.eye(6), "not positive definite"),
+        (np.full((6, 6), np.nan), "k.csv"),
+    ],
+)
+def test_a_housing_of_another_shape_is_told_at_its_key(tmp_path, content, message):
+    file = tmp_path / "k.csv"
+    file.write_text(content, encoding="utf-8") if isinstance(content, str) else np.savetxt(file, content, delimiter=",")
+    path = tmp_path / "shaft.toml"
+    path.write_text(f'{TEXT}\n[housing]\nstiffness = "{file}"\n', encoding="utf-8")
+    with pytest.raises(CaseError, match=r"housing\.stiffness") as caught:
+        load_shaft(path)
+    assert message in str(caught.value)
