@@ -18,6 +18,7 @@ from .catalogue import (
     catalogue_entry,
     estimated_bearings,
     known_designation,
+    size_source,
     with_clearance,
     with_designation,
 )
@@ -139,8 +140,8 @@ def load_catalogue_entry(name: str) -> dict[str, Any]:
         raise ValueError(
             f"bearing {name!r} is unknown{why and ': ' + why}; known: "
             f"{', '.join(published_bearings())}, and "
-            f"designations of the series {', '.join(SERIES)} with bores of 10 to 120 mm, those of "
-            "angular contact with C, AC or B for the contact angle"
+            f"designations of the series {', '.join(SERIES)} with bores of 10 to 180 mm, "
+            "miniature and inch ones, of angular contact with C, AC or B for the contact angle"
         )
     return {"name": shown, **_entry(shown)}
 
@@ -175,12 +176,31 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
     key = catalogue_name(name)
     if key is not None and (estimates := _estimates(key, name, values, assumed)):
         text = f"bearing {key!r}: internal geometry is estimated: {', '.join(estimates)}"
+        text += unverified_size(key)
         warnings.warn(text, stacklevel=2)
     present = {field: value for field, value in values.items() if value is not None}
     texts = [_with_words(field, value) for field, value in present.items() if field in assumed]
     if texts:
         text = f"bearing {name!r}: assumed, as the case says: {', '.join(texts)}"
         warnings.warn(text, stacklevel=2)
+
+
+def unverified_size(name: str) -> str:
+    """Words about the size of a miniature or inch bearing that was read in no source.
+
+    Parameters
+    ----------
+    name : str
+        name of the bearing, in the catalogue or not
+
+    Returns
+    -------
+    str
+        end of a message; empty for all others
+    """
+    designation = known_designation(name)
+    source = "" if designation is None else size_source(designation)
+    return f"; {source}" if "unverified" in source else ""
 
 
 def _estimates(

@@ -58,6 +58,11 @@ PITCH_RANGE = 0.015
 BALLS_RANGE = 0.1
 MAKER = "C and C_0: NSK, Rolling Bearings, B8 to B17 and B50 to B61"
 Ends = tuple[float, float]  # of a range
+SIZE_SOURCES = {  # of miniature and inch bearings, by the column of their table
+    "Koyo": "Koyo, Ball & Roller Bearings, CAT. NO. 203E-1, B14",
+    "lists": "public lists of parts",
+    "unverified": "from memory (unverified)",
+}
 CLEARANCE_CLASSES = ("C2", "CN", "CM", "C3", "C4", "C5")
 # factors of ISO 15 by the series of deep groove bearings [-], from memory, unverified
 DIAMETER_SERIES = {"618": 0.45, "619": 0.62, "60": 0.84, "62": 1.48, "63": 1.92, "64": 2.56}
@@ -323,6 +328,27 @@ def size_of(designation: Designation) -> tuple[float, float, float] | None:
     return rest and (designation.bore, *rest)
 
 
+def size_source(designation: Designation) -> str:
+    """Source of the size of a miniature or inch bearing, that of the open one.
+
+    Parameters
+    ----------
+    designation : Designation
+        series and bore
+
+    Returns
+    -------
+    str
+        text for the entry's `source`; empty for the series of ISO 15
+    """
+    if designation.series != SMALL:
+        return ""
+    row = small_bearings()[designation.code]
+    if designation.code.startswith("EE"):
+        return f"size: that of the {row['designation']} (unverified)"
+    return f"size: {SIZE_SOURCES[row['size']]}"
+
+
 @cache
 def estimated_bearings() -> tuple[str, ...]:
     """Designations of all bearings of the catalogue with an estimated geometry."""
@@ -398,8 +424,9 @@ def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
     geometry = _geometry(designation, size)
     entry = estimated_entry(size, designation.contact_angle, geometry, _values(row))
     entry["skf_series"] = friction_series(designation)
-    source = "boundary dimensions: ISO 15, from memory (unverified)"
-    if designation.series != SMALL:
+    if designation.series == SMALL:
+        source = size_source(designation)
+    else:
         source = f"boundary dimensions: ISO 15, dimension series {designation.dimension_series}"
     maker = MAKER if row.get("dynamic_rating_kN") else "no ratings read"
     if designation.series == SMALL and maker == MAKER:

@@ -12,7 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from oilfilm.bearing import geometry
-from oilfilm.bearing.library.bearings import catalogue_name, estimated_fields, load_catalogue_entry
+from oilfilm.bearing.library.bearings import (
+    catalogue_name,
+    estimated_fields,
+    load_catalogue_entry,
+    unverified_size,
+)
 from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
 from oilfilm.bearing.quasistatic.thrust import loads_at_rest
 from oilfilm.ehl.closed_form.hertz import HertzContact, hertz_contact
@@ -195,7 +200,8 @@ def _estimated_text(known: KnownBearing) -> list[str]:
     if not known.ranges:
         return []
     parts = [f"{key} {low:g} to {high:g}" for key, (low, high) in known.ranges.items()]
-    return [f"internal geometry is estimated: {', '.join(parts)}"]
+    size = unverified_size(known.bearing.name)
+    return [f"internal geometry is estimated: {', '.join(parts)}{size}"]
 
 
 def frequencies_answer(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from math import cos, log, pi
 
@@ -20,10 +21,11 @@ from oilfilm.bearing import (
     solve_quasistatic,
     typical_geometry,
 )
-from oilfilm.bearing.library.bearings import catalogue_name, published_bearings, warn_of_estimates
+from oilfilm.bearing.library.bearings import catalogue_name, published_bearings, unverified_size, warn_of_estimates
 from oilfilm.bearing.library.catalogue import (
     ball_sizes,
     boundary_dimensions,
+    catalogue_entry,
     clearance_class,
     full_complement,
     nearest_series,
@@ -248,7 +250,7 @@ def test_clearance_classes_follow_each_other():
         ("R168", {"bore_mm": 6.35, "outside_diameter_mm": 9.525}),
         ("MR63ZZ", {"bore_mm": 3.0, "outside_diameter_mm": 6.0, "width_mm": 2.0}),
         ("NMB MR105-2RS", {"bore_mm": 5.0, "outside_diameter_mm": 10.0}),
-        ("EE3 TN9", {"bore_mm": 9.525, "outside_diameter_mm": 22.225, "balls": 7}),
+        ("EE3 TN9", {"bore_mm": 9.525, "outside_diameter_mm": 22.225, "width_mm": 5.558, "balls": 7}),
         ("S6205-2RS", {"ring_material": "x105crmo17", "ball_material": "x105crmo17", "type": "deep groove"}),
         ("W 608", {"ring_material": "x105crmo17"}),
         ("hybrid 6205", {"ball_material": "silicon nitride", "ring_material": "bearing steel"}),
@@ -260,6 +262,18 @@ def test_designations_with_suffixes_are_understood(text, expected):
     entry = load_catalogue_entry(text)
     assert {key: entry[key] for key in expected} == expected
     assert entry["name"] == text
+
+
+@pytest.mark.parametrize(("name", "expected"), [("EE4", "size: that of the R8 (unverified)"), ("R188", "from memory")])
+def test_sizes_that_were_read_in_no_source_are_told(name, expected):
+    with pytest.warns(UserWarning, match=re.escape(expected)):
+        warn_of_estimates(name, load_catalogue_entry(name))
+
+
+@pytest.mark.parametrize(("name", "source"), [("608", "CAT. NO. 203E-1"), ("R8", "public lists"), ("6205", "ISO 15")])
+def test_sizes_have_their_source(name, source):
+    assert source in catalogue_entry(read_designation(name))["source"]
+    assert not unverified_size(name)
 
 
 @pytest.mark.parametrize(
