@@ -5,10 +5,11 @@ them are the table, the lines right before are its header. What is wrong with it
 `DamagedFileError` with line and column.
 """
 
+import csv
 import math
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -35,21 +36,39 @@ FORMATS: tuple[tuple[str | None, str], ...] = (
     (";", ","),
     (None, ","),
     ("|", ","),
+    (",", ","),  # in quotation marks
 )
-NOTHING = ("", "-", "--", "na", "n/a", "nan", "null", "none")  # entries that are left out
-CLOCK = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ])?(\d{1,2}):(\d\d):(\d\d(?:\.\d*)?)")
+WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")  # begin .xlsx, .ods; .xls
+NOTHING = (
+    "",
+    "-",
+    "--",
+    "na",
+    "n/a",
+    "#n/a",
+    "#nv",
+    "nan",
+    "null",
+    "none",
+)  # entries that are left out
+CLOCK = re.compile(r"(?:(\d{4}-\d\d-\d\d)[T ]?)?(?:(\d{1,2}):(\d\d):(\d\d(?:\.\d*)?))?")
+DAY_FIRST = re.compile(r"^(\d\d)\.(\d\d)\.(\d{4})")
 WORD = re.compile(r"[^\W\d_]{2}")  # of an instrument's own lines
+THOUSANDS = re.compile(r"[-+]?\d{1,3}([.,' ]\d{3})+([.,]\d*)?")
 TEXT_SHARE = 0.2  # of entries that are numbers, below which a column holds words [-]
 COMMENT = "#%!"
 BRACKETS = re.compile(r"^(.*?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]\s*$")
 SPACED = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\])]*[\])])?")
 METRE = "m"
+INCH = 0.0254  # [m]
+POUND = 4.4482216152605  # force [N]
+GRAVITY = 9.80665  # force of a kilogram [N]
 SIGNS = {"µ": "u", "μ": "u", "°": "deg", "º": "deg", "²": "2", "⁻¹": "-1"}
 FOREIGN = {  # units that no key of the program ends in
     "m": Unit("m"),
     "nm": Unit("nm", 1e-9, METRE),
-    "in": Unit("in", 0.0254, METRE),
-    "uin": Unit("uin", 2.54e-8, METRE),
+    "in": Unit("in", INCH, METRE),
+    "uin": Unit("uin", 1e-6 * INCH, METRE),
     "rad": Unit("rad"),
     "rev": Unit("rev", 2.0 * math.pi, "rad"),
     "1/s": Unit("1/s", 2.0 * math.pi, "rad/s"),
@@ -60,8 +79,13 @@ FOREIGN = {  # units that no key of the program ends in
     "Ncm": Unit("N cm", 1e-2, "N m"),
     "kNm": Unit("kN m", 1e3, "N m"),
     "daN": Unit("daN", 10.0, "N"),
-    "lbf": Unit("lbf", 4.4482216152605, "N"),
-    "kgf": Unit("kgf", 9.80665, "N"),
+    "lbf": Unit("lbf", POUND, "N"),
+    "kgf": Unit("kgf", GRAVITY, "N"),
+    "lbfin": Unit("lbf in", POUND * INCH, "N m"),
+    "lbfft": Unit("lbf ft", 12.0 * POUND * INCH, "N m"),
+    "ozfin": Unit("ozf in", POUND / 16.0 * INCH, "N m"),
+    "gfcm": Unit("gf cm", 1e-5 * GRAVITY, "N m"),
+    "kgfcm": Unit("kgf cm", 1e-2 * GRAVITY, "N m"),
     "min": Unit("min", 60.0, "s"),
     "%": Unit("%", 0.01),
     "degF": Unit("degF", 5.0 / 9.0, "K", 459.67 * 5.0 / 9.0),
@@ -71,7 +95,14 @@ OTHER_NAMES = {  # of units, after `_plain`
     **dict.fromkeys(("degree", "degrees", "Grad", "grd"), "deg"),
     **dict.fromkeys(("micron", "microns", "micrometer", "micrometre"), "um"),
     **dict.fromkeys(("inch", '"'), "in"),
-    **dict.fromkeys(("degC", "Celsius"), "C"),
+    **dict.fromkeys(("lb", "lbs"), "lbf"),
+    "kp": "kgf",
+    **dict.fromkeys(("lbin", "inlb", "inlbf", "inlbs"), "lbfin"),
+    **dict.fromkeys(("lbft", "ftlb", "ftlbf", "ftlbs"), "lbfft"),
+    **dict.fromkeys(("ozin", "inoz", "inozf"), "ozfin"),
+    **dict.fromkeys(("gcm", "pcm"), "gfcm"),
+    **dict.fromkeys(("kgcm", "kpcm"), "kgfcm"),
+    **dict.fromkeys(("degC", "Celsius", "degreesC", "degreesCelsius"), "C"),
     **dict.fromkeys(("degF", "F", "Fahrenheit"), "degF"),
     **dict.fromkeys(("sec", "seconds"), "s"),
     **dict.fromkeys(("rps", "s-1", "rev/s"), "1/s"),
@@ -160,7 +191,10 @@ def read_table(path: Path) -> DataTable:
         return _of_mapping({name: array.ravel() for name, array in arrays.items()}, {}, str(path))
     if kind == ".npy":
         return _of_array(array_of(read_file(path), str(path)), str(path))
-    return table_of_text(_decoded(read_file(path, LARGEST_TABLE)), str(path))
+    content = read_file(path, LARGEST_TABLE)
+    if content.startswith(WORKBOOKS):
+        raise DamagedFileError(f"{path}: a workbook or archive; allowed: its sheet saved as CSV")
+    return table_of_text(_decoded(content), str(path))
 
 
 def _decoded(content: bytes) -> str:
@@ -224,11 +258,26 @@ def table_of_text(text: str, name: str) -> DataTable:
     for row, good in zip(rows[first:last], valid[first:last], strict=True):
         if not good:
             raise DamagedFileError(f"{name}: {_fault(row, width, columns, decimal, header)}")
+    _check_thousands(rows[first:last], columns, header, name)
     known = [[row[index] for index in columns] for row in numbers[first:last]]
     values = np.array(known, dtype=np.float64)
     kept = [k for k in range(len(columns)) if not np.isnan(values[:, k]).all()]
     found = tuple(Column(*_name_and_unit(header[columns[k]]), values[:, k]) for k in kept)
     return DataTable(name, found, tuple(row.line for row in rows[first:last]))
+
+
+def _check_thousands(
+    rows: Sequence[_Row], columns: Sequence[int], header: Sequence[str], name: str
+) -> None:
+    """Refuse 1.000 among whole numbers of three digits and more, which may mean 1000."""
+    for index in columns:
+        entries = [row.fields[index] for row in rows]
+        pointed = [n for n, entry in enumerate(entries) if "." in entry or "," in entry]
+        grouped = all(THOUSANDS.fullmatch(entries[n]) and entries[n][0] != "0" for n in pointed)
+        if pointed and grouped and any(re.fullmatch(r"\d{3,}", entry) for entry in entries):
+            row = rows[pointed[0]]
+            fault = _number_fault(row, index, header)
+            raise DamagedFileError(f"{name}: {fault}")
 
 
 def _end(valid: Sequence[bool], rows: Sequence[Sequence[str]], decimal: str) -> int:
@@ -242,7 +291,7 @@ def _end(valid: Sequence[bool], rows: Sequence[Sequence[str]], decimal: str) -> 
 def _means_numbers(fields: Sequence[str], decimal: str) -> bool:
     """Tell whether a row has a number and no word of an instrument."""
     some = any(_known(_number(field, decimal)) for field in fields)
-    return some and not any(WORD.search(field) for field in fields)
+    return some and not any(WORD.search(field) for field in fields if field[:1] != "#")
 
 
 def _format(lines: Sequence[str]) -> tuple[str | None, str]:
@@ -260,24 +309,37 @@ def _format(lines: Sequence[str]) -> tuple[str | None, str]:
 
 
 def _fields(line: str, separator: str | None) -> list[str]:
-    return [field.strip().strip('"').strip() for field in line.strip("\r\n").split(separator)]
+    line = line.strip("\r\n")
+    parts = line.split(separator)
+    if separator and '"' in line:
+        parts = next(csv.reader([line], delimiter=separator))
+    return [field.strip().strip('"').strip() for field in parts]
 
 
 def _number(field: str, decimal: str) -> float | None:
-    """A number, seconds of a time of day or date; nan if left out, None of anything else."""
+    """A number, seconds of a time of day or date; nan if left out, None of anything else, as
+    1.000 among decimal commas.
+    """
     text = field.replace(",", ".") if decimal == "," else field
     try:
-        if "_" not in text and not math.isnan(value := float(text)):
-            return value
+        value = float(text)
+        if "_" not in text and not math.isnan(value):
+            return (
+                value if math.isfinite(value) and not (decimal == "," and "." in field) else None
+            )
     except ValueError:
         pass
     if field.lower() in NOTHING:
         return math.nan
-    clock = CLOCK.fullmatch(text)
+    clock = CLOCK.fullmatch(DAY_FIRST.sub(r"\3-\2-\1", text))
     if clock is None:
         return None
-    day = datetime.fromisoformat(clock[1]).toordinal() if clock[1] else 0
-    return 86400.0 * day + 3600.0 * int(clock[2]) + 60.0 * int(clock[3]) + float(clock[4])
+    try:
+        day = datetime.fromisoformat(clock[1]).toordinal() if clock[1] else 0
+    except ValueError:  # no day of a calendar
+        return None
+    hours, minutes, seconds = (float(part or 0.0) for part in clock.groups()[1:])
+    return 86400.0 * day + 3600.0 * hours + 60.0 * minutes + seconds
 
 
 def _width(rows: Sequence[Sequence[float | None]]) -> int:
@@ -321,9 +383,15 @@ def _fault(
     wrong = [index for index in columns if _number(row.fields[index], decimal) is None]
     if not wrong:
         return f"line {row.line} has no numbers"
-    title = f" ({header[wrong[0]]})" if header[wrong[0]] else ""
-    found = visible(row.fields[wrong[0]][:40])
-    return f"line {row.line}, column {wrong[0] + 1}{title}: found {found!r}; allowed: a number"
+    return _number_fault(row, wrong[0], header)
+
+
+def _number_fault(row: _Row, index: int, header: Sequence[str]) -> str:
+    """Say that an entry is no number."""
+    title = f" ({header[index]})" if header[index] else ""
+    found = visible(row.fields[index][:40])
+    allowed = "a number" + ", without a sign of thousands" * bool(THOUSANDS.fullmatch(found))
+    return f"line {row.line}, column {index + 1}{title}: found {found!r}; allowed: {allowed}"
 
 
 def _header(lines: Sequence[str], first: int, width: int, separator: str | None) -> list[str]:
@@ -363,6 +431,11 @@ def _name_and_unit(header: str) -> tuple[str, str]:
     name, _, text = header.rpartition("_")
     if name and text in FOREIGN and text != "min":  # as in h_min
         return name, text
+    words = header.split()
+    for first in range(1, len(words)):  # the longest unit, as in "torque N mm"
+        text = " ".join(words[first:])
+        if _unit(text) not in (None, NO_UNIT) and text not in ("min", "in"):
+            return " ".join(words[:first]), text
     return ("", header) if header and _unit(header) is not None else (header, "")
 
 
@@ -370,7 +443,7 @@ def _plain(text: str) -> str:
     """A unit without spaces and signs of multiplication, in letters of ASCII."""
     for sign, letters in SIGNS.items():
         text = text.replace(sign, letters)
-    return re.sub(r"[\s*·.]", "", text)
+    return re.sub(r"[\s*·.•⋅∙×]|-(?=[A-Za-z])", "", text)
 
 
 def _unit(text: str) -> Unit | None:
@@ -472,14 +545,9 @@ def columns_of(table: DataTable, wanted: Sequence[Quantity]) -> dict[str, Array]
         pairs = zip((one for one in wanted if one not in spare), table.columns, strict=True)
         return {one.key: _in_si(column, one, table.file) for one, column in pairs}
     found: dict[str, Column] = {}
-    for choose in (_exact, _by_word, _without_unit, _by_unit, _of_wrong_unit):
-        for one in wanted:
-            free = [column for column in table.columns if column not in found.values()]
-            if choose is _by_unit:  # a column of another name is none of this quantity
-                free = [c for c in free if not any(_named(c, other) for other in wanted)]
-            column = None if one.key in found else choose(one, free)
-            if column is not None:
-                found[one.key] = column
+    for choose in (_by_name, _by_word, _without_unit, _by_unit, _of_wrong_unit):
+        lacking = [one for one in wanted if one.key not in found]
+        found |= choose(lacking, [c for c in table.columns if c not in found.values()], table.file)
     missing = [one.key for one in wanted if one.needed and one.key not in found]
     if missing:
         have = ", ".join(_title(column) for column in table.columns)
@@ -491,44 +559,104 @@ def _title(column: Column) -> str:
     return f"{column.name} [{column.unit}]" if column.unit else column.name or "(no name)"
 
 
-def _exact(one: Quantity, columns: Sequence[Column]) -> Column | None:
-    """First column whose name is that of the key, in a unit that fits."""
-    name = without_unit(one.key)
-    return next(
-        (c for c in columns if c.name.lower().replace("_", " ") == name and _may_be(c, one)), None
-    )
+def _by_name(
+    wanted: Sequence[Quantity], columns: Sequence[Column], file: str
+) -> dict[str, Column]:
+    """Columns whose name is that of the key, in a unit that fits."""
+
+    def rank(column: Column, one: Quantity) -> int | None:
+        same = column.name.lower().replace("_", " ") == without_unit(one.key)
+        return 0 if same and (not column.unit or fits(column, one)) else None
+
+    return _chosen(wanted, columns, rank, file)
 
 
-def _by_word(one: Quantity, columns: Sequence[Column]) -> Column | None:
-    """First column whose name holds a word and whose unit fits."""
-    return next((c for c in columns if _named(c, one) and c.unit and _fits(c, one)), None)
+def _by_word(
+    wanted: Sequence[Quantity], columns: Sequence[Column], file: str
+) -> dict[str, Column]:
+    """Columns whose name holds a word and whose unit fits."""
+    fitting = [column for column in columns if column.unit]
+
+    def rank(column: Column, one: Quantity) -> int | None:
+        return _rank(column, one) if fits(column, one) else None
+
+    return _chosen(wanted, fitting, rank, file)
 
 
-def _without_unit(one: Quantity, columns: Sequence[Column]) -> Column | None:
-    """First column without a unit whose name holds a word."""
-    return next((c for c in columns if _named(c, one) and not c.unit), None)
+def _without_unit(
+    wanted: Sequence[Quantity], columns: Sequence[Column], file: str
+) -> dict[str, Column]:
+    """Columns without a unit whose name holds a word."""
+    return _chosen(wanted, [column for column in columns if not column.unit], _rank, file)
 
 
-def _of_wrong_unit(one: Quantity, columns: Sequence[Column]) -> Column | None:
-    """First column whose name holds a word, which is told of its unit."""
-    return next((c for c in columns if _named(c, one)), None)
+def _by_unit(
+    wanted: Sequence[Quantity], columns: Sequence[Column], file: str
+) -> dict[str, Column]:
+    """Columns without the name of another quantity that alone have a unit that fits."""
+    free = [c for c in columns if c.unit and all(_rank(c, one) is None for one in wanted)]
+    fitting = {one.key: [c for c in free if fits(c, one)] for one in wanted}
+    found: dict[str, Column] = {}
+    for key, some in fitting.items():
+        if len(some) == 1 and some[0] not in found.values():
+            found[key] = some[0]
+    return found
 
 
-def _named(column: Column, one: Quantity) -> bool:
-    return any(word in column.name.lower() for word in one.words)
+def _of_wrong_unit(
+    wanted: Sequence[Quantity], columns: Sequence[Column], file: str
+) -> dict[str, Column]:
+    """Columns whose name holds a word, which are told of their unit."""
+    return _chosen(wanted, columns, _rank, file)
 
 
-def _may_be(column: Column, one: Quantity) -> bool:
-    return not column.unit or _fits(column, one)
+def _rank(column: Column, one: Quantity) -> int | None:
+    """Number of the first word of a quantity in the name of a column; None without one."""
+    name = column.name.lower()
+    return next((n for n, word in enumerate(one.words) if word in name), None)
 
 
-def _by_unit(one: Quantity, columns: Sequence[Column]) -> Column | None:
-    """The only column without another name whose unit fits."""
-    fitting = [column for column in columns if column.unit and _fits(column, one)]
-    return fitting[0] if len(fitting) == 1 else None
+def _chosen(
+    wanted: Sequence[Quantity],
+    columns: Sequence[Column],
+    rank: Callable[[Column, Quantity], int | None],
+    file: str,
+) -> dict[str, Column]:
+    """Each quantity with the column of the lowest rank, each column with one quantity."""
+    ranks = {(i, k): rank(c, one) for i, one in enumerate(wanted) for k, c in enumerate(columns)}
+    pairs = sorted((number, i, k) for (i, k), number in ranks.items() if number is not None)
+    chosen: dict[int, int] = {}  # quantity: its column
+    for _, i, k in pairs:
+        if i not in chosen and k not in chosen.values():
+            chosen[i] = k
+    for i, k in chosen.items():
+        rivals = [other for other in range(len(columns)) if other not in chosen.values()]
+        rivals = [other for other in rivals if ranks[i, other] == ranks[i, k]]
+        if rivals:
+            names = " and ".join(_title(columns[other]) for other in (k, rivals[0]))
+            key = wanted[i].key
+            raise DamagedFileError(
+                f"{file}: columns {names}, each of which may be {key}; allowed: one of them, or "
+                f"one with the name {without_unit(key)!r}"
+            )
+    return {wanted[i].key: columns[k] for i, k in chosen.items()}
 
 
-def _fits(column: Column, one: Quantity) -> bool:
+def fits(column: Column, one: Quantity) -> bool:
+    """Tell whether the unit of a column, which has one, is of the kind of a quantity's.
+
+    Parameters
+    ----------
+    column : Column
+        the column
+    one : Quantity
+        the quantity
+
+    Returns
+    -------
+    bool
+        False without a unit
+    """
     unit = _unit(column.unit)
     return unit is not None and _base(unit) == _base(unit_of_key(one.key))
 
@@ -546,4 +674,7 @@ def _in_si(column: Column, one: Quantity, file: str) -> Array:
             f"{file}: column {_title(column)}: the unit is none of {one.key}; allowed: {wanted}, "
             "or a multiple of it"
         )
+    infinite = np.flatnonzero(np.isinf(column.values))
+    if infinite.size:
+        raise DamagedFileError(f"{file}, row {infinite[0] + 1}: {_title(column)} is infinite")
     return column.values * unit.si + unit.zero

@@ -36,6 +36,7 @@ CLOSING = 2.5  # gap between neighbours over the median one that still closes a 
 LEAST_GAP = 1.0  # gap that is always allowed [deg]
 UNEVEN = 0.02  # of the step between angles, beyond which they are uneven [-]
 LEAST_ROWS = 8  # of a profile
+HIGHEST = 1e-3  # of a profile, from its mean [m]
 EVEN = 4096  # points over a turn at least
 TOLD_SHARE = 0.02  # of the height, from which a removed order 1 is told [-]
 STEP = 0.25  # of the height where the turn closes, from which that is told [-]
@@ -157,7 +158,11 @@ def turn_profile(key: KeyPath, file: str, *, eccentric: bool) -> Array:
                 "keeps it"
             )
             warnings.warn(text, stacklevel=2)
-    return np.asarray(np.fft.irfft(orders, points))
+    profile = np.asarray(np.fft.irfft(orders, points))
+    if abs(profile).max() > HIGHEST:
+        finding = f"{file}: a height of {1e6 * abs(profile).max():.3g} um beside the mean"
+        raise InvalidKeyError(key, finding, f"allowed: up to {1e6 * HIGHEST:g} um")
+    return profile
 
 
 def _orders(angle: Array, height: Array, points: int) -> Any:
@@ -205,6 +210,10 @@ def _one_turn(
         angle = angle[::-1]
         height = height[::-1]
         steps = np.diff(angle)
+    if (steps < 0.0).sum() == 1:  # a turn from another angle than 0
+        turned = np.unwrap(angle, period=TURN)
+        if turned[-1] - turned[0] < TURN + LEAST_GAP:
+            angle, steps = turned, np.diff(turned)
     if (steps <= 0.0).any():
         place = int(np.flatnonzero(steps <= 0.0)[0]) + 2
         raise InvalidKeyError(key, f"{file}, row {place}: the angle does not rise", allowed)

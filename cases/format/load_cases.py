@@ -27,14 +27,16 @@ SPECTRUM = (  # columns of a load spectrum
     Quantity("share_share", ("share", "anteil", "fraction", "weight", "probab"), needed=False),
     Quantity("duration_s", ("duration", "dauer", "hours"), needed=False),
     Quantity("time_s", ("time", "zeit"), needed=False),
+    # as an angle, which a header "turns" has; their ratios alone count
+    Quantity("turns_deg", ("turn", "revol", "cycle", "umdreh", "count"), needed=False),
     Quantity(
         "radial_load_N", ("radial", "f_r", "fr", "load", "last", "force", "kraft"), needed=False
     ),
-    Quantity("axial_load_N", ("axial", "f_a", "fa", "thrust"), needed=False),
+    Quantity("axial_load_N", ("axial", "thrust", "f_a", "fa"), needed=False),
     Quantity("inner_speed_rpm", ("speed", "drehzahl", "rpm"), needed=False),
     Quantity("temperature_C", ("temp",), needed=False),
 )
-OF_STATE = SPECTRUM[3:]
+OF_STATE = SPECTRUM[4:]
 MOST_STATES = 40  # of a spectrum, beyond which equal levels are counted together
 LEVELS = {"radial_load_N": 12, "axial_load_N": 5, "inner_speed_rpm": 5, "temperature_C": 3}
 IDLE_SHARE = 1e-3  # of the largest load, below which a state has none [-]
@@ -271,6 +273,12 @@ def _shares(key: KeyPath, file: str, columns: dict[str, Array], allowed: str) ->
         if (time < 0.0).any() or not time.sum() > 0.0:
             raise InvalidKeyError(key, f"{file}: a duration below 0", allowed)
         return time / time.sum(), "by their duration"
+    if "turns_deg" in columns and "time_s" not in columns:
+        turns = columns["turns_deg"]
+        speed = abs(columns.get("inner_speed_rpm", np.ones(turns.size)))
+        if (turns < 0.0).any() or not turns.sum() > 0.0 or (speed <= 0.0).any():
+            raise InvalidKeyError(key, f"{file}: turns or a speed of 0 and below", allowed)
+        return turns / speed / (turns / speed).sum(), "by their turns"
     if "time_s" not in columns:
         rows = next(iter(columns.values())).size
         return np.full(rows, 1.0 / rows), "each of the same duration (no column of share or time)"

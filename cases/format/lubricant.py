@@ -383,7 +383,9 @@ class OilTable(Table):
         0, 100, "d(ln eta)/dp at ambient pressure; by base_oil where a data sheet lacks it"
     )
     density_kg_m3: float | None = above(0, 2e4, "density at ambient pressure")
-    density_15C_kg_m3: float | None = above(0, 2e4, "of a data sheet, at 15 C, instead")
+    density_15C_kg_m3: float | None = between(
+        500, 2500, "of a data sheet, at 15 C, instead; 0.87 g/cm3 is 870"
+    )
     viscosity_law: Annotated[str, OneOf(ViscosityLaw)] | None = described(
         "pressure dependence of the viscosity; the last two for oils with their constants"
     )

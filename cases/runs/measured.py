@@ -21,7 +21,7 @@ import scipy
 from oilfilm.bearing.library.plugins import library_data
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.foreign_files import DamagedFileError
-from oilfilm.ehl.table_files import Quantity, columns_of, read_table
+from oilfilm.ehl.table_files import Quantity, columns_of, fits, read_table
 from oilfilm.ehl.units import from_si
 from oilfilm.postprocess import BearingResults, summary
 from oilfilm.postprocess.batch.results import main_results
@@ -42,9 +42,9 @@ STATES = (
     Quantity("time_s", ("time", "zeit"), needed=False),
     Quantity("inner_speed_rpm", ("speed", "drehzahl", "rpm"), needed=False),
     Quantity("radial_load_N", ("radial", "f_r", "fr", "load", "last"), needed=False),
-    Quantity("axial_load_N", ("axial", "f_a", "fa", "thrust"), needed=False),
+    Quantity("axial_load_N", ("axial", "thrust", "f_a", "fa"), needed=False),
 )
-TEMPERATURE = Quantity("temperature_C", ("temp",), needed=False)
+TEMPERATURE = Quantity("temperature_C", ("oil temp", "öltemp", "temp"), needed=False)
 RESULTS = (
     Quantity("torque_N_mm", ("torque", "friction", "moment"), needed=False),
     Quantity("film_minimum_um", ("minimum", "h_min", "hmin", "min film"), needed=False),
@@ -88,15 +88,15 @@ INTERVALS = {  # stated with the keys, in their units
 }
 
 
-def read_measured(file: Path, nodes: Mapping[str, str] | None = None) -> dict[str, Array]:
+def read_measured(file: Path, *, of_parts: bool = False) -> dict[str, Array]:
     """Measured quantities and their states, in the units of their keys.
 
     Parameters
     ----------
     file : Path
         Table of measurements.
-    nodes : mapping of str to str, optional
-        Temperatures of parts that are looked for as well.
+    of_parts : bool, default False
+        True: a temperature of the oil is one of its own, as those of rings, shaft and housing.
 
     Returns
     -------
@@ -112,13 +112,20 @@ def read_measured(file: Path, nodes: Mapping[str, str] | None = None) -> dict[st
         table = read_table(file)
         if not table.has_header:
             raise DamagedFileError(f"{file}: no header; {ALLOWED}")
-        parts = [Quantity(key, (key.partition("_")[0],), needed=False) for key in nodes or ()]
-        columns = columns_of(table, (*parts, *WANTED))
+        parts = {key: key.partition("_")[0] for key in NODES if key != TEMPERATURE.key}
+        if not of_parts:
+            del parts["oil_C"]
+        warm = [column for column in table.columns if fits(column, TEMPERATURE)]
+        warm = [c for c in warm if any(word in c.name.lower() for word in parts.values())]
+        others = [column for column in table.columns if column not in warm]
+        columns = columns_of(replace(table, columns=tuple(others)), WANTED)
+        words = [Quantity(key, (word,), needed=False) for key, word in parts.items()]
+        columns |= columns_of(replace(table, columns=tuple(warm)), words) if warm else {}
     except OSError as error:
         raise CaseError(f"{file}: cannot be read: {error.strerror or error}") from None
     except DamagedFileError as error:
         raise CaseError(str(error)) from None
-    if not {*(nodes or ()), *(one.key for one in (*RESULTS, TEMPERATURE))} & columns.keys():
+    if not {*NODES, *(one.key for one in RESULTS)} & columns.keys():
         raise CaseError(f"{file}: nothing measured; {ALLOWED}")
     found = {key: from_si(key, values) for key, values in columns.items()}
     for one in STATES:
@@ -268,7 +275,7 @@ def compare_temperatures(document: dict[str, Any], name: str, file: Path) -> Mea
     CaseError
         If the table has nothing of these.
     """
-    columns = read_measured(file, NODES)
+    columns = read_measured(file, of_parts=True)
     timed = "time_s" in columns
     over = "time_s" if timed else "inner_speed_rpm"
     own = "time_s" if timed else "speed_rpm"
@@ -375,6 +382,9 @@ def _parts(
     elif temperature is not None:
         states[TEMPERATURE.key] = temperature
         notes.append("measured temperature taken as that of the oil in the contacts")
+    if parts := [key for key in NODES if key in columns and key != TEMPERATURE.key]:
+        names = ", ".join(parts)
+        notes.append(f"measured {names}: compared with results of 'oilfilm temperatures' only")
     if not measured:
         raise CaseError(f"{file}: nothing measured but states of the case; {ALLOWED}")
     if "time_s" in states and len(states) == 1:

@@ -125,8 +125,8 @@ def measured_table(comparison: MeasuredComparison) -> Group:
     document = comparison.document()
     states = list(comparison.states)
     keys = list(comparison.measured)
-    heads = [f"{without_unit(key)}\n{unit_symbol(key)}" for key in states]
-    heads += [f"{_title(key)}\n{word}" for key in keys for word in ("measured", "computed")]
+    heads = [_head(key) for key in states]
+    heads += [f"{_head(key)}\n{word}" for key in keys for word in ("measured", "computed")]
     rows = [
         [
             *(number(row[key], ".5g") for key in states),
@@ -170,6 +170,11 @@ def residual_lines(residuals: Mapping[str, Any]) -> list[str]:
             ")"
         )
     return lines
+
+
+def _head(key: str) -> str:
+    """Words and unit of a key, each on a line, so that narrow terminals have them whole."""
+    return "\n".join([*without_unit(key).split(), unit_symbol(key)])
 
 
 def _title(key: str) -> str:

@@ -101,6 +101,16 @@ def test_faults_of_a_table(rig, tmp_path, content, expected):
     assert expected in found.output
 
 
+def test_temperatures_of_parts_are_none_of_the_oil(tmp_path):
+    table = tmp_path / "parts.csv"
+    table.write_text("speed [rpm];outer ring temp [C];oil temp [C];torque [N cm]\n500;50;40;1\n600;51;41;2\n")
+    found = measured.read_measured(table)
+    assert found["temperature_C"].tolist() == pytest.approx([40.0, 41.0])
+    assert found["outer_ring_C"].tolist() == pytest.approx([50.0, 51.0])
+    assert found["torque_N_mm"].tolist() == pytest.approx([10.0, 20.0])
+    assert measured.read_measured(table, of_parts=True)["oil_C"].tolist() == pytest.approx([40.0, 41.0])
+
+
 def test_temperatures_over_time_and_speed(tmp_path):
     course = [{"time_s": t, "film_temperature_C": 20.0 + t, "housing_temperature_C": 20.0} for t in (0.0, 100.0)]
     balances = [{"speed_rpm": n, "film_temperature_C": n / 100.0, "torque_N_mm": 10.0} for n in (1000.0, 3000.0)]

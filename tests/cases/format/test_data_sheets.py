@@ -110,6 +110,10 @@ def test_a_line_that_is_extrapolated_or_of_another_index_is_flagged():
         (SHEET.format(32.0, 5.4) + "viscosity_mPa_s = 20.0", "found together with viscosity_mPa_s"),
         ("kinematic_viscosity_table_mm2_s = [[40, 5.0], [100, 32.0]]", "falling with heat"),
         ("density_15C_kg_m3 = 860.0", "needed: viscosity_mPa_s, kinematic_viscosity_mm2_s, those of a data sheet"),
+        (
+            SHEET.format(32.0, 5.4) + "density_15C_kg_m3 = 0.87",
+            "density_15C_kg_m3: found 0.87; allowed: a number >= 500",
+        ),
         ("viscosity_mPa_s = 20.0", "needed, or base_oil, which estimates it"),
         (SHEET.format(32.0, 5.4) + "viscosity_at_C = 40.0", "viscosity_at_C: found without its viscosity"),
         (SHEET.format(32.0, 5.4) + 'base_oil = "POA"', "base_oil: found"),

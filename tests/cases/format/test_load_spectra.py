@@ -40,6 +40,7 @@ def states_of(tmp_path, content, name="spectrum.csv"):
         SHARES,
         "share,radial_load_N,inner_speed_rpm\n0.1,3000,1500\n0.2,2000,1500\n0.3,1000,3000\n0.4,0,1500\n",
         "speed (rpm)\tFr (N)\tduration (h)\n1500\t3000\t1\n1500\t2000\t2\n3000\t1000\t3\n1500\t0\t4\n",
+        "turns;load [kN];speed [rpm]\n1000;3;1500\n2000;2;1500\n6000;1;3000\n4000;0;1500\n",
         "share;load [kN];speed [rpm]\n10;3;1500\n20;2;1500\n30;1;3000\n40;0;1500\n",
     ],
 )
@@ -68,6 +69,7 @@ def test_a_course_is_counted_by_levels_with_its_damage(tmp_path):
     ("content", "expected"),
     [
         ("share;load [N]\n0.1;3\n0.2;2\n", "sum to 0.3; allowed: a sum of 1, or of 100 %"),
+        ("turns;load [N];speed [rpm]\n10;3;0\n10;2;5\n", "turns or a speed of 0"),
         ("share;speed [rpm]\n0.5;3\n0.5;2\n", "no column of a load"),
         ("time [s];load [N]\n0;3\n2;2\n1;2\n", "row 3: the time does not rise"),
         ("share;load [um]\n0.5;3\n0.5;2\n", "the unit is none of radial_load_N"),

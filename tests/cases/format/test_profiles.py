@@ -50,6 +50,13 @@ FILES = {
     + "# end\n",
     "status.csv": "Nr;Winkel;Radius;Status\n;°;µm;\n"
     + text(DEGREES, 25e3 + height(DEGREES), "7;{:.2f};{:.4f};OK", decimal=","),
+    "sections.txt": "[HEADER]\nInstrument=roundness 565\nDate=12.03.2024\nPoints=720\n[DATA]\n"
+    + text(DEGREES, height(DEGREES), "{:.2f},{:.5f}")
+    + "[END]\n",
+    "german.prn": "Formmessplatz\r\nFilter: Gauss 50 %, 1-500 W/U\r\nWinkel\tAbweichung\r\n[Grad]\t[µm]\r\n"
+    + text(DEGREES, height(DEGREES), "{:.2f}\t{:.5f}", decimal=","),
+    "from_100.csv": text(np.roll(DEGREES, -200), np.roll(height(DEGREES), -200), head="angle deg;height µm\n"),
+    "inches.csv": text(DEGREES, 1.0 + height(DEGREES) / 25400.0, "{:.2f},{:.9f}", "Angle (deg),Radius (in)\n"),
     "records.json": json.dumps([{"angle_deg": a, "height_nm": 1e3 * height(a)} for a in DEGREES]),
     "heights.txt": "height [nm]\n" + "\n".join(f"{1e3 * h:.4f}" for h in height(DEGREES)),
 }
@@ -88,6 +95,14 @@ def test_what_is_no_turn_is_refused(tmp_path, degrees, expected):
     with pytest.raises(InvalidKeyError) as caught:
         turn_profile(KEY, str(path), eccentric=False)
     assert expected in str(caught.value)
+
+
+def test_a_point_that_was_not_measured_is_refused(tmp_path):
+    """Instruments write 9999 and the like."""
+    path = tmp_path / "spike.csv"
+    path.write_text(text(DEGREES, np.where(DEGREES == 7.0, 9999.0, height(DEGREES))))
+    with pytest.raises(InvalidKeyError, match="beside the mean"):
+        turn_profile(KEY, str(path), eccentric=False)
 
 
 def test_a_part_off_centre_and_a_jump_are_told(tmp_path):
