@@ -213,7 +213,8 @@ def _one_turn(
     if (steps < 0.0).sum() == 1:  # a turn from another angle than 0
         turned = np.unwrap(angle, period=TURN)
         if turned[-1] - turned[0] < TURN + LEAST_GAP:
-            angle, steps = turned, np.diff(turned)
+            angle = turned
+            steps = np.diff(angle)
     if (steps <= 0.0).any():
         place = int(np.flatnonzero(steps <= 0.0)[0]) + 2
         raise InvalidKeyError(key, f"{file}, row {place}: the angle does not rise", allowed)

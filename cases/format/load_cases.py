@@ -27,7 +27,7 @@ SPECTRUM = (  # columns of a load spectrum
     Quantity("share_share", ("share", "anteil", "fraction", "weight", "probab"), needed=False),
     Quantity("duration_s", ("duration", "dauer", "hours"), needed=False),
     Quantity("time_s", ("time", "zeit"), needed=False),
-    # as an angle, which a header "turns" has; their ratios alone count
+    # an angle, which a header "turns" has; their ratios alone count
     Quantity("turns_deg", ("turn", "revol", "cycle", "umdreh", "count"), needed=False),
     Quantity(
         "radial_load_N", ("radial", "f_r", "fr", "load", "last", "force", "kraft"), needed=False
