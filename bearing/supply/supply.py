@@ -9,10 +9,10 @@ fractions of the flooded films and of the rolling moment that the law of starvat
 (`ehl.closed_form.starvation`). Of the layer :math:`r/(1 + r^\gamma)^{1/\gamma}` passes (Chevalier
 et al., 1998; Damiens et al., 2004), and the rest is pressed out of the track. Under a flow every
 contact finds what the balls before it left and what was added, in the steady state (`track`).
-**Assumed** (no source): of the flow a prescribed fraction lands on the two tracks, half on each,
-and spreads evenly over the width of the contact's ellipse; the fraction of the layer that is flung
-off or pulled away between two balls is prescribed, too; each contact is taken as if all were
-alike.
+**Assumed** (no source): of the flow a prescribed fraction lands in the two grooves, half in each,
+and wets them evenly from shoulder to shoulder, so that a contact finds the same layer at any load;
+the fraction of the layer that is flung off or pulled away between two balls is prescribed, too;
+each contact is taken as if all were alike.
 
 **Side flow.** The film of a severely starved contact is too thin to change the Hertz pressure
 p = p_h sqrt(1 - X^2 - Y^2). On its centre line the flow across, -rho h^3/(12 eta) dp/dy, thins it
@@ -33,28 +33,16 @@ see it. Pressure makes I small: the higher it is, the more of the film stays.
 its cavity, and the balls plough through a mixture of that density. Both numbers are inputs of a
 test rig, not constants of nature.
 
-**Least friction.** Of a flow V the fraction phi reaches the grooves and leaves them after a mean
-time tau. Over their area A, with what the balls carry counted to the grooves that they roll on, it
-stands as the layer
-
-    dh/dt = phi V/A - h/tau,   in the steady state   h = phi V tau/A,
-
-that a contact finds on both surfaces together. A full film has three roughnesses sigma, and a
-contact that finds twice its film builds nearly all of it (docs/theory/starved_contact.md); more
-oil only stands in the way:
-
-    h = 6 sigma,   V = 6 sigma A/(phi tau).
-
-**A model with free numbers**: phi, tau and the wetted part of the grooves, of which only
-A/(phi tau) counts. One measured optimum fixes it, a second speed says how it goes with the speed;
-what is predicted is that the optimum does not depend on the load. That the layer at the optimum
-has six roughnesses is an assumption.
+**Least friction.** Where the loss l between two balls exceeds that of the contacts, a flow V leaves
+the layer h = phi V/(2 w u z l) in grooves of width w, at any load. A full film has three roughnesses
+sigma, and a contact that finds twice its film builds nearly all of it
+(docs/theory/starved_contact.md); more oil only stands in the way: h = 6 sigma. Only phi/l counts.
 """
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from math import inf, isfinite, pi
+from math import acos, inf, isfinite, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -77,7 +65,8 @@ from .track import Track, added_layer, steady_layer
 NODES = 200  # of the quadrature [-]
 NEAREST = 1.0e-9  # to the ends that the quadrature goes [rad]
 
-CAPTURED = (0.1, 0.5)  # share of a jet that lands on the tracks, an estimate, second hand [-]
+SHOULDER_HEIGHT = 1.0 / 6.0  # of a groove without a shoulder's diameter, over the ball's [-]
+CAPTURED = (0.1, 0.5)  # share of a jet that lands in the grooves, an estimate, second hand [-]
 
 
 def side_flow_integral(hertz_pressure: float, lubricant: Lubricant) -> float:
@@ -149,7 +138,8 @@ class Supply:
     """Flow of oil through a bearing."""
 
     flow: float  # volume supplied [m^3/s]
-    track_share: float  # share of it that lands on the tracks [-]; assumed
+    track_share: float  # share of it that lands in the grooves [-]; assumed
+    groove_width: float  # arc of a groove that it wets [m]
     residence_time: float  # mean time that oil stays in the bearing [s]; assumed
     exponent: float | None = None  # gamma of the layer that passes [-]; None: by the ellipse
     loss: float = 0.0  # share of the layer on a track that is lost between two balls [-]; assumed
@@ -387,10 +377,10 @@ def starvation_law(
 
 def _added(contact: BearingContact, supply: Supply, balls: int) -> float:
     """Layer that a flow adds between two balls, half of what is captured on each race [m]."""
-    assert contact.conditions is not None and contact.hertz is not None
+    assert contact.conditions is not None
     onto_it = 0.5 * supply.track_share * supply.flow
-    width = 2.0 * contact.hertz.semi_axis_y
-    return added_layer(onto_it, width, contact.conditions.entrainment_speed, balls)
+    speed = contact.conditions.entrainment_speed
+    return added_layer(onto_it, supply.groove_width, speed, balls)
 
 
 def compression(hertz_pressure: float, lubricant: Lubricant) -> float:
@@ -409,6 +399,30 @@ def compression(hertz_pressure: float, lubricant: Lubricant) -> float:
         ratio [-]
     """
     return float(density(hertz_pressure, lubricant)) / lubricant.density
+
+
+def groove_width(bearing: Bearing) -> float:
+    """Arc of a groove from shoulder to shoulder, the mean of both grooves; the height of a shoulder
+    whose diameter is not given is a sixth of the ball's diameter.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+
+    Returns
+    -------
+    float
+        length [m]
+    """
+    ball, pitch = bearing.ball_diameter, bearing.pitch_diameter
+    inner = outer = SHOULDER_HEIGHT * ball
+    if bearing.inner_shoulder_diameter is not None:
+        inner = 0.5 * (bearing.inner_shoulder_diameter - (pitch - ball))
+    if bearing.outer_shoulder_diameter is not None:
+        outer = 0.5 * (pitch + ball - bearing.outer_shoulder_diameter)
+    grooves = ((bearing.inner_groove_radius, inner), (bearing.outer_groove_radius, outer))
+    return sum(radius * acos(max(1.0 - height / radius, -1.0)) for radius, height in grooves)
 
 
 def cavity_volume(bearing: Bearing) -> float:

@@ -84,6 +84,8 @@ class FrictionInput:
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
     dry: DrySurface | None = None  # None: lubricated
+    # that the cage transfers to oiled races, of whose friction `boundary` is; None: as given
+    transferred: DrySurface | None = None
     # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
     all_models: bool = False
 
@@ -111,11 +113,10 @@ class FrictionInput:
             by the name of the part
         """
         if self.dry is not None:
-            value, low, high = self.dry.friction
-            text = f"friction of {self.dry.name} {value:g} ({low:g} to {high:g})"
-            own = Assumption(text, low / value, high / value)
-            return dict.fromkeys(("sliding", "spin", "curvature"), own)
+            return dict.fromkeys(("sliding", "spin", "curvature"), _friction_of(self.dry))
         found = {}
+        if self.transferred is not None:
+            found["asperity"] = _friction_of(self.transferred)
         if self.hysteresis is None:
             text = "share of the elastic energy lost in rolling"
             found["hysteresis"] = _assumption(text, HYSTERESIS, HYSTERESIS_RANGE)
@@ -295,6 +296,13 @@ class FrictionInput:
     def layered(self) -> bool:
         """The oil at the inlets is known without its replenishment."""
         return self.scarce is not None or self.jet is not None
+
+
+def _friction_of(surface: DrySurface) -> Assumption:
+    """Range of its coefficient."""
+    value, low, high = surface.friction
+    text = f"friction of {surface.name} {value:g} ({low:g} to {high:g})"
+    return Assumption(text, low / value, high / value)
 
 
 def _assumption(text: str, value: float, ends: tuple[float, float]) -> Assumption:

@@ -398,7 +398,8 @@ def _bearing_case(file: BearingFile) -> Case:
     _warn(file)
     given_friction = file.friction
     assert file.bearing.ball_material is not None  # checked before
-    dry_friction, dry = with_dry_friction(given_friction, file.bearing.ball_material)
+    dry_friction, film = with_dry_friction(given_friction, file.bearing.ball_material)
+    dry = film if given_friction.lubrication == Lubrication.DRY.value else None
     file = file.model_copy(update={"friction": dry_friction})
     if file.form is not None:  # its files are judged before a run
         surface_form(file.form, 1)
@@ -429,10 +430,10 @@ def _bearing_case(file: BearingFile) -> Case:
         file.lubricant,
         cage_friction(file.cage, file.dynamics),
         file.surface,
-        angular=delivered.angular_contact,
+        delivered=delivered,
         assumed=file.assumed,
     )
-    torque = replace(torque, dry=dry)
+    torque = replace(torque, dry=dry, transferred=None if dry else film)
     inlet = _inlet(file, bearing, fluid, torque)
     traction = None
     if (

@@ -9,13 +9,14 @@ from pydantic import create_model
 
 from oilfilm.bearing.films.asperities import LoadSharing
 from oilfilm.bearing.friction.resistance import Cage
+from oilfilm.bearing.geometry import Bearing
 from oilfilm.bearing.library.bearings import named_designation
 from oilfilm.bearing.library.catalogue import nearest_series
 from oilfilm.bearing.library.lubricants import limiting_coefficient, lubricant_data
 from oilfilm.bearing.library.plugins import matching_name
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.rating.dry_surface import DrySurface, list_dry_surfaces, load_dry_surface
-from oilfilm.bearing.supply.supply import CAPTURED, PrescribedInlet, Supply
+from oilfilm.bearing.supply.supply import CAPTURED, PrescribedInlet, Supply, groove_width
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import Lubrication, series_of
 from oilfilm.ehl import Lubricant
@@ -94,7 +95,8 @@ class FrictionTable(LawTable):
         "base oil, for SKF's mu_EHL", "mineral"
     )
     dry_surface: str | None = described(
-        "of dry running: a name of `oilfilm list dry_surfaces`, as mos2 film; else by the balls"
+        "of dry running, else by the balls; of oiled races the film that the cage transfers, whose "
+        "friction is that of asperities: a name of `oilfilm list dry_surfaces`, as ptfe film"
     )
     boundary_coefficient: float = above(
         0, 1, "of asperities that touch: SKF's mu_bl, and of the films with [surface]", 0.12
@@ -121,16 +123,13 @@ class FrictionTable(LawTable):
     supply_mL_min: float | None = between(
         0, 1e6, "for the model starved, with [surface], bearing.width_mm; or inlet_film_um"
     )
-    supply_track_share: float = above(0, 1, "share on the tracks; assumed, no source", 0.5)
+    supply_track_share: float = above(0, 1, "share in the grooves; assumed, no source", 0.5)
     supply_track_share_least: float = above(
         0, 1, "least of it, for the band of results; of jets by an estimate", CAPTURED[0]
     )
     supply_track_share_most: float = above(0, 1, "most of it, likewise", CAPTURED[1])
-    supply_loss: float = between(0, 1, "share lost between balls; likewise assumed", 0.05)
+    supply_loss: float = between(0, 1, "share lost between balls; fitted to one measurement", 0.03)
     supply_residence_s: float = between(0, 1e6, "mean time in the bearing; likewise assumed", 20.0)
-    supply_groove_s: float | None = above(
-        0, 1e6, "mean time that oil stays on the grooves; for the oil balance on paper; assumed"
-    )
     supply_decay_s: float | None = above(
         0, 1e9, "time that the film is followed after the supply stops; block decay"
     )
@@ -191,7 +190,6 @@ def _constant_relations(law: str, constant: Constant) -> Iterator[Relation]:
 RELATIONS: tuple[Relation, ...] = (
     Needs("friction.coefficient", Where("friction.traction", "coulomb")),
     Needs("friction.traction_table", Where("friction.traction", "table")),
-    OnlyWith("friction.dry_surface", (Where("friction.lubrication", DRY),)),
     OnlyWith("friction.traction_table", (Where("friction.traction", "table"),)),
     *(
         relation
@@ -208,7 +206,6 @@ RELATIONS: tuple[Relation, ...] = (
     ),
     *_only_with(SUPPLIED, "supply_track_share", "supply_loss", "supply_residence_s"),
     *_only_with(SUPPLIED, "supply_track_share_least", "supply_track_share_most"),
-    OnlyWith("friction.supply_groove_s", (SUPPLIED,)),
     Below("friction.supply_track_share_least", "friction.supply_track_share_most", *CAPTURED),
     Needs(
         "friction.supply_mL_min",
@@ -255,7 +252,8 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
 def with_dry_friction(
     table: FrictionTable, ball_material: str
 ) -> tuple[FrictionTable, DrySurface | None]:
-    """Coulomb's friction of a bearing that runs dry, and the surface that it is of.
+    """Coulomb's friction of a bearing that runs dry, or of the asperities of oiled races with a film
+    that the cage transfers, and the surface that it is of.
 
     Parameters
     ----------
@@ -267,13 +265,18 @@ def with_dry_friction(
     Returns
     -------
     table
-        With the coefficient of the surface where it gives none; as it was of a lubricated bearing.
+        With the coefficient of the surface where it gives none.
     surface
-        None of a lubricated bearing.
+        None of a lubricated bearing without such a film.
     """
-    if table.lubrication != DRY:
+    dry = table.lubrication == DRY
+    if not dry and table.dry_surface is None:
         return table, None
     surface = load_dry_surface(table.dry_surface or ball_material)
+    if not dry:
+        given = "boundary_coefficient" in table.model_fields_set
+        boundary = table.boundary_coefficient if given else surface.friction.value
+        return table.model_copy(update={"boundary_coefficient": boundary}), surface
     mu = surface.friction[0] if table.coefficient is None else table.coefficient
     given = {"traction": table.traction or "coulomb", "coefficient": mu}
     return table.model_copy(update=given), surface
@@ -339,7 +342,7 @@ def friction(
     cage: Cage,
     surface: SurfaceTable | None,
     *,
-    angular: bool,
+    delivered: Bearing,
     assumed: Sequence[str] = (),
 ) -> FrictionInput:
     """Inputs of the friction models.
@@ -356,8 +359,8 @@ def friction(
         Friction of the cage.
     surface : SurfaceTable | None
         The checked table [surface], where there is one.
-    angular : bool
-        True: an angular contact bearing.
+    delivered : Bearing
+        The bearing as delivered.
     assumed : Sequence[str]
         Keys of the case whose values no source gives.
 
@@ -375,7 +378,7 @@ def friction(
         FrictionInput,
         "palmgren",
         sealed=_sealed(table, bearing),
-        series=_series(bearing, angular=angular),
+        series=_series(bearing, angular=delivered.angular_contact),
         static_rating=si["basic_static_rating"],
         dynamic_rating=si["basic_dynamic_rating"],
         nominal_contact_angle=nominal_contact_angle(bearing),
@@ -389,8 +392,8 @@ def friction(
         if surface is None
         else LoadSharing(surface.load_sharing),
         spectrum=spectrum(surface),
-        supply=_supply(table, lubricant),
-        jet=_jet(table),
+        supply=_supply(table, lubricant, groove_width(delivered)),
+        jet=_jet(table, groove_width(delivered)),
         flooded=lubricant.supply == "flooded",
         all_models=table.models == "all",
     )
@@ -417,7 +420,9 @@ def _series(bearing: BearingTable, *, angular: bool) -> str | None:
     return series
 
 
-def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | PrescribedInlet | None:
+def _supply(
+    table: FrictionTable, lubricant: LubricantTable, width: float
+) -> Supply | PrescribedInlet | None:
     """Layer of oil at the inlets [m], or flow [m^3/s] and what is assumed of it; None: flooded."""
     if lubricant.inlet_film_um is not None:
         return PrescribedInlet(layer=lubricant.si()["inlet_film"])
@@ -428,18 +433,23 @@ def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | Prescri
         Supply,
         "supply",
         flow=si["supply"],
+        groove_width=width,
         residence_time=si["supply_residence"],
         captured=(si["supply_track_share_least"], si["supply_track_share_most"]),
     )
 
 
-def _jet(table: FrictionTable) -> Supply | None:
+def _jet(table: FrictionTable, width: float) -> Supply | None:
     """Flow of an oil jet that cools the bearing [m^3/s]; None: another lubrication, or unknown."""
     flow = table.si()["cooling_oil_mL_min"]
     if Lubrication(table.lubrication) is not Lubrication.OIL_JET or not flow:
         return None
     return Supply(
-        flow=flow, track_share=table.supply_track_share, residence_time=0.0, loss=table.supply_loss
+        flow=flow,
+        track_share=table.supply_track_share,
+        groove_width=width,
+        residence_time=0.0,
+        loss=table.supply_loss,
     )
 
 

@@ -27,7 +27,6 @@ from oilfilm.bearing.rating.dry_running import DryRunning, dry_running
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from oilfilm.bearing.rating.life import bearing_life, without_oil
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
-from oilfilm.bearing.supply.oil_balance import GrooveOil, groove_oil
 from oilfilm.bearing.supply.supply import AMPLE, InletOil, OilAtInlets, ReplenishedInlet, Supply
 from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, friction_torque
 from oilfilm.bearing.torque.integrated import (
@@ -220,7 +219,6 @@ def torque_over_supply(
         found["supply_band"] = supply_band(
             state, contacts, friction.supply, total, films, friction.asperities
         )
-        found["groove_oil"] = _groove_oil(case, friction.supply)
     duration = case.file.friction.si()["supply_decay"]
     if duration is not None:
         oil = OilAtInlets(oil=AMPLE, balls=state.bearing.balls)
@@ -228,13 +226,6 @@ def torque_over_supply(
         assert not isinstance(friction.supply, ReplenishedInlet)  # of a layer or a flow
         found["decay"] = film_decay(state, contacts, ample, duration, friction.supply)
     return found
-
-
-def _groove_oil(case: Case, supply: Supply) -> GrooveOil | None:
-    """Oil on the grooves by the balance on paper; None where it was not asked for."""
-    time = case.file.friction.si()["supply_groove"]
-    rough = None if case.friction is None else case.friction.roughness
-    return None if time is None else groove_oil(case.bearing, supply, time, rough)
 
 
 def _integrated(case: Case, torque: TorqueBreakdown) -> float | None:

@@ -204,12 +204,6 @@ SUPPLY_BAND = quantities(  # at the least and the most of a flow that lands on t
     ("torque_high_N_mm", "torque with it", "high.total"),
     null="the supply is no flow, or there is no torque of films",
 )
-GROOVE_OIL = quantities(  # the balance of oil on paper
-    ("groove_area_mm2", "area of both grooves", "area"),
-    ("groove_layer_um", "layer of oil on them", "layer"),
-    ("groove_best_flow_mL_min", "flow of least friction on paper", "best_flow"),
-    null="the case gives no supply_groove_s, or no roughness",
-)
 DECAY = quantities(
     ("half_time_s", "half of the film at the start is left after"),
     ("contact_time_s", "the central film is one roughness after"),

@@ -29,7 +29,6 @@ from oilfilm.bearing.quasistatic.solution import Frequencies, QuasistaticSolutio
 from oilfilm.bearing.rating.dry_running import DryRunning
 from oilfilm.bearing.rating.duty_cycle import DutyCycle
 from oilfilm.bearing.rating.life import LifeRating
-from oilfilm.bearing.supply.oil_balance import GrooveOil
 from oilfilm.bearing.supply.supply import ReplenishedInlet
 from oilfilm.bearing.torque.breakdown import TorqueBreakdown
 from oilfilm.bearing.torque.integrated import (
@@ -90,7 +89,6 @@ class BearingResults(Results):
     # torque of contacts that SKF's extrapolated phi_rs leaves, and flooded [N m]; None where the
     # films are within its range
     replenishment_range: tuple[float | None, float | None] | None = None
-    groove_oil: GrooveOil | None = None  # None where it was not asked for
     decay: FilmDecay | None = None  # None where it was not asked for, or no ball has a film
     # heat conductances of the contacts, (3, balls, 2): value, low and high end [W/K]; None where
     # heat properties are not known

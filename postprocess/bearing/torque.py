@@ -21,7 +21,6 @@ from .bearing_quantities import (
     AS_PRINTED,
     DECAY,
     DECAY_COURSE,
-    GROOVE_OIL,
     POWER_BALANCE,
     ROLLING_EXTENT,
     SUPPLY,
@@ -597,8 +596,7 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
     finite = {
         key: value if value is None or isfinite(value) else None for key, value in band.items()
     }
-    on_paper = values_of(results.groove_oil, GROOVE_OIL)
-    return {"kind": supply_kind(results)} | block | finite | on_paper
+    return {"kind": supply_kind(results)} | block | finite
 
 
 def supply_kind(results: BearingResults) -> str:
@@ -651,7 +649,6 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         return
     films = [film for film in torque.films if film is not None]
     yield from _outside_message(torque.films, results)
-    yield from _groove_message(results)
     if torque.behind_layers:
         yield from _layer_messages(results)
         return
@@ -684,24 +681,9 @@ def _replenished_text(results: BearingResults, oil: ReplenishedInlet) -> str:
         f"supply: replenishment; behind the layer that leaves {oil.rolling_moment:.3g} of the "
         f"rolling moment, SKF's phi_rs, loaded films are {share:.3g} of flooded, by Biboulet and "
         "Houpert's formula as much as their bars reach; lambda, capacitance and torque are those "
-        "of these films. supply.oil_fraction, torque_N_mm, ..._low_, ..._high_, groove_... null "
+        "of these films. supply.oil_fraction, torque_N_mm, ..._low_, ..._high_ null "
         "without a flow or a layer"
     )
-
-
-def _groove_message(results: BearingResults) -> Iterator[str]:
-    """Limits of the balance on paper, or the reason why there is none."""
-    oil = results.groove_oil
-    if oil is None:
-        yield null("supply.groove_...", "no flow with supply_groove_s")
-    elif oil.best_flow is None:
-        yield null("supply.groove_best_flow_mL_min", "there is no roughness")
-    else:
-        yield (
-            "supply.groove_...: a balance of oil on paper, whose free number is "
-            "supply_track_share times supply_groove_s; that six roughnesses mark least friction "
-            "is assumed"
-        )
 
 
 def _unsolved_message(results: BearingResults) -> Iterator[str]:

@@ -61,7 +61,6 @@ SMALL_MODULES: dict[str, tuple[str, ...]] = {
         "bearing/films/heavy_moment.py",
         "bearing/films/moment.py",
         "bearing/rating/dry_surface.py",
-        "bearing/supply/oil_balance.py",
         "ehl/oil/shear_stress.py",
         "ehl/solid/film_conductance.py",
         "ehl/solid/heat.py",

@@ -27,12 +27,13 @@ from validation_002_torque import (
     optimum,
     solved,
     supplied,
+    supplied_case,
 )
 
+from oilfilm.bearing import Race
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.operating_film import supplied_films
-from oilfilm.bearing.supply.oil_balance import groove_area, retained_time
-from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet, Supply, cavity_volume, oil_fraction
+from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet, Supply
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.runs.bearing import run_case
 from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
@@ -55,12 +56,12 @@ CHANGES = {  # what is changed of the supply, of the friction
     "φ, `supply_track_share`, 0.1 (low end of the band)": ({"track_share": 0.1}, {}),
     "φ 0.25": ({"track_share": 0.25}, {}),
     "φ 1": ({"track_share": 1.0}, {}),
-    "ℓ, `supply_loss`, 0.07": ({"loss": 0.05}, {}),
-    "ℓ 0.14": ({"loss": 0.14}, {}),
+    "ℓ, `supply_loss`, 0.02": ({"loss": 0.02}, {}),
+    "ℓ 0.04": ({"loss": 0.04}, {}),
     "σ, `[surface]`, 0.1 µm": ({}, {"roughness": (0.1e-6, 0.1e-6)}),
     "σ 0.4 µm": ({}, {"roughness": (0.4e-6, 0.4e-6)}),
-    "µ_b, `boundary_coefficient`, 0.06": ({}, {"boundary": 0.06}),
-    "µ_b 0.2": ({}, {"boundary": 0.2}),
+    "µ_b, `boundary_coefficient`, 0.05 (low end of `dry_surface = \"ptfe film\"`)": ({}, {"boundary": 0.05}),
+    "µ_b 0.2 (its high end)": ({}, {"boundary": 0.2}),
     "`supply_residence_s` 200, ten times the churning": ({"residence_time": 200.0}, {}),
 }
 
@@ -89,26 +90,6 @@ def least(torque) -> float | None:
 def minimum(speed: float, load: float, what: str = "as the case has it") -> float | None:
     """Of the chain from ball to ball, with a change."""
     return least(lambda flow: at_flow(speed, load, flow, what))
-
-
-@cache
-def retained(speed: float) -> float:
-    """phi tau that the measured optimum asks for [s]."""
-    return retained_time(float(optimum()[speed]) * ML_MIN, ROUGHNESS, groove_area(SUPPLIED.bearing))
-
-
-@cache
-def by_balance(speed: float, load: float) -> float | None:
-    """Supply of least friction where the layer is that of the wetted grooves [mL/min]."""
-    area = groove_area(SUPPLIED.bearing)
-    cavity = cavity_volume(SUPPLIED.bearing)
-
-    def torque(flow: float) -> SupplyPoint:
-        oil = oil_fraction(replace(SUPPLY, flow=flow * ML_MIN), cavity)
-        layer = PrescribedInlet(layer=retained(speed) * flow * ML_MIN / area)
-        return supplied(speed, load, layer, oil_fraction=oil)
-
-    return least(torque)
 
 
 def cell(value: float | None) -> str:
@@ -184,8 +165,7 @@ def verdicts() -> str:
         (
             "the load has no obvious effect on it",
             "no",
-            f"{all_slow} mL/min under {', '.join(f'{load:.0f}' for load in LOADS)} N at {SPEEDS[0]:.0f} r/min; "
-            "by the oil balance on paper it has none, by assumption",
+            f"{all_slow} mL/min under {', '.join(f'{load:.0f}' for load in LOADS)} N at {SPEEDS[0]:.0f} r/min",
         ),
     ]
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
@@ -223,6 +203,13 @@ def press() -> float:
     return cage_torque(LOADS[1], 1.0)[0] / (LAND * 0.5e3 * cage.land_diameter)
 
 
+def ellipses() -> str:
+    """Widths of the ellipse of ball 1 at the inner race [mm], of which the layer does not depend."""
+    contacts = [supplied_case(SPEEDS[0], load)[2] for load in LOADS]
+    widths = [max(2e3 * c.hertz.semi_axis_y for c in row if c.hertz and c.race is Race.INNER) for row in contacts]
+    return ", ".join(f"{width:.1f}" for width in widths)
+
+
 def page() -> str:
     """The page, computed anew."""
     flooded = [supplied(SPEEDS[0], load, AMPLE) for load in LOADS]
@@ -246,11 +233,8 @@ def page() -> str:
         heavy_dashes="|".join(["---"] * len(HEAVY)),
         lands=lands(),
         press=press(),
-        balance=" | ".join(cell(by_balance(*point)) for point in GRID),
-        paper=" | ".join(optimum()[speed] for speed, _ in GRID),
-        retained=" and ".join(f"{retained(speed):.3f} s ({speed:.0f} r/min)" for speed in SPEEDS),
-        exponent=log(retained(SPEEDS[0]) / retained(SPEEDS[1])) / log(SPEEDS[1] / SPEEDS[0]),
-        area=1e6 * groove_area(SUPPLIED.bearing),
+        width=1e3 * SUPPLY.groove_width,
+        ellipses=ellipses(),
         low=low,
         high=high,
         load_heads=" | ".join(f"{load:.0f} N" for load in LOADS),
@@ -317,7 +301,7 @@ def draw_decay() -> None:
         oil = OilAtInlets(oil=AMPLE, balls=SUPPLIED.bearing.balls)
         films = supplied_films(contacts, [None] * len(contacts), oil, FRICTION.asperities)
         for loss, colour in ((0.0, INNER_COLOUR), (0.001, "#5a8f5a"), (0.05, OUTER_COLOUR)):
-            supply = Supply(flow=1.0, track_share=1.0, residence_time=0.0, loss=loss)
+            supply = replace(SUPPLY, flow=1.0, residence_time=0.0, loss=loss)
             decay = film_decay(state, contacts, films, 36000.0, supply)
             assert decay is not None
             shown = (decay.time > 0.0) & (decay.film > 0.0)

@@ -95,7 +95,7 @@ def supplied(speed: float, load: float, supply: Supply | PrescribedInlet, **chan
     torque = solved_shear(state, contacts, running, case.rheology, resistance, bound=False).torque
     oil = OilAtInlets(oil=supply, balls=case.bearing.balls)
     left = of_driven_balls(state, contacts, supplied_films(contacts, films, oil, friction.asperities))
-    parts = {name: torque.parts[name] for name in ("cage", "rolling", "asperity", "drag")}
+    parts = {name: torque.parts[name] for name in ("cage", "rolling", "hysteresis", "asperity", "drag")}
     parts["film"] = torque.total - sum(parts.values())
     return SupplyPoint(torque.total, parts, mean_fraction(left), least_lambda(left))
 
@@ -240,6 +240,7 @@ def _values(values: list[float], between: str = ", ") -> str:
 PARTS = {  # of the model, words, colour
     "cage": ("cage", "#5a8f5a"),
     "rolling": ("rolling resistance", "#4c78a8"),
+    "hysteresis": ("hysteresis", "#9c755f"),
     "film": ("films", "#d67b1f"),
     "asperity": ("asperities", "#4d3b2f"),
     "drag": ("churning", "#79b7c9"),

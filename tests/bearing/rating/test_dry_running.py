@@ -105,3 +105,17 @@ def test_a_bare_surface_is_that_of_the_balls():
     assert case.dry.name == "silicon nitride"
     assert case.friction.coefficient == 0.7
     assert replace(case.dry, name="x").fed is False
+
+
+def test_a_film_that_the_cage_transfers_is_the_friction_of_asperities():
+    """Its coefficient stands for that of asperities, its range for that of their part."""
+    changes = {"friction.dry_surface": "ptfe film", "friction.boundary_coefficient": None}
+    case = oilfilm.load_case("6208_oil_supply").with_values(changes)
+    film = load_dry_surface("ptfe film")
+    assert case.friction.boundary == film.friction.value
+    assert case.dry is None
+    part = case.friction.assumptions(case.bearing)["asperity"]
+    assert (part.low, part.high) == (0.5, 2.0)
+    assert "ptfe film" in part.text
+    own = case.with_values({"friction.boundary_coefficient": 0.07})
+    assert own.friction.boundary == 0.07

@@ -12,8 +12,7 @@ from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.operating_film import supplied_films
-from oilfilm.bearing.supply.oil_balance import OilBalance, groove_area, retained_time
-from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet, Supply, side_flow_integral
+from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet, Supply, groove_width, side_flow_integral
 from oilfilm.ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
@@ -73,7 +72,7 @@ def test_film_falls_and_the_joined_forms_agree(axial):
 def test_loss_between_balls_empties_the_tracks(axial):
     """A loss of l with every pass is an exponential decay, faster than anything the contacts do."""
     state, contacts, films = axial
-    supply = Supply(flow=0.6 * ML_MIN, track_share=0.5, residence_time=20.0, loss=0.05)
+    supply = Supply(flow=0.6 * ML_MIN, track_share=0.5, groove_width=0.01, residence_time=20.0, loss=0.05)
     decay = film_decay(state, contacts, films, 1.0, supply)
     thin = (decay.layer > 2e-9) & (decay.layer < 2e-8)
     slope = np.polyfit(decay.time[thin], np.log(decay.layer[thin]), 1)[0]
@@ -87,7 +86,7 @@ def test_start_is_what_the_supply_gives(axial):
     """The decay of a flow begins at its steady film, that of an inlet film at its own."""
     state, contacts, films = axial
     for supply in (
-        Supply(flow=0.6 * ML_MIN, track_share=0.5, residence_time=20.0, loss=0.05),
+        Supply(flow=0.6 * ML_MIN, track_share=0.5, groove_width=0.01, residence_time=20.0, loss=0.05),
         PrescribedInlet(layer=0.1e-6),
     ):
         decay = film_decay(state, contacts, films, 1.0, supply)
@@ -99,7 +98,7 @@ def test_start_is_what_the_supply_gives(axial):
 
 def test_nothing_to_follow(axial):
     state, contacts, films = axial
-    dry = Supply(flow=0.0, track_share=0.5, residence_time=20.0)
+    dry = Supply(flow=0.0, track_share=0.5, groove_width=0.01, residence_time=20.0)
     assert film_decay(state, contacts, films, 1.0, dry) is None
     assert film_decay(state, contacts, [None] * len(films), 1.0) is None
 
@@ -114,26 +113,8 @@ def test_balls_that_centrifugal_force_alone_loads_wear_the_layer_too(bearings):
     assert all_of_them.final_film < 0.7 * of_driven.final_film
 
 
-def test_oil_balance_on_paper(bearings):
-    """V = 6 sigma A/(phi tau), and the layer at that flow is six roughnesses."""
-    area = groove_area(bearings.b6208)
-    assert 3.5e-3 < area < 4.2e-3
-    balance = OilBalance(area=area, captured=0.5, residence=0.4)
-    flow = balance.best_flow(0.2e-6)
-    assert flow == pytest.approx(6.0 * 0.2e-6 * area / 0.2)
-    assert balance.layer(flow) == pytest.approx(1.2e-6)
-    assert retained_time(flow, 0.2e-6, area) == pytest.approx(0.2)
-    with pytest.raises(ValueError, match="captured"):
-        OilBalance(area=area, captured=0.0, residence=1.0)
-
-
-def test_groove_area_by_quadrature(bearings):
-    """Both grooves are parts of tori, the inner one growing towards its shoulders."""
+def test_arc_of_the_grooves(bearings):
+    """From shoulder to shoulder, by the chord and the height of each."""
     bearing = replace(bearings.b6208, inner_shoulder_diameter=53e-3)
-    expected = _torus(24e-3, 6.17e-3, 2.5e-3, 1.0) + _torus(36e-3, 6.29e-3, 2e-3, -1.0)
-    assert groove_area(bearing) == pytest.approx(expected, rel=1e-7)
-
-
-def _torus(bottom, radius, height, side):
-    t = np.linspace(0.0, np.arccos(1.0 - height / radius), 20001)
-    return 4.0 * pi * np.trapezoid((bottom + side * radius * (1.0 - np.cos(t))) * radius, t)
+    arcs = [2.0 * r * np.arcsin(np.sqrt(h * (2.0 * r - h)) / r) for r, h in ((6.17e-3, 2.5e-3), (6.29e-3, 2e-3))]
+    assert groove_width(bearing) == pytest.approx(sum(arcs) / 2.0, rel=1e-12)

@@ -88,7 +88,7 @@ def starved_films(contacts, supply, balls, roughness=(0.0, 0.0)):
 def test_films_of_a_bearing_over_the_supply(bearings):
     state = solve_quasistatic(bearings.b6208, Operation(inner_speed=5000 * bearings.rpm, force=(0.0, 900.0, 0.0)))
     contacts = contact_conditions(state, OIL)
-    supply = Supply(flow=0.2 * ML_MIN, track_share=0.5, residence_time=60.0)
+    supply = Supply(flow=0.2 * ML_MIN, track_share=0.5, groove_width=0.01, residence_time=60.0)
     films = [starved_films(contacts, replace(supply, flow=f * ML_MIN), 9) for f in (0.2, 1.0, 5.0, 1e7)]
     lubricated = [c.conditions is not None for c in contacts]
     assert [film is not None for film in films[0]] == lubricated
@@ -166,13 +166,13 @@ def test_cavity_and_oil_in_it(bearings):
     bearing = replace(bearings.b6208, width=0.018)
     ring = 0.25 * pi * (0.068**2 - 0.052**2) * 0.018
     assert 0.6 * ring < cavity_volume(bearing) < ring
-    supply = Supply(flow=1e-8, track_share=0.5, residence_time=60.0)
+    supply = Supply(flow=1e-8, track_share=0.5, groove_width=0.01, residence_time=60.0)
     assert oil_fraction(supply, 2e-5) == pytest.approx(0.03)
     assert oil_fraction(replace(supply, flow=1.0), 2e-5) == 1.0
     with pytest.raises(ValueError, match="width"):
         cavity_volume(bearings.b6208)
     with pytest.raises(ValueError, match="track_share"):
-        Supply(flow=1e-8, track_share=0.0, residence_time=1.0)
+        Supply(flow=1e-8, track_share=0.0, groove_width=0.01, residence_time=1.0)
 
 
 def test_asperities():

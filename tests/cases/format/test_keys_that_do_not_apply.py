@@ -107,7 +107,7 @@ def test_keys_with_what_they_belong_to_are_valid():
     for text in (
         added("coefficient", "heat_transfer_W_K = 1.0", "ambient_C = 25.0", 'heating_torque = "skf"'),
         added("coefficient", "supply_mL_min = 1.0", "supply_loss = 0.1") + SURFACE,
-        added("coefficient", "ambient_C = 20.0", 'heating_torque = "integrated"', "supply_loss = 0.05"),  # the defaults
+        added("coefficient", "ambient_C = 20.0", 'heating_torque = "integrated"', "supply_loss = 0.03"),  # the defaults
         added('name = "iso', 'rheology = "ree-eyring"', "eyring_stress_MPa = 5.0"),
         added('name = "iso', "eyring_stress_MPa = 5.0"),
         added('name = "iso', 'rheology = "carreau-yasuda"', "carreau_modulus_MPa = 5.0", "carreau_exponent = 0.5"),

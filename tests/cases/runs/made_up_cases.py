@@ -72,7 +72,6 @@ SUPPLIED = {  # little oil, and a cage that a land guides
     "friction.supply_track_share": 0.4,
     "friction.supply_loss": 0.07,
     "friction.supply_residence_s": 15.0,
-    "friction.supply_groove_s": 4.0,
     "friction.supply_decay_s": 600.0,
     "cage.guided_by": "outer ring",
     "cage.land_diameter_mm": 67.0,
