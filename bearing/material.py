@@ -1,5 +1,7 @@
 """Solid bodies: moduli, densities, thermal properties, and the reduced modulus of a pair."""
 
+import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from math import isfinite, sqrt
@@ -113,10 +115,7 @@ class Material:
             return self.thermal_expansion * rise
         rises, strains = zip(*self.expansion_points, strict=True)
         held = min(max(rise, rises[0]), rises[-1])
-        above = next(n for n in range(1, len(rises)) if held <= rises[n])
-        share = (held - rises[above - 1]) / (rises[above] - rises[above - 1])
-        inside = strains[above - 1] + share * (strains[above] - strains[above - 1])
-        return float(inside + self.thermal_expansion * (rise - held))
+        return _between(held, rises, strains) + self.thermal_expansion * (rise - held)
 
     @property
     def effusivity(self) -> float:
@@ -169,13 +168,16 @@ def list_materials() -> tuple[str, ...]:
     return tuple(library_data(DATA))
 
 
-def load_material(name: str) -> Material:
-    """Shipped material at room temperature by its name.
+def load_material(name: str, temperature: float = ROOM) -> Material:
+    """Shipped material by its name.
 
     Parameters
     ----------
     name : str
         one of `list_materials()`; case, spaces and hyphens do not matter
+    temperature : float, optional
+        what the library has over the temperature is that of this one, beyond the ends of its
+        source that of the nearer end [K]; the rest is that of room temperature
 
     Returns
     -------
@@ -199,14 +201,25 @@ def load_material(name: str) -> Material:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
     entry = material_data(key)
     given = {field: key for field, key in FIELDS.items() if key in entry}
-    numbers = table_in_si({key: float(entry[key]["value"]) for key in given.values()})
+    rows = entry.get("over_temperature", {})
+    ratio = {
+        key: _ratio(f"{name}: {key}", rows[key], temperature) if key in rows else 1.0
+        for key in given.values()
+    }
+    numbers = table_in_si({key: ratio[key] * float(entry[key]["value"]) for key in given.values()})
     ends = table_in_si(
-        {given[field]: tuple(entry[given[field]]["range"]) for field in STRENGTH if field in given}
+        {
+            given[field]: tuple(ratio[given[field]] * end for end in entry[given[field]]["range"])
+            for field in STRENGTH
+            if field in given
+        }
     )
     return Material(
         name=key,
         source="; ".join(
-            f"{field}: {value['source']}" for field, value in entry.items() if field != "kind"
+            f"{field}: {value['source']}"
+            for field, value in (*entry.items(), *rows.items())
+            if "source" in value
         ),
         kind=MaterialKind(entry.get("kind", "other")),
         expansion_points=_expansion_points(entry.get("expansion")),
@@ -216,6 +229,23 @@ def load_material(name: str) -> Material:
         **{field: numbers[key] for field, key in given.items()},
         **{f"{field}_range": ends[given[field]] for field in STRENGTH if field in given},
     )
+
+
+def _ratio(key: str, row: dict[str, Any], temperature: float) -> float:
+    """A property over that of room temperature [-]."""
+    known, values = row["temperature_K"], row["value"]
+    held = min(max(temperature, known[0]), known[-1])
+    if held != temperature and abs(temperature - ROOM) > 1.0:
+        text = f"{key} at {temperature:.0f} K is held at {held:.0f} K, the end of its source"
+        warnings.warn(text, stacklevel=4)
+    return _between(held, known, values) / _between(ROOM, known, values)
+
+
+def _between(place: float, places: Sequence[float], values: Sequence[float]) -> float:
+    """A value between two places of a rising row, within its ends."""
+    above = next(n for n in range(1, len(places)) if place <= places[n])
+    share = (place - places[above - 1]) / (places[above] - places[above - 1])
+    return float(values[above - 1] + share * (values[above] - values[above - 1]))
 
 
 def _expansion_points(data: dict[str, Any] | None) -> tuple[tuple[float, float], ...] | None:

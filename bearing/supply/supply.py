@@ -33,9 +33,9 @@ see it. Pressure makes I small: the higher it is, the more of the film stays.
 its cavity, and the balls plough through a mixture of that density. Both numbers are inputs of a
 test rig, not constants of nature.
 
-**Least friction.** Where the loss l between two balls exceeds that of the contacts, a flow V leaves
-the layer h = phi V/(2 w u z l) in grooves of width w, at any load. A full film has three roughnesses
-sigma, and a contact that finds twice its film builds nearly all of it
+**Least friction.** Where the loss l between two balls exceeds that of the contacts, a flow V
+leaves the layer h = phi V/(2 w u z l) in grooves of width w, at any load. A full film has three
+roughnesses sigma, and a contact that finds twice its film builds nearly all of it
 (docs/theory/starved_contact.md); more oil only stands in the way: h = 6 sigma. Only phi/l counts.
 """
 
@@ -402,8 +402,8 @@ def compression(hertz_pressure: float, lubricant: Lubricant) -> float:
 
 
 def groove_width(bearing: Bearing) -> float:
-    """Arc of a groove from shoulder to shoulder, the mean of both grooves; the height of a shoulder
-    whose diameter is not given is a sixth of the ball's diameter.
+    """Arc of a groove from shoulder to shoulder, the mean of both grooves; a shoulder without a
+    diameter is a sixth of the ball's diameter high.
 
     Parameters
     ----------

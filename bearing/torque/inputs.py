@@ -84,7 +84,7 @@ class FrictionInput:
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
     dry: DrySurface | None = None  # None: lubricated
-    # that the cage transfers to oiled races, of whose friction `boundary` is; None: as given
+    # film from the cage on oiled races, whose friction `boundary` is; None: as given
     transferred: DrySurface | None = None
     # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
     all_models: bool = False

@@ -412,7 +412,7 @@ def _bearing_case(file: BearingFile) -> Case:
     fluid = lubricant(oil, at.temperature)
     warn_of_estimates(oil, fluid)
     # 2. the bearing, as delivered and in operation
-    library = _materials(file)
+    library = _materials(file, at.temperature)
     cage = (library.get(file.bearing.cage_material or ""), guiding_land(file.cage))
     delivered = bearings.bearing(file.bearing, library, file.title)
     file = _with_surface(file, delivered)
@@ -546,12 +546,14 @@ def _material_names(file: BearingFile) -> list[str]:
     return [*bearings.material_names(file.bearing), *seats]
 
 
-def _materials(file: BearingFile) -> dict[str, Material]:
-    """Materials of the bearing, its seats, and of a cage whose temperature is given."""
+def _materials(file: BearingFile, temperature: float) -> dict[str, Material]:
+    """Materials of the bearing, its seats, and of a cage whose temperature is given, at that of
+    operation [K].
+    """
     cage = file.bearing.cage_material
     heated = file.temperatures is not None and file.temperatures.cage_C is not None
     names = [*_material_names(file), *([cage] if cage and heated else [])]
-    return materials(file.materials, names)
+    return materials(file.materials, names, temperature)
 
 
 def _contact_case(file: ContactFile) -> ContactCase:
@@ -564,7 +566,7 @@ def _contact_case(file: ContactFile) -> ContactCase:
         warn_of_estimates(oil, fluid)
     shear = None if moes else rheology(oil, fluid)
     names = (table.material_1, table.material_2, table.substrate_material)
-    library = materials(file.materials, [name for name in names if name is not None])
+    library = materials(file.materials, [name for name in names if name], temperature)
     document = _document(file)
     document["contact"] = {**contacts.contact_defaults(table), **document["contact"]}
     starvation = contacts.starvation(file.ehl, file.lubricant, contacts.Starvation.SOLVED)

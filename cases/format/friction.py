@@ -95,8 +95,8 @@ class FrictionTable(LawTable):
         "base oil, for SKF's mu_EHL", "mineral"
     )
     dry_surface: str | None = described(
-        "of dry running, else by the balls; of oiled races the film that the cage transfers, whose "
-        "friction is that of asperities: a name of `oilfilm list dry_surfaces`, as ptfe film"
+        "of dry running, else by the balls; of oiled races the film that the cage transfers, "
+        "whose friction is that of asperities: a name of `oilfilm list dry_surfaces`"
     )
     boundary_coefficient: float = above(
         0, 1, "of asperities that touch: SKF's mu_bl, and of the films with [surface]", 0.12
@@ -252,8 +252,8 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
 def with_dry_friction(
     table: FrictionTable, ball_material: str
 ) -> tuple[FrictionTable, DrySurface | None]:
-    """Coulomb's friction of a bearing that runs dry, or of the asperities of oiled races with a film
-    that the cage transfers, and the surface that it is of.
+    """Coulomb's friction of a bearing that runs dry, or of the asperities of oiled races with a
+    film that the cage transfers, and the surface that it is of.
 
     Parameters
     ----------

@@ -7,6 +7,7 @@ from oilfilm.bearing.library.bearings import catalogue_name, list_bearings, load
 from oilfilm.bearing.library.lubricants import list_greases, list_lubricants, load_grease
 from oilfilm.bearing.library.plugins import matching_name
 from oilfilm.bearing.material import (
+    ROOM,
     STRENGTH,
     Material,
     MaterialKind,
@@ -67,7 +68,9 @@ class MaterialTable(Table):
     source: str = described("where the numbers come from", "case file")
 
 
-def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[str, Material]:
+def materials(
+    own: Mapping[str, MaterialTable], names: Iterable[str], temperature: float = ROOM
+) -> dict[str, Material]:
     """Materials by name, those of the case before those of the library.
 
     Parameters
@@ -76,6 +79,8 @@ def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[st
         Tables of the case by name.
     names : Iterable[str]
         Names of the materials.
+    temperature : float, optional
+        Temperature of what the library has over the temperature [K].
 
     Returns
     -------
@@ -83,15 +88,16 @@ def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[st
         The materials, SI.
     """
     return {
-        name: _material(name, own[name]) if name in own else load_material(name) for name in names
+        name: _material(name, own[name], temperature) if name in own else load_material(name, temperature)
+        for name in names
     }
 
 
-def _material(name: str, table: MaterialTable) -> Material:
+def _material(name: str, table: MaterialTable, temperature: float) -> Material:
     """A material of the case, SI; what is left out of the library's of the same name."""
     values: dict[str, Any] = {"kind": MaterialKind.OTHER}
     if matching_name(name, list_materials()):
-        library = load_material(name)
+        library = load_material(name, temperature)
         values = {field: getattr(library, field) for field in LIBRARY_FIELDS}
     given = {field: value for field, value in table.si().items() if value is not None}
     for field in STRENGTH:  # a strength of the case's own beyond the library's range has none

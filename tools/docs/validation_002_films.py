@@ -45,25 +45,32 @@ class Film:
 
 
 @cache
-def films(load: float, speed: float) -> dict[tuple[float, str], Film | None]:
-    """Contacts at the angles of the figures, by angle [deg] and race; None without load."""
+def films(load: float, speed: float) -> dict[tuple[float, str], Film | float]:
+    """Contacts at the angles of the figures, by angle [deg] and race; the load [N] where no film is solved."""
     case = load_case(STEM)
     at = replace(case.operation, inner_speed=speed * RPM, force=(0.0, load, 0.0))
     wanted = tuple(angle * pi / 180.0 for angle in ANGLES)
     results = run_case(replace(case, operation=at, film_maps=wanted, film_source=FilmSource.SOLVED))
-    found: dict[tuple[float, str], Film | None] = {}
+    found: dict[tuple[float, str], Film | float] = {}
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         angle = round(degrees(contact.azimuth) % 360.0, 3)
         if angle not in ANGLES:
             continue
-        found[angle, contact.race.value] = solution and Film(
-            contact.load,
-            1e6 * solution.film_central,
-            1e6 * solution.film_minimum,
-            1e-9 * solution.pressure_maximum,
-            solution,
-        )
+        found[angle, contact.race.value] = contact.load
+        if solution is not None:
+            found[angle, contact.race.value] = Film(
+                contact.load,
+                1e6 * solution.film_central,
+                1e6 * solution.film_minimum,
+                1e-9 * solution.pressure_maximum,
+                solution,
+            )
     return found
+
+
+def unsolved(load: float) -> str:
+    """Words for a contact without a solved film: of no load, or of a light ball between two films."""
+    return f"{load:.3g}; between two films" if load else "no load"
 
 
 def rows() -> str:
@@ -74,8 +81,8 @@ def rows() -> str:
         for load, speed in product(LOADS, SPEEDS):
             film = films(load, speed)[angle, race.value]
             cells.append(
-                "no load"
-                if film is None
+                unsolved(film)
+                if isinstance(film, float)
                 else f"{film.load:.4g}; {film.central:.2f}, {film.minimum:.2f}; {film.pressure:.3g}"
             )
         lines.append(f"| {angle:.0f} | {race.value} | {' | '.join(cells)} |")
@@ -163,7 +170,7 @@ def draw() -> None:
         panels = figure.subplots(4, len(columns))
         for row, (quantity, race) in enumerate(product(("film", "pressure"), Race)):
             shown = [films(*point)[angle, race.value] for angle, point in columns]
-            views = [film and contact_view(film.solution) for film in shown]
+            views = [None if isinstance(film, float) else contact_view(film.solution) for film in shown]
             known = [view for view in views if view]
             limits = (0.0, max(view.pressure_top for view in known))
             if quantity == "film":
@@ -172,9 +179,9 @@ def draw() -> None:
             image = None
             for axes, view, film in zip(panels[row], views, shown, strict=True):
                 axes.set(xticks=[], yticks=[])
-                if view is None:
+                if view is None or isinstance(film, float):
                     axes.set_facecolor("#eeeeee")
-                    axes.text(0.5, 0.5, "no load", color=REFERENCE, ha="center", transform=axes.transAxes)
+                    axes.text(0.5, 0.5, "no film", color=REFERENCE, ha="center", transform=axes.transAxes)
                     continue
                 image = draw_map(axes, view, quantity, limits)
                 axes.set(xlabel="", ylabel="")

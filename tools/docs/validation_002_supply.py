@@ -33,7 +33,7 @@ from validation_002_torque import (
 from oilfilm.bearing import Race
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.operating_film import supplied_films
-from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet, Supply
+from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.runs.bearing import run_case
 from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
@@ -60,7 +60,7 @@ CHANGES = {  # what is changed of the supply, of the friction
     "ℓ 0.04": ({"loss": 0.04}, {}),
     "σ, `[surface]`, 0.1 µm": ({}, {"roughness": (0.1e-6, 0.1e-6)}),
     "σ 0.4 µm": ({}, {"roughness": (0.4e-6, 0.4e-6)}),
-    "µ_b, `boundary_coefficient`, 0.05 (low end of `dry_surface = \"ptfe film\"`)": ({}, {"boundary": 0.05}),
+    'µ_b, `boundary_coefficient`, 0.05 (low end of `dry_surface = "ptfe film"`)': ({}, {"boundary": 0.05}),
     "µ_b 0.2 (its high end)": ({}, {"boundary": 0.2}),
     "`supply_residence_s` 200, ten times the churning": ({"residence_time": 200.0}, {}),
 }

@@ -162,22 +162,26 @@ def statement_rows() -> str:
     cooled = {key[2]: celsius(state) for key, state in heat_balances(COOLED).items()}
     coolest = min(cooled, key=cooled.__getitem__)
     first, last = min(cooled), max(cooled)
-    loaded = [heat[5000.0, 3000.0, flow] for flow in (0.2, 0.4, 2.0)]
+    points = sorted({key[:2] for key in heat})
+    lines = {point: [heat[key] for key in heat if key[:2] == point] for point in points}
+    flows = sorted({key[2] for key in heat})
+    coldest = {point: flows[line.index(min(line))] for point, line in lines.items()}
+    ends = "; ".join(
+        f"{n:.0f} r/min, {f:.0f} N: {line[0]:.1f} to {min(line):.1f} °C at {coldest[n, f]:g} mL/min, "
+        f"{line[-1]:.1f} at {flows[-1]:g}"
+        for (n, f), line in lines.items()
+    )
+    below = all(line[0] > line[1] > line[2] for line in lines.values())
+    above = [point for point, line in lines.items() if line[-1] == min(line)]
+    with_air = ", ".join(f"{cooled[flow]:.1f}" for flow in (first, coolest, last))
     rows = [
+        ("Fig. 5: below the optimum the temperature falls with the supply", "yes" if below else "no", ends),
         (
-            "Fig. 5: below the optimum the temperature falls with the supply",
-            "under 3000 N at 5000 r/min",
-            f"{loaded[0]:.1f} to {loaded[1]:.1f} °C at 0.2 and 0.4 mL/min; under 900 N it ends higher, "
-            f"{heat[5000.0, 900.0, 0.2]:.1f} to {heat[5000.0, 900.0, 2.0]:.1f} °C at 0.2 and 2 "
-            "mL/min",
-        ),
-        (
-            "Fig. 5: above the optimum it falls by the oil's cooling",
-            f"no; with more oil that cools up to {coolest:g} mL/min",
-            f"{loaded[2]:.1f} °C under 3000 N at 2 mL/min; with a hundred times the supply as "
-            "cooling oil "
-            f"{cooled[first]:.1f}, {cooled[coolest]:.1f} and {cooled[last]:.1f} °C at {first:g}, {coolest:g} and "
-            f"{last:g} mL/min under 900 N",
+            "Fig. 5: above the optimum it goes on falling",
+            f"in {len(above)} of {len(lines)} rows; with a hundred times the supply as cooling oil "
+            + ("yes" if coolest == last else "no"),
+            f"see above; {with_air} °C at {first:g}, {coolest:g} and {last:g} mL/min with the cooling oil "
+            "(900 N, 5000 r/min)",
         ),
         (
             "Fig. 5: it grows with speed and load",
