@@ -88,7 +88,9 @@ def materials(
         The materials, SI.
     """
     return {
-        name: _material(name, own[name], temperature) if name in own else load_material(name, temperature)
+        name: _material(name, own[name], temperature)
+        if name in own
+        else load_material(name, temperature)
         for name in names
     }
 

@@ -92,7 +92,7 @@ def test_expansion_is_its_integral_where_it_is_known():
 
 
 def test_properties_over_the_temperature_change_by_the_ratio_of_their_source():
-    """Sintered alumina at 1000 C by NIST, 364 of 416 GPa and 345 of 380 MPa; SiC by Snead et al. at 500 C; room as is."""
+    """Sintered alumina at 1000 C by NIST, 364 of 416 GPa and 345 of 380 MPa; SiC by Snead et al. at 500 C."""
     cold, hot = load_material("alumina"), load_material("alumina", 1273.15)
     assert hot.youngs_modulus / cold.youngs_modulus == pytest.approx(364.0 / 416.0)
     assert hot.bending_strength / cold.bending_strength == pytest.approx(345.0 / 380.0)
