@@ -40,7 +40,10 @@ def named_films(quick: bool = False) -> Section:
     )
     caption = f"{fine} points along x, judged by it {coarse}:"
     return Section(
-        title="Grid-converged films", text=text("films"), checks=checks, tables=(Table(caption, HEAD, tuple(rows)),)
+        title="Grid-converged films",
+        text=text("films"),
+        checks=checks,
+        tables=(Table(caption, HEAD, tuple(rows), slice(1, None, 2)),),
     )
 
 

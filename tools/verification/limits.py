@@ -108,7 +108,12 @@ def same_contact(quick: bool = False) -> Section:
         checks.append(Check(f"films of {name}", difference, most=limit))
     head = columns("the same contact | central, minimum | central, minimum | difference")
     tables = [
-        Table(f"Films of the finest grid, {points} points, in µm (first row) or in units of a²/R_x:", head, tuple(rows))
+        Table(
+            f"Films of the finest grid, {points} points, in µm (first row) or in units of a²/R_x:",
+            head,
+            tuple(rows),
+            slice(0),
+        )
     ]
     if not quick:
         table, change = _boxes()

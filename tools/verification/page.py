@@ -49,6 +49,12 @@ class Check:
         """Statement, found, wanted, holds: a row of a table."""
         return self.name, f"{self.value:.4g}", self.bounds, "yes" if self.passed else "no"
 
+    @property
+    def printed(self) -> tuple[str, ...]:
+        """The same on the page; a number out of its bounds is bold."""
+        found = f"{self.value:.4g}"
+        return self.name, found if self.passed else f"**{found}**", self.bounds
+
 
 @dataclass(frozen=True, slots=True)
 class Table:
@@ -57,6 +63,7 @@ class Table:
     caption: str
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
+    shown: slice | None = None  # rows that the page prints, None: all; its numbers hold all
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,8 +114,8 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
     parts = [f"# {title}", introduction]
     checks = [check for section in sections for check in section.checks]
     if checks:
-        rows = tuple((*c.cells[:3], "yes" if c.passed else "**no**") for c in checks)
-        table = Table("Statements:", ("statement", "found", "wanted", "holds"), rows)
+        rows = tuple(check.printed for check in checks)
+        table = Table("Statements; a number out of its bounds is bold:", ("statement", "found", "wanted"), rows)
         parts += ["## Checks", _table(table)]
     for section in sections:
         parts += [f"## {section.title}", section.text]
@@ -118,7 +125,10 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
 
 
 def _table(table: Table) -> str:
-    lines = [_line(table.head), _line(["---"] * len(table.head)), *(_line(row) for row in table.rows)]
+    rows = table.rows if table.shown is None else table.rows[table.shown]
+    if table.rows and not rows:
+        return ""
+    lines = [_line(table.head), _line(["---"] * len(table.head)), *(_line(row) for row in rows)]
     return f"{table.caption}\n\n" + "\n".join(lines)
 
 
