@@ -1,6 +1,6 @@
 """Parts of a page - checks, tables, pictures, sections - and the page in Markdown."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from typing import Any, TypeVar
@@ -50,10 +50,11 @@ class Check:
         return self.name, f"{self.value:.4g}", self.bounds, "yes" if self.passed else "no"
 
     @property
-    def printed(self) -> tuple[str, ...]:
-        """The same on the page; a number out of its bounds is bold."""
-        found = f"{self.value:.4g}"
-        return self.name, found if self.passed else f"**{found}**", self.bounds
+    def room(self) -> float:
+        """Distance to the nearer bound, over the bound; negative outside."""
+        ends = [(self.value - self.least, self.least)] if self.least is not None else []
+        ends += [(self.most - self.value, self.most)] if self.most is not None else []
+        return min(distance / (abs(bound) or 1.0) for distance, bound in ends)
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,8 +115,8 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
     parts = [f"# {title}", introduction]
     checks = [check for section in sections for check in section.checks]
     if checks:
-        rows = tuple(check.printed for check in checks)
-        table = Table("Statements; a number out of its bounds is bold:", ("statement", "found", "wanted"), rows)
+        caption = "Statements, of several of one kind the one nearest to its bounds; a number out of them is bold:"
+        table = Table(caption, ("statement", "found", "wanted"), tuple(statements(checks)))
         parts += ["## Checks", _table(table)]
     for section in sections:
         parts += [f"## {section.title}", section.text]
@@ -124,11 +125,25 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
     return "\n\n".join(part.strip() for part in parts if part.strip()) + "\n"
 
 
+def statements(checks: Sequence[Check]) -> Iterator[tuple[str, ...]]:
+    """Rows of the statements: a kind is the text before the first comma, with its bounds; failed ones stand alone."""
+    kinds: dict[tuple[str, ...], list[Check]] = {}
+    for check in checks:
+        kind = (check.name.partition(",")[0], check.bounds) if check.passed else (check.name,)
+        kinds.setdefault(kind, []).append(check)
+    for found in kinds.values():
+        check = min(found, key=lambda one: one.room)
+        kind, _, place = check.name.partition(", ")
+        name = check.name if len(found) == 1 else f"{kind} ({len(found)}), {place}"
+        number = f"{check.value:.4g}"
+        yield name, number if check.passed else f"**{number}**", check.bounds
+
+
 def _table(table: Table) -> str:
     rows = table.rows if table.shown is None else table.rows[table.shown]
     if table.rows and not rows:
         return ""
-    lines = [_line(table.head), _line(["---"] * len(table.head)), *(_line(row) for row in rows)]
+    lines = [_line(table.head), "|" + "---|" * len(table.head), *(_line(row) for row in rows)]
     return f"{table.caption}\n\n" + "\n".join(lines)
 
 
