@@ -5,7 +5,7 @@ fraction of its part of the friction: inlet shear heating and starvation on the 
 on the rolling moment, asperities on the load that the oil carries.
 """
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import replace
 from math import inf
 
@@ -39,7 +39,7 @@ from .film import (
     solved_with_heat,
 )
 from .heavy_moment import elastic_moment
-from .unsolved_films import formula_films, formula_values, hertz_size
+from .unsolved_films import formula_films, formula_values, hertz_size, kinds_of_contacts
 
 
 def on_tracks(supply: OilAtInlets, contacts: Sequence[BearingContact]) -> OilAtInlets:
@@ -273,14 +273,44 @@ def operating_films(
         None where there is no film.
     """
     supply = supply and on_tracks(supply, contacts)
-    running = (
-        None if film is None else _operating(film, contact, heat, supply, asperities)
-        for contact, film, heat in zip(contacts, films, film_heats(contacts, films), strict=True)
-    )
+    heats = film_heats(contacts, films)
+    alike: dict[Hashable, ContactFilm] = {}
+    running: list[ContactFilm | None] = []
+    for contact, film, heat, kind in zip(
+        contacts, films, heats, _kinds(contacts, films), strict=True
+    ):
+        if film is None:
+            running.append(None)
+        elif kind in alike:
+            # equal balls of a load zone differ in their spins and round-off alone
+            running.append(replace(alike[kind], conditions=film.conditions, size=film.size))
+        else:
+            alike[kind] = _operating(film, contact, heat, supply, asperities)
+            running.append(alike[kind])
     return tuple(
         film and replace(film, elastic_moment=elastic_moment(contact, hysteresis))
         for contact, film in zip(contacts, running, strict=True)
     )
+
+
+def _kinds(contacts: Sequence[BearingContact], films: Films) -> list[Hashable]:
+    """Keys that contacts on equal films share; None where there is none."""
+    known = [
+        (film.conditions, (film.size.semi_axis_y, film.size.semi_axis_x))
+        for film in films
+        if film is not None
+    ]
+    equal = iter(kinds_of_contacts(known))
+    fields = first_same([None if film is None else film.field for film in films])
+    return [
+        film
+        and (
+            next(equal),
+            *(contact.race, contact.row, contact.gap, contact.effusivities),
+            *(field, film.origin, film.central.value),
+        )
+        for contact, film, field in zip(contacts, films, fields, strict=True)
+    ]
 
 
 def contact_films(

@@ -142,7 +142,7 @@ def formula_values_of(
     list of FormulaValues
         In the order of the contacts.
     """
-    kinds = _kinds(contacts)
+    kinds = kinds_of_contacts(contacts)
     first = dict(zip(reversed(kinds), reversed(contacts), strict=True))
     distinct = list(dict.fromkeys(kinds))
     numbers = _numbers([_alike(*first[kind]) for kind in distinct])
@@ -150,10 +150,21 @@ def formula_values_of(
     return [found[kind] for kind in kinds]
 
 
-def _kinds(
+def kinds_of_contacts(
     contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
 ) -> list[tuple[Any, ...]]:
-    """Keys that equal contacts share: numbers to `DIGITS`, the rest the very same objects."""
+    """Keys that equal contacts share: numbers to `DIGITS`, the rest the very same objects.
+
+    Parameters
+    ----------
+    contacts : sequence of (ContactConditions, tuple of float)
+        Conditions, and Hertz' semi-axes across and along rolling [m].
+
+    Returns
+    -------
+    list of tuple
+        In the order of the contacts.
+    """
     numbers = np.array(
         [
             (c.load, c.radius_x, c.radius_y, c.entrainment_speed, abs(c.rotation), *axes)
