@@ -18,7 +18,17 @@ from oilfilm.ehl.foreign_files import DEFLATE, entries_as_bytes, entries_of, par
 from oilfilm.postprocess.files import read_summary
 
 from .format.rules import CaseError
-from .rexs import DEFLATED_TEXT, LARGEST, MODELS, SOURCE, Component, Model, bearings, read_rexs
+from .rexs import (
+    DEFLATED_TEXT,
+    LARGEST,
+    MODELS,
+    SOURCE,
+    Component,
+    Model,
+    bearings,
+    is_ball_bearing,
+    read_rexs,
+)
 
 # key of a bearing's summary: (first version, attribute, unit, factor to it from the key's unit)
 Names = tuple[tuple[str, str, str, float], ...]
@@ -170,7 +180,11 @@ def _assigned(
         components = [bearing for bearing, _ in listed if bearing.id == number]
         summaries = [summary]
     else:
-        components = [bearing for bearing, on in listed if on is not None and on.id == number]
+        components = [
+            bearing
+            for bearing, on in listed
+            if on is not None and on.id == number and is_ball_bearing(bearing)
+        ]
         summaries = summary.get("bearings", [])
     if not components or len(components) != len(summaries):
         raise CaseError(

@@ -47,6 +47,15 @@ class ShaftSolution:
     message: str
 
     @property
+    def spring_loads(self) -> Array:
+        """Force and moment of the shaft on each spring (springs, 6) [N], [N m]."""
+        loads = np.zeros((len(self.system.springs), FREEDOMS))
+        for load, spring in zip(loads, self.system.springs, strict=True):
+            node = np.abs(self.positions - spring.position).argmin()
+            load[:] = spring.stiffness * self.displacement[node]
+        return loads
+
+    @property
     def reactions(self) -> Array:
         """Force and moment of the shaft on each bearing, (supports, 5) [N], [N m]."""
         return np.array([_held(state) for state in self.bearings])
@@ -175,7 +184,8 @@ def _check_held(problem: _Problem) -> None:
     supports = problem.system.supports
     if not supports:
         raise ValueError("the shaft has no support")
-    if all(support.location is AxialLocation.NONE for support in supports):
+    floating = all(support.location is AxialLocation.NONE for support in supports)
+    if floating and not any(spring.axial for spring in problem.system.springs):
         raise ValueError("no support holds the shaft along x: at least one must be fixed")
 
 

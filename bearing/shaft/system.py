@@ -38,6 +38,23 @@ class Support:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Spring:
+    """A bearing that is not computed, as a linear spring to the ground."""
+
+    name: str
+    position: float  # along the shaft [m]
+    radial: float  # stiffness along y and z [N/m]
+    axial: float = 0.0  # [N/m]
+    tilting: float = 0.0  # against rotation about y and z [N m/rad]
+
+    @property
+    def stiffness(self) -> Array:
+        """On the six freedoms of a node (6,) [N/m], [N m/rad]."""
+        tilting = self.tilting
+        return np.array([self.axial, self.radial, self.radial, 0.0, tilting, tilting])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PointLoad:
     """Load and mass of a gear, pulley or disc."""
 
@@ -58,6 +75,7 @@ class ShaftSystem:
     sections: tuple[Section, ...]
     supports: tuple[Support, ...]
     loads: tuple[PointLoad, ...]
+    springs: tuple[Spring, ...] = ()
     speed: float = 0.0  # about +x [rad/s]
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # acceleration [m/s^2]
     # stiffness of the housing at the seats, condensed on x, y, z, tilt y, tilt z of each support,
@@ -69,11 +87,11 @@ class ShaftSystem:
 
     @property
     def stations(self) -> list[float]:
-        """Places of bearings and loads [m]."""
-        return [*(s.position for s in self.supports), *(load.position for load in self.loads)]
+        """Places of bearings, springs and loads [m]."""
+        return [part.position for part in (*self.supports, *self.springs, *self.loads)]
 
     def beam(self, longest: float | None = None) -> Beam:
-        """Beam of the shaft with the masses of its loads.
+        """Beam of the shaft with its springs and the masses of its loads.
 
         Parameters
         ----------
@@ -87,6 +105,11 @@ class ShaftSystem:
         """
         beam = stepped_beam(self.sections, self.stations, longest)
         mass, gyroscopic, weight = beam.mass.copy(), beam.gyroscopic.copy(), beam.weight.copy()
+        stiffness = beam.stiffness.copy()
+        for spring in self.springs:
+            first = FREEDOMS * beam.node(spring.position)
+            places = np.arange(first, first + FREEDOMS)
+            stiffness[places, places] += spring.stiffness
         for load in self.loads:
             first = FREEDOMS * beam.node(load.position)
             inertia = (*[load.mass] * 3, load.polar_inertia, *[load.diametral_inertia] * 2)
@@ -95,7 +118,7 @@ class ShaftSystem:
             gyroscopic[first + 4, first + 5] += load.polar_inertia
             gyroscopic[first + 5, first + 4] -= load.polar_inertia
             weight[places[:3], np.arange(3)] += load.mass
-        return replace(beam, mass=mass, gyroscopic=gyroscopic, weight=weight)
+        return replace(beam, stiffness=stiffness, mass=mass, gyroscopic=gyroscopic, weight=weight)
 
     def load_vector(self, beam: Beam) -> Array:
         """Forces and moments on the nodes: point loads and weight.

@@ -50,7 +50,14 @@ from .rules import (
     relation_faults,
     shown,
 )
-from .shaft import HousingTable, ShaftLoadTable, ShaftOperationTable, ShaftSupportTable, ShaftTable
+from .shaft import (
+    HousingTable,
+    ShaftLoadTable,
+    ShaftOperationTable,
+    ShaftSupportTable,
+    ShaftTable,
+    SpringTable,
+)
 from .transient import FeatureTable, TransientTable
 from .vibration import FormTable, SupportTable, VibrationTable
 
@@ -77,6 +84,7 @@ NAMED_TABLES: dict[str, type[Table]] = {
     "features": FeatureTable,
     "support": ShaftSupportTable,
     "load": ShaftLoadTable,
+    "spring": SpringTable,
     "bearing": BearingTable,
 }
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
@@ -166,6 +174,9 @@ class ShaftFile(CaseFile):
     )
     load: tuple[ShaftLoadTable, ...] = described(
         "loads and masses on the shaft", (), strict=False, max_length=200
+    )
+    spring: tuple[SpringTable, ...] = described(
+        "bearings that are not computed", (), strict=False, max_length=50
     )
     housing: HousingTable = HousingTable()
     operation: ShaftOperationTable = ShaftOperationTable()

@@ -66,6 +66,16 @@ class ShaftSupportTable(Table):
     )
 
 
+class SpringTable(Table):
+    """A bearing that is not computed, as one with rollers: a linear spring to the housing."""
+
+    name: str = described("of the bearing", "", max_length=80)
+    at_mm: float = between(0, LENGTH_MAXIMUM, "where it acts", ...)
+    radial_stiffness_N_um: float = above(0, 1e6, "along y and z", ...)
+    axial_stiffness_N_um: float = between(0, 1e6, "along the shaft", 0.0)
+    tilting_stiffness_N_m_mrad: float = between(0, 1e6, "against tilt", 0.0)
+
+
 class ShaftLoadTable(Table):
     """Load and mass of a gear, pulley, coupling or disc."""
 
@@ -141,7 +151,7 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
         if is_number(inside) and is_number(outside) and inside >= outside:
             path = ("shaft", "section", index, "inside_mm")
             yield CaseProblem(path, f"found {shown(inside)}", f"allowed: less than {outside:g} mm")
-    for name in ("support", "load"):
+    for name in ("support", "spring", "load"):
         tables = values.get(name)
         for index, table in enumerate(tables if isinstance(tables, list) else ()):
             place = table.get("at_mm") if isinstance(table, dict) else None
@@ -168,7 +178,9 @@ def _support_faults(values: CaseValues) -> Iterator[CaseProblem]:
                 path = ("support", index, "loaded_by")
                 yield CaseProblem(path, "missing", f"needed with {key}: which push loads it")
     yield from _heat_faults(values, tables)
-    if tables and all(table.get("fixed", "both") == "none" for table in tables):
+    springs = values.get("spring")
+    held = [s.get("axial_stiffness_N_um") for s in springs or () if isinstance(s, dict)]
+    if tables and not any(held) and all(table.get("fixed") == "none" for table in tables):
         finding = "no support holds the shaft along x"
         yield CaseProblem(("support",), finding, 'needed: fixed = "both" at one of them')
 

@@ -14,6 +14,7 @@ from oilfilm.bearing.shaft.system import (
     AxialLocation,
     PointLoad,
     ShaftSystem,
+    Spring,
     Support,
 )
 from oilfilm.ehl.arrays import Array
@@ -288,6 +289,17 @@ def shaft_system(
         sections=pieces,
         supports=supports,
         loads=loads,
+        springs=tuple(
+            Spring(
+                name=table.name or "spring",
+                position=si["at"],
+                radial=si["radial_stiffness"],
+                axial=si["axial_stiffness"],
+                tilting=si["tilting_stiffness"],
+            )
+            for table in file.spring
+            for si in (table.si(),)
+        ),
         speed=operation["inner_speed"],
         gravity=file.shaft.si()["gravity"],
         housing=housing_stiffness(file.housing, len(supports)),

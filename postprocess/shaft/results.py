@@ -124,6 +124,15 @@ def shaft_summary(results: ShaftResults) -> dict[str, Any]:
     document = {
         "shaft": shaft,
         "supports": [_support(results, k) for k in range(len(results.names))],
+        "springs": [
+            {
+                "name": spring.name,
+                "x_mm": POSITION.in_unit(spring.position),
+                "force_N": list(from_si("force_N", load[:3])),
+                "moment_N_mm": list(from_si("moment_N_mm", load[3:])),
+            }
+            for spring, load in zip(solution.system.springs, solution.spring_loads, strict=True)
+        ],
         "system": values_of(results, SYSTEM),
         "critical_speeds_rpm": None if moving is None else CRITICAL.in_unit(moving.critical),
         "campbell": None

@@ -98,6 +98,10 @@ def _outline(axes: Axes, results: ShaftResults) -> None:
             axes.add_patch(box)
         text = f"{name}\n{support.location.value}"
         axes.annotate(text, (x, -1.6 * radius), ha="center", va="top", fontsize=7)
+    for spring in system.springs:
+        x = from_si("x_mm", spring.position)
+        axes.plot((x, x), (-1.5 * radius, 0.0), ":", color=BEARING_COLOUR)
+        axes.annotate(spring.name, (x, -1.6 * radius), ha="center", va="top", fontsize=7)
     for load in system.loads:
         force = (load.force[1] ** 2 + load.force[2] ** 2) ** 0.5
         x = from_si("x_mm", load.position)
@@ -191,6 +195,11 @@ def shaft_table(results: ShaftResults) -> Group:
         tilt = number(float(from_si("tilt_mrad", (state.tilt @ state.tilt) ** 0.5)))
         rows.append([name, number(place), *force, tilt, *_bearing_cells(bearing)])
     lines = []
+    system = results.solution.system
+    for spring, load in zip(system.springs, results.solution.spring_loads, strict=True):
+        force = ", ".join(f"{from_si('force_N', float(f)):.0f}" for f in load[:3])
+        place = number(POSITION.in_unit(spring.position))
+        lines.append(Text(f"spring {spring.name} at {place} mm: {force} N", style="dim"))
     moving = results.vibration
     if moving is not None and moving.critical.size:
         speeds = ", ".join(f"{speed:.0f}" for speed in CRITICAL.in_unit(moving.critical))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -69,7 +70,7 @@ def test_the_first_pinion_is_pressed_against_its_turn(found):
     assert force @ pinion.towards < 0.0  # and pushed off its mate
 
 
-@pytest.mark.parametrize("number", [1, 2, 4])
+@pytest.mark.parametrize("number", [1, 2, 3, 4])
 def test_shafts_with_ball_bearings_have_an_equilibrium(found, number, tmp_path):
     path = tmp_path / "shaft.toml"
     path.write_text(shaft_text(found, number), encoding="utf-8")
@@ -83,9 +84,38 @@ def test_a_bearing_has_the_load_that_its_shaft_puts_on_it(found):
     assert "force_N = [" in text
 
 
-def test_a_roller_bearing_is_refused_by_name(found):
-    with pytest.raises(CaseError, match="NUP204E"):
-        shaft_text(found, 3)
+def test_a_roller_bearing_is_a_spring_and_told(found, tmp_path):
+    """NUP 204: Palmgren's line contacts by hand under 3250 N, 11 rollers of 7.4 x 9.1 mm."""
+    text = shaft_text(found, 3)
+    assert "[[spring]]  # radial roller bearing, not computed" in text
+    assert "an estimate, to a factor of 1.5" in text
+    path = tmp_path / "shaft.toml"
+    path.write_text(text, encoding="utf-8")
+    system = load_shaft(path).system
+    by_hand = 3250.0 / (0.9 * 7.68e-5 * (4.08 * 3250.0 / 11) ** 0.9 / 9.1**0.8) * 1e3
+    assert [spring.radial for spring in system.springs] == pytest.approx([by_hand], rel=5e-3)
+    solution = solve_shaft(system)
+    assert solution.converged, solution.message
+    # bearings and spring together hold the loads
+    load = system.load_vector(system.beam()).reshape(-1, 6)[:, :3].sum(axis=0)
+    held = solution.reactions[:, :3].sum(axis=0) + solution.spring_loads[:, :3].sum(axis=0)
+    assert held == pytest.approx(load, rel=1e-6, abs=1e-3)
+    with pytest.raises(CaseError, match="no ball bearing"):
+        bearing_text(found, 6)
+
+
+@pytest.mark.parametrize(("stiffness", "text"), [("0.0", None), ("2.0e8", "axial_stiffness_N_um = 200")])
+def test_a_roller_bearing_that_holds_the_shaft_along_its_axis_needs_a_stiffness(found, stiffness, text):
+    bearing = found.model.components["50"]
+    changes = {"axial_force_absorption": ("both_directions", ""), "axial_stiffness": (stiffness, "N / m")}
+    changed = replace(bearing, attributes=bearing.attributes | changes)
+    model = replace(found.model, components=found.model.components | {"50": changed})
+    other = replace(found, model=model)
+    if text:
+        assert text in shaft_text(other, 3)
+        return
+    with pytest.raises(CaseError, match="axial_stiffness is needed"):
+        shaft_text(other, 3)
 
 
 def test_json_and_zip_hold_the_same_model(found, tmp_path):
@@ -224,7 +254,7 @@ def test_only_converged_bearings_are_written(tmp_path):
     [
         ("a handbook", (True, True), "source names no model"),
         ("nowhere.rexs: REXS 1.0, shaft 4", (True, True), "name it by --model"),
-        (f"{GEARBOX}: REXS 1.0, shaft 36", (True, True), "has 3 bearings, the results 2"),
+        (f"{GEARBOX}: REXS 1.0, shaft 36", (True, True, True), "has 2 bearings, the results 3"),
         (f"{GEARBOX}: REXS 1.0, shaft 4", (False, False), "no bearing converged"),
     ],
 )

@@ -69,6 +69,7 @@ ORDER = (
 )
 OF_SHAFTS = {
     "support": "[[support]] of a shaft",
+    "spring": "[[spring]]",
     "load": "[[load]]",
     "housing": "[housing]",
     "operation": "[operation] of a shaft",
