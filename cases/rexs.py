@@ -69,7 +69,7 @@ DENSITY = {"kg / dm^3": 1e3}  # unit of it: kg/m^3
 STIFFNESS_UNITS = {"N / m": 1e-6, "N / mm": 1e-3, "N / mum": 1.0}  # [N/um]
 RIGID = 1.0e9  # from which a stiffness stands for a rigid bearing [N/um]
 ESTIMATE = "# an estimate, to a factor of 1.5"
-# of cylindrical rollers: diameter over the height of the section, length over the width, part of
+# cylindrical rollers: diameter over the height of the section, length over the width, part of
 # the pitch circle that they fill [-]
 ROLLER_DIAMETER = 0.55
 ROLLER_LENGTH = 0.65

@@ -33,12 +33,14 @@ from oilfilm.postprocess.bearing.write import write_bearing_netcdf
 from oilfilm.postprocess.contact.summary import ContactResults
 from oilfilm.postprocess.contact.write import write_contact_netcdf
 from oilfilm.postprocess.dynamics.results import dynamics_summary
+from oilfilm.postprocess.shaft.results import shaft_summary
 from oilfilm.postprocess.slip.results import slip_summary
 from oilfilm.postprocess.traction.results import traction_summary
 from oilfilm.postprocess.vibration.summary import vibration_summary
 from oilfilm.postprocess.vibration.write import write_record
 
-from ..format.case import Case, ContactCase, case_of_document
+from ..format.case import Case, ContactCase
+from ..format.shaft_case import ShaftCase, any_case_of_document
 from ..format.traction import require_fitting_tables, resisted_traction
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
@@ -46,6 +48,7 @@ from ..runs.dynamics import run_dynamics
 from ..runs.equilibrium import Equilibria
 from ..runs.films import Solve
 from ..runs.output_directory import scratch_folder
+from ..runs.shaft import run_shaft
 from ..runs.stiffness_and_slip import run_slip
 from ..runs.traction_table import run_table
 from ..runs.vibration import run_vibration
@@ -62,7 +65,7 @@ SUSPECT = (b"NaN", b"Infinity")  # what stands in JSON for numbers that are none
 
 
 def compute(
-    case: Case | ContactCase,
+    case: Case | ContactCase | ShaftCase,
     task: Task,
     tables: Path | None,
     solve: Solve | None,
@@ -72,7 +75,7 @@ def compute(
 
     Parameters
     ----------
-    case : Case | ContactCase
+    case : Case | ContactCase | ShaftCase
         The checked case of the point.
     task : Task
         Quantity to compute and options.
@@ -90,6 +93,8 @@ def compute(
     """
     if isinstance(case, ContactCase):
         return _with_fields(run_contact(case), task)
+    if isinstance(case, ShaftCase):
+        return shaft_summary(run_shaft(case)), {}
     if task.compute == "slip":
         return slip_summary(run_slip(case, "case", 1)), {}
     if task.compute == "dynamics":
@@ -438,7 +443,7 @@ def _computed(task: Task, folder: Path | None, content: bytes | None) -> Compute
         tables = _temporary_folder() / tables.name
         if not tables.exists():
             write_file(tables, content)
-    return compute(case_of_document(task.document), task, tables, shared, _equilibria())
+    return compute(any_case_of_document(task.document), task, tables, shared, _equilibria())
 
 
 @lru_cache(maxsize=4)

@@ -76,7 +76,11 @@ def value_in(document: dict[str, Any], key: str) -> Any:
     """
     node: Any = document
     for part in case_path(key):
-        node = node.get(part) if isinstance(node, dict) else None
+        if isinstance(part, int):
+            inside = isinstance(node, list | tuple) and part < len(node)
+            node = node[part] if inside else None
+        else:
+            node = node.get(part) if isinstance(node, dict) else None
     return node
 
 

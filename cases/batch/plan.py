@@ -48,6 +48,7 @@ INPUT_FILES = (  # table and key of files that a case reads
     ("form", "outer_profile"),
     ("form", "ball_profile"),
     ("support", "frequency_response"),
+    ("housing", "stiffness"),
     (None, "load_spectrum"),
     (None, "measured"),
 )

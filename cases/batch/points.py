@@ -8,7 +8,7 @@ from typing import Any
 from oilfilm.postprocess.batch.results import Design
 from oilfilm.postprocess.batch.store import Record
 
-from ..format.case import case_of_document
+from ..format.shaft_case import any_case_of_document
 from .keys import program_digest, value_in
 
 
@@ -27,7 +27,7 @@ class Point:
     @property
     def resolved(self) -> dict[str, Any]:
         """The document, checked, with defaults and library values filled in."""
-        return case_of_document(self.document).document
+        return any_case_of_document(self.document).document
 
     @property
     def values(self) -> dict[str, Any]:

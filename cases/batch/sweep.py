@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from oilfilm.ehl.foreign_files import read_file
-from oilfilm.postprocess.batch.results import Design
+from oilfilm.postprocess.batch.results import Design, point_kind
 
-from ..format.case import Case, ContactCase, case_of_document
+from ..format.case import Case, ContactCase
 from ..format.document import parse, read_text
 from ..format.fields import validated
 from ..format.rules import CaseError, CaseProblem, faults_error
+from ..format.shaft_case import ShaftCase, any_case_of_document
 from ..format.shipped import find_case, find_sweep
 from .keys import WITHOUT_CONTACTS, digest, value_in
 from .plan import (
@@ -56,7 +57,8 @@ SEED = 70_241_903  # of their choice
 MOST_CHECKED = 100_000  # points of kinds that are checked one by one, 2 ms each
 EVERY_POINT = ("torque", "dynamics")  # kinds whose tables depend on all points: all are checked
 
-Checked = dict[int, tuple[str | None, Case | ContactCase]]
+AnyCase = Case | ContactCase | ShaftCase
+Checked = dict[int, tuple[str | None, AnyCase]]
 MOST_SHARDS = 100_000
 DIGITS = 8  # of a point's name that tell its shard
 
@@ -107,7 +109,7 @@ def _sweep_tables(text: str, name: str) -> dict[str, Any]:
     """The tables of a sweep file; `CaseError` if they are those of a case."""
     document = parse(text, name)
     if "case" not in document:
-        for table, command in (("bearing", "run"), ("contact", "contact")):
+        for table, command in (("bearing", "run"), ("contact", "contact"), ("shaft", "shaft")):
             if table in document:
                 raise CaseError(f"{name}:1: a case, not a sweep; run it with 'oilfilm {command}'")
     return document
@@ -144,7 +146,7 @@ def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
     blocks, designs, notes, problems = _blocks(file, base)
     examples = [variation for block in blocks for variation in _of_each_kind(block)]
     notes += [*replaced_keys(case, [fixed]), *replaced_keys(base, examples)]
-    problems += plot_problems(file.plot, "contact" if "contact" in base else file.compute)
+    problems += plot_problems(file.plot, point_kind(base, file.compute))
     if problems:
         raise source.error(problems)
     keys = tuple(dict.fromkeys(s.key for variation in examples for s in variation.settings))
@@ -199,7 +201,7 @@ def _may_share_contacts(blocks: Sequence[Sequence[Variation]], keys: tuple[str, 
     return repeated or any(key.partition(".")[0] in WITHOUT_CONTACTS for key in keys)
 
 
-def _film_model(case: Case | ContactCase) -> str:
+def _film_model(case: AnyCase) -> str:
     return str(case.document.get("ehl", {}).get("film_model"))
 
 
@@ -313,7 +315,7 @@ def _sensitivity(
     table: SensitivityTable, base: Document
 ) -> tuple[list[Variation], list[str], list[CaseProblem]]:
     try:
-        case = case_of_document(base)
+        case = any_case_of_document(base)
     except CaseError as error:
         finding = "the case itself cannot be run"
         return [], [], [CaseProblem(("sensitivity",), finding, _faults(error)[0].finding)]
@@ -342,7 +344,7 @@ def _checked(
     for index in _checked_indices(plan, file.compute):
         variation = plan.variation(index)
         try:
-            case = case_of_document(plan.document(variation), f"point {index + 1}")
+            case = any_case_of_document(plan.document(variation), f"point {index + 1}")
         except CaseError as error:
             problems += located_faults(_faults(error), variation, fixed, index + 1)
             if len(problems) > MOST_FAULTS:
@@ -377,11 +379,12 @@ def _checked_indices(plan: Plan, compute: str) -> Sequence[int]:
     return sorted(chosen)
 
 
-def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[CaseProblem]:
+def _kind(file: SweepFile, case: AnyCase, number: int) -> Iterator[CaseProblem]:
     """A problem where the quantity cannot be computed of this case."""
     wrong = None
     if not isinstance(case, Case):
-        wrong = "the case is a single contact" if file.compute != "run" else None
+        what = "a shaft" if isinstance(case, ShaftCase) else "a single contact"
+        wrong = f"the case is {what}" if file.compute != "run" else None
     elif file.compute in ("slip", "dynamics") and getattr(case.file, file.compute) is None:
         wrong = f"the case has no table [{file.compute}]"
     elif file.compute in ("torque", "table") and len(case.rows or ()) > 1:

@@ -211,11 +211,11 @@ def _report_cost(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) 
     """Announce the time that the points of one shard will take, estimated from the first point."""
     from oilfilm.ehl.multigrid.threads import cores
 
-    from ..format.case import case_of_document
+    from ..format.shaft_case import any_case_of_document
 
     if quiet or len(plan.points) < 2:
         return
-    first = case_of_document(plan.points[0].document)
+    first = any_case_of_document(plan.points[0].document)
     points = max(1, len(plan.points) // shards)
     what, seconds = batch_cost(first, points, plan.compute)
     count = workers or cores()

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from ..format.case import Case, ContactCase
     from ..format.dynamics import DynamicsTable
+    from ..format.shaft_case import ShaftCase
     from ..runs.drawing import Drawing
     from ..runs.films import Progress
 
@@ -559,12 +560,14 @@ def vibration_cost(case: Case) -> tuple[str, float]:
     return f"vibration over {simulated:g} s of {case.bearing.balls} balls", seconds
 
 
-def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[str, float]:
+def batch_cost(
+    first: Case | ContactCase | ShaftCase, points: int, compute: str
+) -> tuple[str, float]:
     """Work and time of points like the first one on one core.
 
     Parameters
     ----------
-    first : Case | ContactCase
+    first : Case | ContactCase | ShaftCase
         Case of the first point.
     points : int
         Number of points [-].
@@ -577,8 +580,11 @@ def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[st
         Description, and time [s].
     """
     from ..format.case import Case
+    from ..format.shaft_case import ShaftCase
 
-    if not isinstance(first, Case):
+    if isinstance(first, ShaftCase):
+        each = len(first.cases) * TORQUE_SECONDS * (4.0 if first.self_heated else 1.0)
+    elif not isinstance(first, Case):
         each = film_seconds(first.solver)
     elif compute == "run":
         each = max(run_cost(first, 1)[1], TORQUE_SECONDS)

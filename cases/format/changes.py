@@ -10,6 +10,7 @@ from typing import Any
 
 from .bearing import CLEARANCE
 from .lubricant import VISCOSITIES
+from .rules import CaseError, CaseProblem, KeyPath
 
 NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
 # keys of a table that say the same quantity
@@ -25,24 +26,27 @@ Alternative = tuple[str, str, str]  # table and key that give way, and the key t
 
 
 @lru_cache(maxsize=4096)
-def case_path(key: str) -> tuple[str, ...]:
+def case_path(key: str) -> KeyPath:
     """Table and key of a dotted name; names of materials and oils may contain dots themselves.
+    Numbers count the tables of a list, from 0, and the entries of one.
 
     Parameters
     ----------
     key : str
-        Dotted name, as operation.radial_load_N.
+        Dotted name, as operation.radial_load_N or load.0.force_N.1.
 
     Returns
     -------
-    tuple[str, ...]
+    tuple[str or int, ...]
         The path in a document.
     """
     table, _, name_in_table = key.partition(".")
-    if table in NAMED:
+    if table in NAMED or (table == "bearing" and "." in name_in_table):  # one of a shaft's
         name, _, last = name_in_table.rpartition(".")
         return table, name, last
-    return table, name_in_table
+    parts = [int(part) if part.isdecimal() else part for part in name_in_table.split(".")]
+    numbered = any(isinstance(part, int) for part in parts)
+    return (table, *parts) if numbered else (table, name_in_table)
 
 
 def alternatives(
@@ -100,15 +104,27 @@ def changed_document(
     -------
     dict[str, Any]
         The changed document.
+
+    Raises
+    ------
+    CaseError
+        If a list has no such entry.
     """
     document = dict(base)
     for name, value in values:
-        node = document
-        *tables, key = case_path(name)
-        for table in tables:
-            inner = node.get(table)
-            node[table] = dict(inner) if isinstance(inner, dict) else {}
-            node = node[table]
+        node: Any = document
+        *tables, key = path = case_path(name)
+        for table, following in zip(tables, path[1:], strict=True):
+            inner = node[table] if isinstance(node, list) else node.get(table)
+            if isinstance(following, int):
+                inner = list(inner) if isinstance(inner, list | tuple) else []
+                if following >= len(inner):
+                    fault = CaseProblem(path, f"the case has no entry {following} of {table}")
+                    raise CaseError([fault.text(name, {})], [fault])
+            else:
+                inner = dict(inner) if isinstance(inner, dict) else {}
+            node[table] = inner
+            node = inner
         node[key] = value
         if value is None:
             del node[key]

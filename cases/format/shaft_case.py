@@ -19,9 +19,9 @@ from oilfilm.bearing.shaft.system import (
 )
 from oilfilm.ehl.arrays import Array
 
-from .case import Case, case_of_document
+from .case import Case, ContactCase, case_of_document
 from .data_tables import case_table
-from .document import ShaftFile, read_text, validate_text
+from .document import ShaftFile, check_document, read_text, validate_text
 from .library import materials
 from .operation import SELF_HEATED
 from .rules import CaseError, CaseProblem, InvalidKeyError, key_lines
@@ -78,6 +78,36 @@ def load_shaft(name_or_path: str | Path) -> ShaftCase:
     if not isinstance(file, ShaftFile):
         raise CaseError(f"{path}: has no table [shaft]; run it with 'oilfilm run {name_or_path}'")
     return shaft_case(file, str(path), text)
+
+
+def any_case_of_document(
+    document: dict[str, Any], name: str = "case"
+) -> Case | ContactCase | ShaftCase:
+    """The case of a parsed document of any kind.
+
+    Parameters
+    ----------
+    document : dict
+        Tables of a case.
+    name : str, default 'case'
+        Name of the document in messages.
+
+    Returns
+    -------
+    Case or ContactCase or ShaftCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with its problems.
+    """
+    if "shaft" not in document:
+        return case_of_document(document, name)
+    file, faults = check_document(document)
+    if faults or not isinstance(file, ShaftFile):
+        raise CaseError((fault.text(name, {}) for fault in faults), faults)
+    return shaft_case(file, name)
 
 
 def shaft_case(file: ShaftFile, name: str, text: str = "") -> ShaftCase:

@@ -10,7 +10,7 @@ import numpy as np
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import notebook_html
-from oilfilm.postprocess.batch.results import BatchPoint, point_error, result_names
+from oilfilm.postprocess.batch.results import BatchPoint, point_error, point_kind, result_names
 from oilfilm.postprocess.batch.summary import point_numbers
 
 from ..batch import plan
@@ -18,10 +18,10 @@ from ..batch.keys import value_in
 from ..batch.points import Sweep
 from ..batch.samples import RANGE, Distribution, distribution, unit_sample, with_law
 from ..batch.sweep_file import OptimisationFile, SearchTable, SweepFile
-from ..format.case import case_of_document
 from ..format.document import parse, read_text
 from ..format.fields import is_number, validated
 from ..format.rules import CaseProblem, KeyPath, faults_error, nearest_name, shown
+from ..format.shaft_case import any_case_of_document
 from ..format.shipped import find_case
 
 
@@ -74,7 +74,7 @@ class Study:
 
     def position_of_case(self) -> Array | None:
         """Place of the case itself; None where it is outside the ranges."""
-        given = [value_in(case_of_document(self.base).document, key) for key in self.keys]
+        given = [value_in(any_case_of_document(self.base).document, key) for key in self.keys]
         if not all(map(is_number, given)):
             return None
         low, high = np.array(self.ranges).T
@@ -97,7 +97,7 @@ class Study:
             The points.
         """
         base = plan.with_values(self.base, plan.Variation("fixed", extra))
-        resolved = case_of_document(base).document
+        resolved = any_case_of_document(base).document
         keys = (*self.keys, *(key for key in self.scatter if key not in self.keys))
         rows = []
         for values in designs:
@@ -156,13 +156,13 @@ def read_study(path: str | Path) -> Study:
     case_file = find_case(file.case, file_path.parent)
     fixed = plan.Variation("fixed", tuple(plan.block_settings(file.fixed, ("fixed",))))
     base = plan.with_values(parse(read_text(case_file), str(case_file)), fixed)
-    case_of_document(base)
+    any_case_of_document(base)
     vary = plan.block_settings(file.vary, ("vary",))
     scatter, laws, faults = _scatter(file, base)
     faults += [
         CaseProblem(s.where, f"found {shown(s.value)}", RANGE) for s in vary if _is_no_range(s)
     ]
-    faults += _name_faults(file, "contact" if "contact" in base else "run")
+    faults += _name_faults(file, point_kind(base, "run"))
     if faults:
         raise faults_error(faults, name, text)
     return Study(
@@ -234,7 +234,7 @@ def _scatter(
     settings = [with_law(s) for s in plan.block_settings(file.scatter, ("scatter",))]
     laws = [distribution(setting) for setting in settings]
     faults = [law for law in laws if isinstance(law, CaseProblem)]
-    resolved = case_of_document(base).document
+    resolved = any_case_of_document(base).document
     for setting in settings:
         value: Any = value_in(resolved, setting.key)
         if not is_number(value):

@@ -1,6 +1,7 @@
 """Results of a batch: its points, varied keys, main results, and every number of a summary."""
 
 from dataclasses import dataclass, field
+from math import hypot
 from operator import itemgetter
 from typing import Any
 
@@ -68,6 +69,9 @@ MAIN_QUANTITY = CONTACT_QUANTITY | by_key(
         TORQUE,
         CAGE_SPEED,
         Quantity("cage_speed_ratio", "cage over kinematic speed", symbol="of kinem."),
+        Quantity("critical_speed_rpm", "first critical speed", symbol="n crit"),
+        Quantity("deflection_maximum_um", "largest deflection", symbol="deflection"),
+        Quantity("film_maximum_C", "hottest film", symbol="T max"),
         Quantity("slip_factor_minimum", "smallest slip factor", symbol="SF min"),
         Quantity("balls_slipping", "balls slipping", symbol="slip"),
         Quantity("minimum_preload_N", "minimum preload", symbol="preload"),
@@ -79,13 +83,14 @@ BATCH_COLUMNS = (  # of the terminal's table, the last that fit
     *("load_maximum_N", "hertz_pressure_maximum_GPa", "cage_speed_rpm", "film_central_um"),
     *("basic_reference_rating_h", "modified_reference_rating_h"),
     *("film_minimum_um", "film_minimum_dimensionless", "torque_N_mm", "cage_speed_ratio"),
+    *("critical_speed_rpm", "film_maximum_C"),
     *("slip_factor_minimum", "balls_slipping", "minimum_preload_N"),
     *("inner_largest_coefficient", "outer_largest_coefficient"),
 )
 BATCH_PANELS = (  # the first ones are drawn where the sweep file names none
     *("film_minimum_um", "film_minimum_dimensionless", "torque_N_mm", *LIVES),
     *("hertz_pressure_maximum_GPa", "hertz_pressure_GPa", "cage_speed_ratio"),
-    *("slip_factor_minimum", "minimum_preload_N"),
+    *("slip_factor_minimum", "minimum_preload_N", "critical_speed_rpm", "film_maximum_C"),
     *("inner_largest_coefficient", "outer_largest_coefficient"),
 )
 MOST_SHOWN = 20  # points in a notebook; the files have all
@@ -99,6 +104,7 @@ NOT_NUMBERS = frozenset(
     # times depend on the machine
     "timing_s wall_s critical_curves minimum_preload".split()
 )
+SEVERAL = ("bearings", "supports", "springs")  # of a shaft, each with its own numbers
 MOST_COMPONENTS = 3  # of a vector, each a column
 
 
@@ -117,6 +123,8 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
     """
     if summary is None:
         return {}
+    if "supports" in summary:
+        return _shaft(summary)
     if "contacts" in summary:
         return _bearing(summary)
     if "vibration" in summary:
@@ -149,6 +157,7 @@ def result_names(kind: str) -> tuple[str, ...]:
         "slip": {"operation": {"balls": [], "minimum_preload_N": None}, "surface": None},
         "dynamics": {"cage_speed_ratio": None},
         "vibration": {"vibration": {}},
+        "shaft": {"supports": [], "bearings": []},
         "table": {"tables": {"inner": table, "outer": table}},
     }
     names = tuple(main_results(nothing.get(kind, {"contacts": []})))
@@ -163,6 +172,47 @@ def result_names(kind: str) -> tuple[str, ...]:
     blocks += [f"decay.{own.key}" for own in DECAY]
     blocks += [f"self_heating.{own.key}" for own in HEATING]
     return (*names, "torque_N_mm.total", *torques, *blocks)
+
+
+def point_kind(document: dict[str, Any], compute: str) -> str:
+    """Kind of the results of a case for `result_names`.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of the case.
+    compute : str
+        What is computed of a bearing.
+
+    Returns
+    -------
+    str
+        Kind.
+    """
+    return next((kind for kind in ("contact", "shaft") if kind in document), compute)
+
+
+def _shaft(summary: dict[str, Any]) -> dict[str, Any]:
+    """The worst of the bearings, torque and life of the system, the first critical speed."""
+    bearings = [_bearing(one) for one in summary["bearings"] if one is not None]
+    system = summary.get("system") or {}
+    critical = summary.get("critical_speeds_rpm") or [None]
+    deflection = (summary.get("shaft") or {}).get("deflection_um") or []
+    films = [one["film_minimum_um"] for one in bearings]
+    known = bool(films) and None not in films
+    return {
+        **{
+            key: max((one[key] for one in bearings if one[key] is not None), default=None)
+            for key in ("load_maximum_N", "hertz_pressure_maximum_GPa")
+        },
+        "film_minimum_um": min(films) if known else None,
+        "torque_N_mm": system.get("torque_N_mm"),
+        "basic_reference_rating_h": system.get("basic_reference_rating_h"),
+        "modified_reference_rating_h": system.get("modified_reference_rating_h"),
+        "critical_speed_rpm": critical[0],
+        "deflection_maximum_um": max((hypot(*at[1:]) for at in deflection), default=None),
+        "film_maximum_C": max((summary.get("heat") or {}).get("film_C", ()), default=None),
+    }
 
 
 def _vibration(summary: dict[str, Any]) -> dict[str, Any]:
@@ -547,6 +597,9 @@ def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
             continue
         if isinstance(value, dict):
             numbers |= scalar_numbers(value, name)
+        elif key in SEVERAL:
+            for k, one in enumerate(value):
+                numbers |= scalar_numbers(one or {}, f"{name}.{k}")
         elif isinstance(value, bool | int | float):
             numbers[name] = value
         elif isinstance(value, list) and 0 < len(value) <= MOST_COMPONENTS:

@@ -9,6 +9,7 @@ import pytest
 
 from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.shaft.equilibrium import solve_shaft
+from oilfilm.cases.batch.sweep import sweep_from_text
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.format.rules import CaseError
@@ -16,6 +17,7 @@ from oilfilm.cases.format.shaft_case import load_shaft
 from oilfilm.cases.format.shipped import shipped_cases
 from oilfilm.cases.runs.heating import self_heated
 from oilfilm.cases.runs.shaft import balance_of_heat, run_shaft
+from oilfilm.postprocess.batch.results import main_results, result_names, scalar_numbers
 from oilfilm.postprocess.shaft.results import shaft_summary
 from oilfilm.postprocess.shaft.write import write_shaft
 
@@ -216,4 +218,43 @@ def test_a_housing_of_another_shape_is_told_at_its_key(tmp_path, content, messag
     path.write_text(f'{TEXT}\n[housing]\nstiffness = "{file}"\n', encoding="utf-8")
     with pytest.raises(CaseError, match=r"housing\.stiffness") as caught:
         load_shaft(path)
+    assert message in str(caught.value)
+
+
+SWEEP = """
+case = "spindle_two_bearings"
+[sweep]
+"load.0.force_N.1" = [-500.0, -900.0]
+"support.1.at_mm" = [{}]
+"""
+
+
+def test_a_batch_varies_loads_and_supports_by_their_numbers(results):
+    sweep = sweep_from_text(SWEEP.format("240.0, 268.0"), "sweep.toml")
+    values = [point.values for point in sweep.points]
+    assert values[0] == {"load.0.force_N.1": -500.0, "support.1.at_mm": 240.0}
+    document = sweep.points[0].document
+    assert document["load"][0]["force_N"] == [0.0, -500.0, 0.0]
+    assert document["load"][1] == sweep.points[3].document["load"][1]
+    # the last point is the case itself, and its main results are those of the run
+    assert sweep.points[3].resolved["load"] == results.case["load"]
+    summary = shaft_summary(results)
+    main = main_results(summary)
+    assert tuple(main) == result_names("shaft")
+    assert main["critical_speed_rpm"] == summary["critical_speeds_rpm"][0]
+    assert main["torque_N_mm"] == summary["system"]["torque_N_mm"]
+    assert scalar_numbers(summary)["bearings.1.torque_N_mm.total"] == summary["bearings"][1]["torque_N_mm"]["total"]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (("268.0", "468.0"), "allowed: on the shaft, up to 280 mm"),
+        (("support.1", "support.7"), "the case has no entry 7 of support"),
+        (("[sweep]", 'compute = "torque"\n[sweep]'), "the case is a shaft"),
+    ],
+)
+def test_a_fault_of_a_point_is_told_at_its_key_of_the_sweep(change, message):
+    with pytest.raises(CaseError) as caught:
+        sweep_from_text(SWEEP.format("268.0").replace(*change), "sweep.toml")
     assert message in str(caught.value)
