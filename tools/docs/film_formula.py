@@ -5,7 +5,6 @@ Run it with `python tools/docs/film_formula.py`, after `tools/atlas/formula.py`.
 
 from __future__ import annotations
 
-import csv
 from pathlib import Path
 
 import numpy as np
@@ -50,14 +49,6 @@ def parts() -> str:
     return "\n".join(rows)
 
 
-def coefficients(oil: bool) -> str:
-    """Rows of exponents and coefficients, those of the oil or the others."""
-    with FILE.open(encoding="utf-8") as file:
-        rows = [row for row in csv.DictReader(file) if (row["l"] != "0" or row["m"] != "0") is oil]
-    keys = ("i", "j", "k", *(("l", "m") if oil else ()), *FILMS)
-    return "\n".join(f"| {' | '.join(row[key].replace('-', '−') for key in keys)} |" for row in rows)
-
-
 def page() -> str:
     """The page, computed anew."""
     rows, count = comparison()
@@ -66,8 +57,7 @@ def page() -> str:
         count=count,
         least=LEAST_LUBRICANT,
         parts=parts(),
-        base=coefficients(oil=False),
-        oil=coefficients(oil=True),
+        coefficients=FILE.read_text(encoding="utf-8").strip(),
     )
 
 
