@@ -15,5 +15,5 @@ for number, oil in enumerate((0.0, 5.0, 10.0, 20.0)):
     axes.loglog(loads, central, f"C{number}", label=f"L = {oil:g}")
     axes.loglog(loads, minimum, f"C{number}--")
 axes.set(xlabel="load parameter A", ylabel="film / (R √2U)")
-axes.legend(frameon=False, title="lines: central, dashed: minimum")
+figure.legend(loc="outside right center", frameon=False, title="full: central\ndashed: minimum")
 figure.savefig("film_formula_chart.png")

@@ -38,6 +38,12 @@ COLUMNS = (  # title and key; of the parts those that differ most
     ("P_d µm", "clearance_um"),
     ("heat W", "power_W"),
 )
+LIMITS = {
+    SpeedLimit.RUNAWAY: "limit: friction exceeds the cooling",
+    SpeedLimit.TEMPERATURE: "limit: highest temperature of the films",
+    SpeedLimit.NO_STATE: "limit: no equilibrium beyond",
+    SpeedLimit.NOT_REACHED: "end of the search",
+}
 ROWS = 12  # at most, of a course
 
 
@@ -77,14 +83,11 @@ def draw_temperatures(figure: Figure, results: TemperatureResults) -> None:
     )
     limit = LIMIT.value(results)
     if limit is not None:
-        fastest = results.branch.fastest
-        word = (
-            "turns back" if results.branch.limited_by is SpeedLimit.RUNAWAY else "end of the range"
-        )
-        over_speed.plot([limit], [FILM.value(fastest.state)], "kx", label=f"limit: {word}")
+        fastest = FILM.value(results.branch.fastest.state)
+        over_speed.plot([limit], [fastest], "kx", label=LIMITS[results.branch.limited_by])
     over_speed.set(xlabel=SPEED.label, ylabel="temperature [°C]")
     over_speed.set_xlim(left=0.0)
-    over_speed.legend()
+    figure.legend(*over_speed.get_legend_handles_labels(), loc="outside lower center", ncols=4)
     course = document["warm_up"]["course"]
     _lines(over_time, course, "time_s", 1.0 / 60.0)
     over_time.tick_params(labelbottom=False)

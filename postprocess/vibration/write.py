@@ -44,7 +44,7 @@ SHOWN_TURNS = 4.0  # of the shaft, in the picture over time
 LEAST_ORDER = 0.1  # of the shaft, lowest frequency of a spectrum [-]
 SHOWN_PASSES = 8.0  # highest frequency of an envelope, over that of the inner ring's passes [-]
 MARKERS = {
-    "cage": plot_style.REFERENCE,
+    "cage": plot_style.CAGE_COLOUR,
     "ball_pass_outer": plot_style.OUTER_COLOUR,
     "ball_pass_inner": plot_style.INNER_COLOUR,
     "ball_spin": plot_style.BALL_COLOUR,
