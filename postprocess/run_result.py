@@ -13,6 +13,7 @@ from oilfilm.ehl.units import from_si, to_si
 
 from .bearing.plots import draw_load_zone, draw_per_azimuth
 from .bearing.results import BearingResults
+from .bearing.summary import hours
 from .contact.plots import contact_view, draw_contact
 from .contact.summary import ContactResults
 from .plot_style import figure_of
@@ -157,7 +158,7 @@ class RunResult:
         summary = self.summary
         operation = summary["case"].get("operation", {})
         speed = operation.get("inner_speed_rpm")
-        life = summary.get("life") or {}
+        rated = (summary.get("life") or {}).get("modified_reference_rating_h")
         loaded = [contact for contact in self.contacts if contact.get("loaded", True)]
         ratios = [c["lambda_ratio"] for c in loaded if c.get("lambda_ratio") is not None]
         kelvin = self.temperature
@@ -169,7 +170,7 @@ class RunResult:
             "Hertz pressure": _scaled(self.pressure_maximum, 1e-9, "GPa"),
             "torque": _scaled(self.torque, 1e3, "N mm"),
             "temperature": None if kelvin is None else f"{from_si('oil_C', kelvin):.1f} °C",
-            "life": _scaled(life.get("modified_reference_rating_h"), 1.0, "h"),
+            "life": None if rated is None else hours(rated),
             "notes": f"{len(self.messages)}, in .messages; all numbers in .summary",
         }
         state = "converged" if self.converged else "NOT converged"

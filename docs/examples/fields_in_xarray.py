@@ -17,5 +17,10 @@ figure, axes = plt.subplots(1, 2, figsize=(8.0, 3.4), layout="constrained")
 (1e-9 * contact["P"]).plot(ax=axes[0], x="x", cbar_kwargs={"label": "pressure [GPa]"})
 (1e6 * contact["h"]).plot(ax=axes[1], x="x", vmax=2.0, cbar_kwargs={"label": "film [µm]"})
 for axis in axes:
-    axis.set(xlim=(-0.4, 0.25), ylim=(-3.0, 3.0), xlabel="along the entrainment [mm]", ylabel="across [mm]")
+    axis.set(
+        xlim=(-0.4, 0.25),
+        ylim=(-3.0, 3.0),
+        xlabel="along the entrainment [mm]",
+        ylabel="across [mm]",
+    )
 figure.savefig("fields_in_xarray.png")

@@ -39,6 +39,7 @@ def test_a_result_shows_itself_in_ten_lines(result):
     text = repr(result)
     assert 5 < len(text.splitlines()) <= 10
     assert text.startswith("6306-2Z/C3: converged\n")
+    assert "> 1 000 000 h" in text.replace("\N{NO-BREAK SPACE}", " ")
     assert "<table>" in result._repr_html_()
 
 
