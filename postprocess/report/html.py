@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup, escape
 
+from oilfilm.bearing.contacts.contacts import NEGLIGIBLE_LOAD
 from oilfilm.bearing.library.bearings import estimated_fields
 from oilfilm.ehl.foreign_files import read_file
 from oilfilm.ehl.units import from_si, unit_symbol, value_with_error, without_unit
@@ -495,7 +496,8 @@ def cards(summary: dict[str, Any]) -> Markup:
     entries = _film_card(contacts) if is_bearing else _single_film_card(summary)
     entries += _pressure_card(contacts if is_bearing else [summary])
     if contacts:
-        inner = sum(contact["race"] == "inner" for contact in contacts)
+        loads = [contact["load_N"] for contact in contacts if contact["race"] == "inner"]
+        inner = sum(load > NEGLIGIBLE_LOAD * max(loads) for load in loads)
         entries.append(("balls loaded", f"{inner} of {len(summary.get('balls') or ())}", ""))
     numbers = [(title, (summary.get(block) or {}).get(key), key) for block, key, title in LIVES]
     life = summary.get("life") or {}
