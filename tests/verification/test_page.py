@@ -257,7 +257,7 @@ def test_sweep_command(tmp_path):
     result = call("--robustness", "4", "--seed", "7741", "--quick", "-o", str(tmp_path), "--json")
     document = json.loads(result.stdout)
     assert result.exit_code == (0 if document["converged"] else 1)
-    assert len(document["checks"]) == 5 and document["checks"][1]["passed"]  # nothing unsound goes unsaid
+    assert len(document["checks"]) == 6 and document["checks"][1]["passed"]  # nothing unsound goes unsaid
     assert (tmp_path / "images" / "robustness.png").stat().st_size > 10_000
     assert "4 contacts, seed 7741" in (tmp_path / "robustness.md").read_text(encoding="utf-8")
 
@@ -296,9 +296,9 @@ def test_outcomes_are_counted():
     ]
     assert [d.resolvable for d in draws] == [True, True, False, True, True, False]
     section = robustness_section(draws, 1)
-    share, quiet, covered, wrong = section.checks
+    share, quiet, time, covered, wrong = section.checks
     assert_allclose(share.value, 2 / 4)
-    assert not share.passed and quiet.passed and covered.passed and wrong.passed
+    assert not share.passed and quiet.passed and time.passed and covered.passed and wrong.passed
     outcomes = {row[0]: row[1:] for row in section.tables[0].rows}
     assert outcomes["converged and resolved, resolvable"] == ("1", "1", "0", "2")
     assert outcomes["failed, resolvable"] == ("0", "0", "2", "2")

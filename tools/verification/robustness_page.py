@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
+from scipy.stats import binomtest
 
 from .page import Check, Picture, Section, Table, columns, percent, text
 from .plots import MapPoint, draw_robustness
@@ -13,6 +14,7 @@ from .robustness import DAMPED, RESOLVABLE, Finished
 
 WRONG = 0.05  # relative error of a film beyond its bar that counts as silently wrong
 COVERED = 0.95  # least share of the films within their bars
+LONGEST = 15.0  # time of a solve [s]
 OUTCOMES = ("converged and resolved", "converged, unresolved", "failed")
 
 
@@ -20,29 +22,41 @@ def robustness_section(finished: Sequence[Finished], seed: int) -> Section:
     """The sweep as a section of a page."""
     resolvable = [f for f in finished if f.resolvable]
     share = sum(f.converged for f in resolvable) / max(len(resolvable), 1)
+    of_share = interval([f.converged for f in resolvable])
     silent = [f for f in finished if f.outcome != OUTCOMES[0] and f.message == "converged"]
     errors = [pair for f in finished for pair in f.errors]
     wrong = [error for error, bar in errors if error > max(bar, WRONG)]
     covered = sum(error <= bar for error, bar in errors) / max(len(errors), 1)
+    of_covered = interval([error <= bar for error, bar in errors])
     approach = [pair for f in finished for pair in f.approach_errors]
     held = sum(error <= bar for error, bar in approach) / max(len(approach), 1)
     tables = [_outcomes(finished), _bars(finished), _measures(finished), _kinds(finished)]
     if any(f.outcome != OUTCOMES[0] for f in finished):
         tables.append(_unsolved(finished))
+    seconds = [f.seconds for f in finished]
     caption = "What each draw needed, over M and L, by R_x/R_y"
     return Section(
         title=f"{len(finished)} contacts, seed {seed}",
         text=text("robustness").format(fineness=RESOLVABLE),
         checks=(
-            Check(f"converged, of {len(resolvable)} resolvable", share, least=0.995),
+            Check(f"converged, of {len(resolvable)} resolvable ({of_share})", share, least=0.995),
             Check("neither converged nor resolved without saying so", len(silent), most=0.0),
-            Check(f"of {len(errors)} films within their error bars", covered, least=COVERED),
+            Check(f"largest time of a solve, s (median {np.median(seconds):.2f})", max(seconds), most=LONGEST),
+            Check(f"of {len(errors)} films within their error bars ({of_covered})", covered, least=COVERED),
             *([Check(f"of {len(approach)} H₀ within their error bars", held, least=COVERED)] if approach else []),
             Check(f"films wrong by {WRONG:.0%} and more than their bar", len(wrong), most=0.0),
         ),
         tables=tuple(tables),
         pictures=(Picture("robustness", caption, partial(draw_robustness, points=[_map_point(f) for f in finished])),),
     )
+
+
+def interval(holds: Sequence[bool]) -> str:
+    """Wilson's interval of 95 % of the share that holds, in words."""
+    if not holds:
+        return "none"
+    low, high = binomtest(sum(holds), len(holds)).proportion_ci(method="wilson")
+    return f"95 % interval {low:.4f} to {high:.4f}"
 
 
 def _outcomes(finished: Sequence[Finished]) -> Table:
@@ -101,7 +115,7 @@ def _kinds(finished: Sequence[Finished]) -> Table:
         counts = (len(group), len(good), sum(f.converged for f in good), plain)
         rows.append((kind, *map(str, counts), f"{seconds:.1f}"))
     head = columns("entrainment | draws | resolvable | of these converged | without any measure | mean time, s")
-    caption = "By the entrainment, with the time of a solve on a shared machine:"
+    caption = "By the entrainment, with the time of a solve:"
     return Table(caption, head, tuple(rows))
 
 

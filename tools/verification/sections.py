@@ -24,12 +24,14 @@ PAGE = "verification.md"
 SWEEP_PAGE = "robustness.md"
 SWEEP = "robustness.jsonl"
 STARVATION_PAGE = "starvation.md"
+HOT_PAGE = "hot_films.md"
 TITLES = {
     PAGE: "Verification of the contact solver",
     SWEEP_PAGE: "Random contacts",
     STARVATION_PAGE: "Verification of contacts behind a layer of oil",
+    HOT_PAGE: "Films with heat",
 }
-INTRODUCTIONS = {PAGE: "page", SWEEP_PAGE: "sweep", STARVATION_PAGE: "starvation page"}
+INTRODUCTIONS = {PAGE: "page", SWEEP_PAGE: "sweep", STARVATION_PAGE: "starvation page", HOT_PAGE: "hot page"}
 
 MAKERS: dict[SectionName, Callable[..., Section]] = {
     SectionName.ORDERS: orders,
