@@ -264,17 +264,32 @@ class MeasuredStiffness:
         float
             misfit [-]
         """
+        usual, tight, wide = (log(value) for value in self.of_balls(data, ball, balls))
+        return ((log(self.stiffness) - usual) / (0.5 * abs(tight - wide))) ** 2
+
+    def of_balls(self, data: CatalogueData, ball: float, balls: int) -> tuple[float, ...]:
+        """Stiffness of a bearing with typical grooves, with tight and with wide ones.
+
+        Parameters
+        ----------
+        data : CatalogueData
+            boundary dimensions
+        ball : float
+            diameter of the balls [m]
+        balls : int
+            their number [-]
+
+        Returns
+        -------
+        tuple[float, ...]
+            the three values [N/m]
+        """
         angle = degrees(data.contact_angle)
         conformities, ranges = grooves_of(angle)
         play = None if angle else 0.5e-6 * sum(clearance_class(data.bore / MILLIMETRE, "CN"))
-        usual, tight, wide = (
-            log(self._of(_bearing(data, ball, balls, pair, play)))
-            for pair in (conformities, *zip(*ranges, strict=True))
-        )
-        return ((log(self.stiffness) - usual) / (0.5 * abs(tight - wide))) ** 2
-
-    def _of(self, bearing: Bearing) -> float:
-        return stiffness_at_rest(bearing, self.radial_load, self.axial_load)
+        pairs = (conformities, *zip(*ranges, strict=True))
+        bearings = (_bearing(data, ball, balls, pair, play) for pair in pairs)
+        return tuple(stiffness_at_rest(one, self.radial_load, self.axial_load) for one in bearings)
 
 
 def ball_sets(
@@ -341,8 +356,12 @@ def _weighed(
         if more < MOST_OFF**2
     ]
     if not found:
-        value = stiffness.stiffness * 1e-6
-        raise ValueError(f"a stiffness of {value:g} N/um, which no balls have that fit in")
+        usual = [1e-6 * stiffness.of_balls(data, one.ball_diameter, one.balls)[0] for one in sets]
+        value = 1e-6 * stiffness.stiffness
+        raise ValueError(
+            f"a stiffness of {value:g} N/um, which no balls have that fit in; "
+            f"theirs are {min(usual):.3g} to {max(usual):.3g}"
+        )
     return sorted(found, key=lambda one: one.misfit)
 
 

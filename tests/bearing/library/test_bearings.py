@@ -431,7 +431,7 @@ def test_a_measured_stiffness_weighs_the_balls():
         stiffer = replace(measured, stiffness=1.2 * own)
         assert stiffer.misfit(data, ball, balls + 2) < stiffer.misfit(data, ball, balls) > 1.0
         assert ball_sets(data, stiffness=measured)
-    with pytest.raises(ValueError, match="a stiffness of 5 N/um, which no balls have"):
+    with pytest.raises(ValueError, match=r"a stiffness of 5 N/um, which no balls have that fit in; theirs are \d\d"):
         ball_sets(data, stiffness=MeasuredStiffness(stiffness=5e6, axial_load=400.0))
 
 
