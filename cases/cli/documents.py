@@ -68,6 +68,9 @@ def compare(
     """Compare two results, or results or a case with a measured table."""
     if second.is_file():
         return _compare_measured(first, second, within, output, as_json=as_json, quiet=quiet)
+    if not second.exists():
+        allowed = "allowed: a measured table, or a directory of results"
+        raise CaseError(f"{second}: no such file; {allowed}")
     if output is not None:
         raise CaseError("--output: allowed with a measured table")
     from oilfilm.postprocess.compare import compare as compared

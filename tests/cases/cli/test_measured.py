@@ -101,6 +101,12 @@ def test_faults_of_a_table(rig, tmp_path, content, expected):
     assert expected in found.output
 
 
+def test_a_table_that_is_not_there_is_named(rig, tmp_path):
+    found = invoke("compare", rig[0], tmp_path / "none.csv")
+    assert found.exit_code == 2
+    assert "none.csv: no such file; allowed: a measured table" in " ".join(found.output.split())
+
+
 def test_temperatures_of_parts_are_none_of_the_oil(tmp_path):
     table = tmp_path / "parts.csv"
     table.write_text("speed [rpm];outer ring temp [C];oil temp [C];torque [N cm]\n500;50;40;1\n600;51;41;2\n")
