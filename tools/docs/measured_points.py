@@ -18,21 +18,27 @@ from math import exp, log, pi, sqrt
 from pathlib import Path
 from typing import NamedTuple
 
+import heat_of_bearings
 import matplotlib
+import numpy as np
 import torque_of_bearings
 import validation_002
+import validation_002_supply
 import validation_003
 import validation_004
 
 from oilfilm.bearing import contact_conditions, preload_offset, solve_quasistatic
+from oilfilm.bearing.films.unsolved_films import formula_values, hertz_size
 from oilfilm.bearing.studies.preload import pair_rigidity
-from oilfilm.cases.format.case import case_of_document
+from oilfilm.cases.format.case import case_of_document, load_case
 from oilfilm.cases.new_case import FirstOperation, case_of_designation
+from oilfilm.cases.runs.vibration import run_vibration
 from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from oilfilm.ehl.closed_form.film import film_nijenbanning_central
+from oilfilm.ehl.closed_form.film import film_hamrock_dowson_minimum, film_nijenbanning_central
 from oilfilm.ehl.conditions import contact_kinematics
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.traction.shear import integrate_traction
+from oilfilm.postprocess.vibration.summary import vibration_summary
 
 matplotlib.use("agg")
 from matplotlib import pyplot as plt
@@ -43,6 +49,9 @@ PAGE = DOCS / "validation" / "measured_points.md"
 TEMPLATE = PAGE.with_suffix(".md.in")
 PICTURE = DOCS / "validation" / "images" / "measured_points.png"
 GLASS = 102.4e9  # E' of steel on glass, 206 and 63 GPa, 0.3 and 0.22 [Pa]
+SAPPHIRE = 291e9  # E' of steel on sapphire, 207 and 380 GPa, 0.3 and 0.27 [Pa]
+GRAVITY = 9.80665  # [m/s^2]
+SPALLS = ((None, 0.0), ("outer ring", 0.178), ("outer ring", 0.356), ("outer ring", 0.533), ("inner ring", 0.533))
 FORMULA_ERROR = 0.1  # of a central film by formula (assumed) [-]
 
 
@@ -204,9 +213,92 @@ def arana_2019_traction() -> Iterator[Point]:
                 yield with_bar(value, 0.02 * value)
 
 
+def yao_2022_supply() -> Iterator[Point]:
+    """Supply of least friction [mL/min], its range over roughness and friction of asperities; one point is fitted."""
+    changes = [what for what in validation_002_supply.CHANGES if what[0] in "aσµ"]
+    for speed in validation_002_supply.SPEEDS:
+        for load in validation_002_supply.LOADS:
+            places = [validation_002_supply.minimum(speed, load, what) for what in changes]
+            found = [validation_002_supply.SCAN[0] if place is None else place for place in places]
+            yield Point(found[0], min(found), max(found))
+
+
+def shan_2023_cage() -> Iterator[Point]:
+    """Cage speed [r/min] as docs/validation/validation_001.md has it, over four drags of the balls."""
+    text = (DOCS / "validation" / "validation_001.md").read_text(encoding="utf-8")
+    for load in (100, 500, 1000, 1500):
+        line = next(line for line in text.splitlines() if re.match(rf"\| {load} \| \d+\.\d ±", line))
+        speeds = [float(cell.partition("±")[0]) for cell in line.strip("|").split("|")[1:]]
+        yield Point(speeds[0], min(speeds), max(speeds))
+
+
+def cwru_features() -> Iterator[Point]:
+    """Rms [g], crest factor and kurtosis of the ring under 150 N (50 to 300), 50 N axial, form by grade G10."""
+    base = load_case("6205_outer_defect").document
+    for place, width in SPALLS:
+        spall = {"place": place, "kind": "spall", "width_mm": width, "depth_um": 280.0}
+        own = {
+            "form": {"quality": "G10", "defects": [spall] if place else []},
+            "vibration": {**base["vibration"], "duration_s": 0.15},
+        }
+        found = []
+        for load in (150.0, 50.0, 300.0):
+            operation = {**base["operation"], "radial_load_N": load}
+            case = case_of_document({**base, **own, "operation": operation})
+            block = vibration_summary(run_vibration(case, "features"))["vibration"]
+            found.append((block["acceleration_m_s2"] / GRAVITY, block["crest_factor"], block["kurtosis_number"]))
+        for value, *ends in zip(*found, strict=True):
+            yield Point(value, min(value, *ends), max(value, *ends))
+
+
+def hybrid_35mm() -> Iterator[Point]:
+    """Heat with balls of silicon nitride over that with steel, at equal oil and cooling."""
+    for speed in (48000.0, 72000.0):
+        ratios = []
+        for share in heat_of_bearings.DRAG_SHARES:
+            oil = round(share * heat_of_bearings.PARKER / speed, 5)
+            keys = {"operation__inner_speed_rpm": speed, "friction__oil_fraction": oil}
+            steel, nitride = (
+                heat_of_bearings.power(heat_of_bearings.ran(heat_of_bearings.NASA, **keys, bearing__ball_material=name), speed)
+                for name in ("bearing steel", "silicon nitride")
+            )
+            ratios.append(nitride / steel)
+        yield Point(sum(ratios) / len(ratios), min(ratios), max(ratios))
+
+
+def ellipses_57() -> Iterator[Point]:
+    """Minimum film of the atlas over Hamrock and Dowson's: mean and scatter of 57 draws, conditions assumed."""
+    random = np.random.default_rng(1981)
+    ratios = []
+    while len(ratios) < 57:
+        oil = Lubricant(
+            viscosity=float(np.exp(random.uniform(log(0.02), log(0.3)))),
+            pressure_viscosity=random.uniform(15e-9, 25e-9),
+            density=870.0,
+        )
+        contact = ContactConditions(
+            load=random.uniform(5.0, 100.0),
+            radius_x=random.uniform(5e-3, 20e-3),
+            radius_y=random.uniform(5e-3, 40e-3),
+            reduced_modulus=SAPPHIRE,
+            entrainment_speed=random.uniform(0.1, 1.0),
+            lubricant=oil,
+        )
+        size = hertz_size(contact, None)
+        values = formula_values(contact, (size.semi_axis_y, size.semi_axis_x))
+        if values.ratio is not None:
+            ratios.append(values.ratio * values.central / film_hamrock_dowson_minimum(contact))
+    yield with_bar(float(np.mean(ratios)), float(np.std(ratios)))
+
+
 COMPUTED: dict[str, Callable[[], Iterator[Point] | list[Point]]] = {
     "nasa_35mm": nasa_35mm,
     "gao_2026_films": gao_2026_films,
+    "yao_2022_supply": yao_2022_supply,
+    "shan_2023_cage": shan_2023_cage,
+    "cwru_features": cwru_features,
+    "hybrid_35mm": hybrid_35mm,
+    "ellipses_57": ellipses_57,
     "arana_2019_traction": arana_2019_traction,
     "skf_torque": torques,
     "palmgren_torque": torques,
@@ -267,6 +359,28 @@ NOTES = {
         "A glass disc, Newton's oil with the viscosity that the table gives the grease, and a film by "
         "formula are assumed. Open: between 150 and 200 mm/s the film of the one grease grows as the "
         "power 0.2 of the speed, of the other 1.1; the formula has 0.7."
+    ),
+    "yao_2022_supply": (
+        "The loss between balls is fitted to the point under 3000 N at 5000 r/min, the other seven are predicted. "
+        "Range: roughness 0.1 to 0.4 µm, friction of asperities 0.05 to 0.2. Open: light loads "
+        "([validation_002_supply.md](validation_002_supply.md))."
+    ),
+    "shan_2023_cage": (
+        "Simulated cage with the geometry of the paper. The drag of a ball, 0.005 N, was chosen with the result known; "
+        "range 0.005 to 0.5 N ([validation_001.md](validation_001.md))."
+    ),
+    "cwru_features": (
+        "Load, clearance, form, mounting and the way to the sensor are not published; here 150 N radial (50 to 300), "
+        "50 N axial, form of grade G10, a seat of 100 N/µm and 2 kg. Nothing is fitted. Measured, the spall of 0.36 mm "
+        "hardly shows and that of 0.18 mm shakes most: unlike mountings of the same rig, which no model of a bearing has."
+    ),
+    "hybrid_35mm": (
+        "The bearing of NASA above with balls of either material, with its range of shielding; half of its heat is drag, "
+        "which the material does not change."
+    ),
+    "ellipses_57": (
+        "Conditions are not in the abstract: 57 draws of load, radii, speed and oil, films of the atlas; the scatter is "
+        "that of the draws."
     ),
     "arana_2019_traction": (
         "The published value is their formula's, which they found within 10 % of the discs, with the film"
