@@ -180,6 +180,7 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
         ("surface_tension_uncertainty_GPa", "its uncertainty by the mesh", "uncertainty"),
         ("surface_tension_rolling_mm", "its place along the rolling direction", "x"),
         ("surface_tension_transverse_mm", "its place across it", "y"),
+        ("fatigue_damage_over_dry", "fatigue damage of the ring over that of Hertz", "fatigue"),
         source="tension.",
         null=NOT_BRITTLE,
     ),

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import pi
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from oilfilm.bearing.contacts.stress import fatigue_damage
 from oilfilm.ehl.closed_form.hertz_stress import hertz_edge_tension
 from oilfilm.ehl.solid.subsurface import surface_stress
 
@@ -97,3 +99,19 @@ def test_directions_are_alike():
     assert across.xx == pytest.approx(along.yy.T, abs=1e-12)
     assert across.xy == pytest.approx(along.xy.T, abs=1e-12)
     assert replace(along, xx=0.0 * p + 2.0, yy=0.0 * p, xy=0.0 * p).tension.max() == 2.0
+
+
+def test_fatigue_damage_of_a_dry_contact_is_one_and_a_pull_along_rolling_raises_it():
+    """The pressure of Hertz itself; a flatter pressure of the same load spares the depth; half the mesh, 3 %."""
+    found = {}
+    for points in (65, 129):
+        p, x, y, _ = hertz(points, 2.0)
+        contact = SimpleNamespace(semi_axis_x=1.0, semi_axis_y=2.0, pressure=1.0)
+        flat = np.where(p > 0.0, 2.0 / 3.0, 0.0)
+        films = [SimpleNamespace(x=x, y=y, pressure=pressure) for pressure in (p, flat)]
+        found[points] = [fatigue_damage(film, contact, NU, hoop) for film in films for hoop in (0.0, 0.02)]
+    same, pulled, flat, _ = found[129]
+    assert same == pytest.approx(1.0, abs=1e-12)
+    assert 1.0 < pulled < 1.4
+    assert flat < 1.0
+    assert found[65] == pytest.approx(found[129], rel=0.03)  # the flat one ends steeply

@@ -73,6 +73,8 @@ def test_tension_under_the_films(warm):
     assert 0.0 < difference < groove
     assert other["surface_tension_ring_GPa"] is None
     assert other["edge_tension_GPa"] < inner["edge_tension_GPa"]
+    # film pressure and hoop tension change the largest shear by a few per cent, its eighth power by tenths
+    assert 0.6 < outer["fatigue_damage_over_dry"] < inner["fatigue_damage_over_dry"] < 1.5
     largest = found["strength"]["inner_ring"]["surface_tension_maximum_GPa"]
     assert largest == inner["surface_tension_ring_GPa"]
 
