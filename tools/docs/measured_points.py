@@ -362,8 +362,8 @@ NOTES = {
     ),
     "yao_2022_supply": (
         "The loss between balls is fitted to the point under 3000 N at 5000 r/min, the other seven are predicted. "
-        "Range: roughness 0.1 to 0.4 µm, friction of asperities 0.05 to 0.2; 0.05 mL/min: none found above. Open: light "
-        "loads ([validation_002_supply.md](validation_002_supply.md))."
+        "Range: roughness 0.1 to 0.4 µm, friction of asperities 0.05 to 0.2; 0.05 mL/min: none found above. Open: "
+        "light loads ([validation_002_supply.md](validation_002_supply.md))."
     ),
     "shan_2023_cage": (
         "Simulated cage with the geometry of the paper. The drag of a ball, 0.005 N, was chosen with the result known; "
