@@ -71,7 +71,7 @@ class BearingTable(Table):
     inner_shoulder_diameter_mm: float | None = length("inner lands, for the cut of ellipses")
     outer_shoulder_diameter_mm: float | None = length("outer lands, for the cut of ellipses")
     nominal_contact_angle_deg: float | None = between(
-        0, 80, "of the rating life; left out, free_contact_angle_deg, else the catalogue's, or 0"
+        0, 80, "of the rating life; default: free_contact_angle_deg, else the catalogue's, or 0"
     )
     basic_dynamic_rating_kN: float | None = above(0, 1e6, "catalogue C_r; else from the geometry")
     basic_static_rating_kN: float | None = above(0, 1e6, "catalogue C_0; else from the geometry")
@@ -85,13 +85,13 @@ class SurfaceTable(Table):
     """Root-mean-square roughness; without the table typical values, which the results name."""
 
     inner_ring_roughness_um: float | None = between(
-        0, 100, "rms roughness of the inner raceway; typical if left out"
+        0, 100, "rms roughness of the inner raceway; default typical"
     )
     outer_ring_roughness_um: float | None = between(
-        0, 100, "rms roughness of the outer raceway; typical if left out"
+        0, 100, "rms roughness of the outer raceway; default typical"
     )
     ball_roughness_um: float | None = between(
-        0, 100, "rms roughness of the balls; typical if left out"
+        0, 100, "rms roughness of the balls; default typical"
     )
     load_sharing: Annotated[str, OneOf(LoadSharing)] = described(
         "of asperities and film, by the central film over the roughness", "zhou-hoeprich"

@@ -81,7 +81,7 @@ class GridTable(Table):
         1e-5, 0.5, "relative error bar of the films; 0.01 where `points` is left out"
     )
     domain: Domain | None = described(
-        "[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses"
+        "[x_in, x_out, y_half] in Hertz semi-axes along x and y; default: the program chooses"
     )
 
     certify: bool = described(
@@ -94,7 +94,7 @@ class GridTable(Table):
     starvation: Annotated[str, OneOf(Starvation)] | None = described(
         "with an inlet film, or a flow of oil: solved (default of a single contact); tabulated: "
         "flooded films and the law of starvation (default of a bearing with an inlet film); none: "
-        "what the law leaves stands beside the flooded films (default with a flow)"
+        "flooded films, and the starved ones separately (default with a flow)"
     )
 
     @model_validator(mode="before")
@@ -146,7 +146,7 @@ class EhlTable(GridTable):
     films: Annotated[str, OneOf(FilmSource)] = described(
         "source of these films: auto: the film atlas where it covers a contact, solved are the "
         "heaviest contact of each race and those that it does not cover; solved: all are solved; "
-        "atlas: none, and what it does not cover is by formula; left out, solved with points, "
+        "atlas: none, and what it does not cover is by formula; default: solved with points, "
         "tolerance, domain, certify, starvation, or films of shear or heat, else auto",
         "auto",
     )
@@ -187,20 +187,20 @@ class ContactTable(Table):
     coating_thickness_um: float | None = above(0, 1e5, "of body 1, of material_1; else 0")
     substrate_material: Name | None = described("below the coating; needs coating_thickness_um")
     entrainment_speed_m_s: float | None = above(0, 1e4, "u_m = (u1 + u2)/2")
-    slide_roll_ratio: float | None = within(1e6, "(u1 - u2)/u_m; 0 if left out")
+    slide_roll_ratio: float | None = within(1e6, "(u1 - u2)/u_m; default 0")
     lateral_slide_ratio: float | None = within(1e6, "(v1 - v2)/u_m, at right angles; else 0")
     velocity_1_m_s: Velocity | None = described(
         "[u1, v1] of the surface of body 1 along x and y; with velocity_2_m_s in place of "
         "entrainment_speed_m_s, its angle and the slide ratios"
     )
     velocity_2_m_s: Velocity | None = described("[u2, v2] of the surface of body 2")
-    spin_rad_s: float | None = within(1e7, "of body 1 on 2 about the normal into 2; 0 if left out")
+    spin_rad_s: float | None = within(1e7, "of body 1 on 2 about the normal into 2; default 0")
     mean_spin_rad_s: float | None = within(
-        1e7, "of both bodies together; left out, body 2 does not turn: half the spin"
+        1e7, "of both bodies together; default: body 2 does not turn: half the spin"
     )
     moes_M: float | None = above(0, 1e7, "M = W (2U)^(-3/4)")
     moes_L: float | None = between(0, 1e3, "L = G (2U)^(1/4)")
-    radius_ratio: float | None = between(1e-4, 1e4, "Rx/Ry with Moes' groups; 1 if left out")
+    radius_ratio: float | None = between(1e-4, 1e4, "Rx/Ry with Moes' groups; default 1")
     entrainment_angle_deg: float = within(360, "direction of the entrainment, x towards y", 0.0)
     temperature_C: float = between(-270, 1300, "temperature of an oil of the library", 40.0)
 

@@ -56,7 +56,7 @@ class DynamicsTable(Table):
     output_interval_us: float | None = above(
         0,
         1e9,
-        "between rows of the history; left out, a 2000th of the simulated time, a 64th of a turn "
+        "between rows of the history; default: a 2000th of the simulated time, a 64th of a turn "
         'with end_time = "steady"; with [form], the nearest multiple of the record\'s',
     )
     start: Annotated[str, OneOf(Start)] = described(
@@ -65,7 +65,7 @@ class DynamicsTable(Table):
     starts: int | None = between(
         1,
         100,
-        "runs in all: others with balls turned by a part of a pitch, and slower; left out, 2 "
+        "runs in all: others with balls turned by a part of a pitch, and slower; default: 2 "
         "where a load across the axis leaves it to pockets, else 1",
     )
     equations: Annotated[str, OneOf("by load", LoadType)] = described(
@@ -120,7 +120,7 @@ class DynamicsTable(Table):
         0, 1e9, "on the inner ring across the axis, goes round; beside the loads of [operation]"
     )
     rotating_load_speed_rpm: float | None = within(
-        1e6, "at which it does; left out, that of the inner ring in [operation]"
+        1e6, "of this load; default: that of the inner ring in [operation]"
     )
     rotating_load_phase_deg: float = within(360, "from +y at time zero", 0.0)
     gravity_m_s2: Gravity = described("[x, y, z]", (0.0, 0.0, 0.0))
@@ -139,7 +139,7 @@ class CageTable(Table):
     """The cage."""
 
     pocket_friction: float | None = between(
-        0, 1, "Coulomb's mu of the pockets; left out, 0.05 (0.02 to 0.15), none in a simulation"
+        0, 1, "Coulomb's mu of the pockets; default: 0.05 (0.02 to 0.15), none in a simulation"
     )
     guided_by: Annotated[str, OneOf(Guidance)] = described("what guides it", "balls")
     land_diameter_mm: float | None = above(0, LENGTH_MAXIMUM, "of the guiding land")
@@ -152,7 +152,7 @@ class CageTable(Table):
         0, 1, "of the land that oil fills; the rest rubs dry under weight and play; assumed", 1.0
     )
     pocket_clearance_mm: float | None = above(
-        0, 100, "diametral, pocket less ball; left out, estimated"
+        0, 100, "diametral, pocket less ball; default: estimated"
     )
     pocket_clearances_mm: Clearances | None = described(
         "dynamics: diametral, pocket by pocket, instead of pocket_clearance_mm"
@@ -161,11 +161,11 @@ class CageTable(Table):
     drag_N_mm: float = between(
         0, 1e9, "dynamics: torque of the oil at the kinematic speed; grows as its square", 0.0
     )
-    thickness_mm: float | None = above(0, LENGTH_MAXIMUM, "radial; left out, estimated")
-    width_mm: float | None = above(0, LENGTH_MAXIMUM, "axial; left out, estimated")
-    mass_g: float | None = above(0, 1e6, "left out, from the dimensions")
+    thickness_mm: float | None = above(0, LENGTH_MAXIMUM, "radial; default: estimated")
+    width_mm: float | None = above(0, LENGTH_MAXIMUM, "axial; default: estimated")
+    mass_g: float | None = above(0, 1e6, "default: from the dimensions")
     polar_inertia_g_mm2: float | None = above(
-        0, 1e15, "about the bearing's axis; left out, from the dimensions"
+        0, 1e15, "about the bearing's axis; default: from the dimensions"
     )
 
 

@@ -49,7 +49,7 @@ class Table(BaseModel):
         Parameters
         ----------
         *keys : str
-            Keys to convert; all if left out.
+            Keys to convert; default all.
 
         Returns
         -------

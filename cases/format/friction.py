@@ -68,7 +68,7 @@ class LawTable(Table):
 
     coefficient: float | None = above(0, 1, "Coulomb's mu; else SKF's mu_sl, 0.05 in a simulation")
     traction: Annotated[str, OneOf(*LAWS)] | None = described(
-        "friction of balls on races in traction equilibrium; left out, that of the case's films"
+        "friction of balls on races in traction equilibrium; default: that of the case's films"
     )
     traction_table: str | None = described(
         "file of `oilfilm table`; also of a simulation's table", min_length=1
@@ -82,7 +82,7 @@ class LawTable(Table):
 
 
 class FrictionTable(LawTable):
-    """Friction torque; every key may be left out, and leaves out the models that need it."""
+    """Friction torque; all keys are optional, and models that lack input are null."""
 
     models: Literal["main", "all"] = described(
         "main: integrated, skf, palmgren, coulomb; all: those of single papers are computed, too",
@@ -101,21 +101,21 @@ class FrictionTable(LawTable):
     boundary_coefficient: float = above(
         0, 1, "of asperities that touch: SKF's mu_bl, and of the films with [surface]", 0.12
     )
-    full_film_coefficient: float | None = above(0, 1, "SKF's mu_EHL; left out, by the kind of oil")
+    full_film_coefficient: float | None = above(0, 1, "SKF's mu_EHL; default: by the kind of oil")
     oil_level_mm: float = between(
         0, LENGTH_MAXIMUM, "above the lowest contact point of the outer raceway; drag, SKF's", 0.0
     )
     drag_factor: float | None = between(
-        0, 1, "SKF's V_M; left out, from a third party's digitised diagram (unverified)"
+        0, 1, "SKF's V_M; default: that of a third party's digitised diagram (unverified)"
     )
     sealed: bool | None = described(
-        "contact seals on both sides, for SKF's model; left out, by the designation"
+        "contact seals on both sides, for SKF's model; default: by the designation"
     )
     seal_diameter_mm: float | None = above(
-        0, LENGTH_MAXIMUM, "of the seal's lip; left out, of the inner shoulder"
+        0, LENGTH_MAXIMUM, "of the seal's lip; default: that of the inner shoulder"
     )
     hysteresis_loss: float | None = between(
-        0, 1, "share of the elastic energy lost in rolling, beta_a; left out, 0.01 (0.005 to 0.02)"
+        0, 1, "share of the elastic energy lost in rolling, beta_a; default: 0.01 (0.005 to 0.02)"
     )
     oil_fraction: float | None = between(
         0, 1, "share of oil in the cavity; drag of the balls in it, else that of a bath"

@@ -370,7 +370,7 @@ class OilTable(Table):
     viscosity_mPa_s: float | None = above(0, 1e6, "dynamic; or kinematic_viscosity_mm2_s")
     kinematic_viscosity_mm2_s: float | None = above(0, 1e6, "kinematic; or viscosity_mPa_s")
     viscosity_at_C: float | None = between(
-        -270, 1300, "temperature of either; left out, operation.temperature_C"
+        -270, 1300, "temperature of either; default: operation.temperature_C"
     )
     kinematic_viscosity_40C_mm2_s: float | None = above(
         0.31, 1e6, "of a data sheet; with that at 100 C, or viscosity_index, over temperature"
@@ -389,7 +389,7 @@ class OilTable(Table):
     viscosity_law: Annotated[str, OneOf(ViscosityLaw)] | None = described(
         "pressure dependence of the viscosity; the last two for oils with their constants"
     )
-    roelands_z: float | None = above(0, 2, "Roelands' exponent; left out, from Roelands' identity")
+    roelands_z: float | None = above(0, 2, "Roelands' exponent; default: from Roelands' identity")
     roelands_pressure_MPa: float | None = above(0, 1e4, "Roelands' reference pressure")
     density_law: Annotated[str, OneOf(DensityLaw)] | None = described(
         "pressure dependence of the density; tait for oils with its constants"
@@ -397,20 +397,20 @@ class OilTable(Table):
     tait_bulk_modulus_GPa: float | None = above(0, 100, "Tait's K_0 at tait_temperature_C")
     tait_bulk_modulus_derivative: float | None = above(0, 100, "Tait's K_0' = dK/dp")
     tait_temperature_C: float | None = between(
-        -200, 500, "of Tait's and Doolittle's constants; left out, that of operation"
+        -200, 500, "of Tait's and Doolittle's constants; default: that of operation"
     )
     tait_bulk_modulus_temperature_1_K: float | None = between(
-        0, 1, "b of K_0 exp[-b (T - T_R)]; 0 if left out"
+        0, 1, "b of K_0 exp[-b (T - T_R)]; default 0"
     )
     tait_expansion_1_K: float | None = between(
-        0, 0.1, "a of V_R [1 + a (T - T_R)], volume at ambient pressure; 0 if left out"
+        0, 0.1, "a of V_R [1 + a (T - T_R)], volume at ambient pressure; default 0"
     )
     doolittle_factor: float | None = above(0, 100, "Doolittle's B")
     doolittle_occupied_share: float | None = described(
         "Doolittle's R, occupied over total volume at tait_temperature_C", gt=0, lt=1
     )
     doolittle_occupied_expansion_1_K: float | None = within(
-        0.1, "of the occupied volume; left out, the constants hold at every temperature"
+        0.1, "of the occupied volume; default: the constants hold at every temperature"
     )
     yasutomi_glass_temperature_C: float | None = above(-273.15, 500, "T_g at ambient pressure")
     yasutomi_glass_rise_K: float | None = above(0, 1e4, "A_1 of T_g + A_1 ln(1 + A_2 p)")
@@ -427,32 +427,32 @@ class OilTable(Table):
     yasutomi_slope: float | None = above(0, 100, "C_1")
     yasutomi_width_K: float | None = above(0, 1e4, "C_2")
     pour_point_C: float | None = between(
-        -100, 100, "below which the oil does not flow; left out, an estimate of mineral oils"
+        -100, 100, "below which the oil does not flow; default: an estimate of mineral oils"
     )
     base_oil: Annotated[str, OneOf(BaseOil)] | None = described(
-        "gives the properties that are left out; mineral if left out"
+        "gives the missing properties; default mineral"
     )
     viscosity_index: float | None = within(
-        400, "after ASTM D2270, with one viscosity; left out, that of the base oil"
+        400, "after ASTM D2270, with one viscosity; default: that of the base oil"
     )
-    thermal_conductivity_W_m_K: float | None = above(0, 10, "left out, that of the base oil")
-    specific_heat_J_kg_K: float | None = above(0, 1e4, "left out, that of the base oil")
+    thermal_conductivity_W_m_K: float | None = above(0, 10, "default: that of the base oil")
+    specific_heat_J_kg_K: float | None = above(0, 1e4, "default: that of the base oil")
     viscosity_temperature_1_K: float | None = between(
-        0, 1, "-d(ln eta)/dT; left out, by viscosity_index"
+        0, 1, "-d(ln eta)/dT; default: by viscosity_index"
     )
-    thermal_expansion_1_K: float | None = between(0, 0.01, "left out, that of the base oil")
+    thermal_expansion_1_K: float | None = between(0, 0.01, "default: that of the base oil")
     rheology: Annotated[str, OneOf(ShearLaw)] | None = described(
-        "shear law of the friction; left out, Ree-Eyring with assumed constants"
+        "shear law of the friction; default: Ree-Eyring with assumed constants"
     )
     eyring_stress_MPa: float | None = above(
         0, 1e3, "Eyring's; else 2 Lambda/alpha at each contact's mean pressure (assumed)"
     )
     limiting_stress_coefficient: float | None = above(
-        0, 1, "Lambda of the limiting stress Lambda p; left out, assumed but for Newton's law"
+        0, 1, "Lambda of the limiting stress Lambda p; default: assumed but for Newton's law"
     )
     carreau_modulus_MPa: float | None = above(0, 1e3, "G of Carreau's law")
     carreau_exponent: float | None = above(0, 1, "n of Carreau's law")
-    yasuda_exponent: float | None = above(0, 10, "a of Carreau and Yasuda's law; 2 if left out")
+    yasuda_exponent: float | None = above(0, 10, "a of Carreau and Yasuda's law; default 2")
 
 
 class LubricantTable(OilTable):
@@ -470,15 +470,13 @@ class LubricantTable(OilTable):
         0, 1e4, "the same with Moes' groups, at ambient density, in units of a^2/Rx"
     )
     flooded_layer_um: float | None = above(
-        0,
-        1e4,
-        "layer at flooded inlets, both surfaces: it ends the rolling moment; 100 if left out",
+        0, 1e4, "layer at flooded inlets, both surfaces: it ends the rolling moment; default 100"
     )
     relative_permittivity: float | None = between(
-        1, 20, "at ambient pressure, for capacitances; 2.2 if left out"
+        1, 20, "at ambient pressure, for capacitances; default 2.2"
     )
     contamination_factor: float | None = between(
-        0, 1, "e_C of ISO 281, 1 clean; left out, no modified life is computed"
+        0, 1, "e_C of ISO 281, 1 clean; default: no modified life is computed"
     )
 
 

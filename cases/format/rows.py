@@ -37,12 +37,12 @@ class RowTable(Table):
     )
     loaded_by: Literal["+x", "-x"] = described("push of the inner ring that loads the row", ...)
     preload_N: float | None = between(0, FORCE_MAXIMUM, "axial, at rest, inner ring in its place")
-    preload_um: float | None = within(1e4, "or beyond first touch; negative leaves play")
+    preload_um: float | None = within(1e4, "or displacement beyond first touch; negative: play")
     preload_class: Annotated[str, OneOf(*PRELOAD_CLASSES)] | None = described(
         "or a share of C typical of makers' classes"
     )
     first_ball_azimuth_deg: float | None = within(
-        360, "azimuth of its first ball; left out, that of [bearing]"
+        360, "azimuth of its first ball; default: that of [bearing]"
     )
 
 

@@ -59,7 +59,7 @@ class ShaftSupportTable(Table):
         "push of the shaft that loads it; of angular contact needed"
     )
     preload_N: float | None = between(0, FORCE_MAXIMUM, "axial, at rest, before the shaft bends")
-    offset_um: float | None = within(1e4, "or beyond first touch; negative leaves play")
+    offset_um: float | None = within(1e4, "or displacement beyond first touch; negative: play")
     temperature_C: float | None = between(-100, 500, "of its oil; else that of [operation]")
     heat_transfer_W_K: float | None = above(
         0, 1e5, "from its shaft and housing to the surroundings; else that of [friction]"
@@ -90,7 +90,7 @@ class ShaftLoadTable(Table):
 
 
 class HousingTable(Table):
-    """Seats of the outer rings, alike or by a matrix of the housing; left out they are rigid."""
+    """Seats of the outer rings, alike or by a matrix of the housing; rigid by default."""
 
     stiffness: str | None = described(
         "file of its stiffness, condensed on x, y, z and the rotations about them of a seat (6 x "
@@ -104,7 +104,7 @@ class HousingTable(Table):
     thermal_expansion_um_m_K: float = between(0, 100, "of the housing", 12.0)
     temperature_C: float | None = between(-100, 500, "of the housing, for its length")
     conductance_W_K: float | None = between(
-        0, 1e5, "heat from a bearing to the next one; left out, an estimate by their diameters"
+        0, 1e5, "heat from a bearing to the next one; default: an estimate by their diameters"
     )
 
 

@@ -68,7 +68,7 @@ class TransientTable(Table):
         "characteristic",
     )
     largest_step_us: float | None = above(
-        0, 1e9, "step; left out, four times that from node to node, of an impact a 300th of it"
+        0, 1e9, "step; default: four times that from node to node, of an impact a 300th of it"
     )
     frames: int = between(2, 2000, "fields that are kept, evenly over the time", 60)
     tolerance: float = between(
@@ -84,12 +84,12 @@ class FeatureTable(Table):
     amplitude_um: float | None = above(0, 1e4, "waviness: of the wave")
     wavelength_um: float | None = above(0, 1e7, "waviness: along the entrainment")
     wavelength_across_um: float | None = above(
-        0, 1e7, "waviness: across; left out, no waves across"
+        0, 1e7, "waviness: across; default: no waves across"
     )
     phase_deg: float | None = within(360, "waviness: of its sine at x = 0 and time zero")
     depth_um: float | None = within(1e4, "dent: at its middle; negative of a bump")
     radius_um: float | None = above(0, 1e7, "dent: at which 1/e of the depth is left")
-    radius_across_um: float | None = above(0, 1e7, "dent: the same across; left out, round")
+    radius_across_um: float | None = above(0, 1e7, "dent: the same across; default: round")
     place_across_um: float | None = within(1e7, "dent: y of its middle")
     height_um: float | None = within(1e4, "ridge: of its crest; negative of a groove")
     width_um: float | None = above(0, 1e7, "ridge: distance at which 1/e of the height is left")
@@ -102,7 +102,7 @@ class FeatureTable(Table):
     start_um: float | None = within(
         1e8,
         "x at time zero of its middle, of a profile its foremost place, of waviness its front; "
-        "left out, ahead of the box, of waviness on a body at rest everywhere",
+        "default: ahead of the box, of waviness on a body at rest everywhere",
     )
 
 

@@ -136,12 +136,12 @@ class SupportTable(Table):
     seat_stiffness_N_um: float | None = between(
         0,
         1e9,
-        "radial, of the outer ring's seat; 0: loaded against a held inner ring; left out, "
+        "radial, of the outer ring's seat; 0: loaded against a held inner ring; default: "
         "the outer ring stands still",
     )
-    seat_axial_stiffness_N_um: float | None = between(0, 1e9, "axial; left out, the radial one")
+    seat_axial_stiffness_N_um: float | None = between(0, 1e9, "axial; default: the radial one")
     seat_damping_N_s_m: float | None = between(0, 1e9, "of the seat, in all directions")
-    outer_ring_mass_kg: float | None = above(0, 1e6, "left out, by its dimensions")
+    outer_ring_mass_kg: float | None = above(0, 1e6, "default: by its dimensions")
     housing_mass_kg: float = between(0, 1e6, "that moves with the outer ring", 0.0)
     sensor_mass_kg: float | None = above(0, 1e6, "oscillator on the outer ring, along y")
     sensor_frequency_Hz: float | None = above(0, 1e6, "of its resonance on a ring at rest")
@@ -157,7 +157,7 @@ class VibrationTable(Table):
     """Vibration over time: `oilfilm vibration`."""
 
     duration_s: float | None = above(
-        0, 1e3, "of the record; left out, end_time_s of [dynamics], or 0.5"
+        0, 1e3, "of the record; default: end_time_s of [dynamics], or 0.5"
     )
     settling_time_s: float = between(0, 100, "before it, while the form grows", 0.1)
     sample_rate_Hz: float = between(100, 1e6, "of the record", 51200.0)
@@ -165,8 +165,7 @@ class VibrationTable(Table):
         "film: stiffness and damping of solved films; dry: Hertz; linear: springs", "film"
     )
     wave_filter: Annotated[str, OneOf(WaveFilter)] = described(
-        "what the length of the contact leaves of waves: solved with the film, the mean over a "
-        "dry contact, or all",
+        "waves that the contact passes: solved with the film, the mean over a dry contact, or all",
         "film",
     )
     loss_time_us: float = between(0, 1e4, "damping over stiffness of dry and linear contacts", 0.0)
@@ -177,11 +176,11 @@ class VibrationTable(Table):
         0, 1e6, "run-up: of the inner ring at the start of the record, rising evenly"
     )
     direction: Annotated[str, OneOf(Direction)] = described(
-        "of what is looked at: x along the axis, y along the load line", "y"
+        "of the signal: x along the axis, y along the load line", "y"
     )
     reference_m_s2: float = above(0, 1e3, "of levels in dB; 1e-6 in ISO 1683", REFERENCE)
     envelope_band_Hz: Band | None = described(
-        "of the envelope; left out, the high band of ISO 15242 as far as it is sampled"
+        "of the envelope; default: the high band of ISO 15242 as far as it is sampled"
     )
 
 
