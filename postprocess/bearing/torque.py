@@ -132,11 +132,12 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
     extent = results.rolling_extent
     inlet = None if torque is None else torque.inlet
     rough = results.case.get("surface") is not None
+    flowing = None if results.frozen else torque
     return {
-        "total": None if results.frozen else TORQUE.value(torque),
+        "total": TORQUE.value(flowing),
         "model": None if torque is None else torque.chosen,
-        "flooded_isothermal": None if torque is None else _flooded(torque),
-        "parts": _parts(torque),
+        "flooded_isothermal": None if flowing is None else _flooded(flowing),
+        "parts": _parts(flowing),
         "total_range": _range_block(results),
         "inlet_shear_heating_factor": None if torque is None else torque.inlet_heating,
         "replenishment_factor": None if inlet is None else inlet.replenishment,
@@ -144,7 +145,9 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "coulomb_coefficient": None if torque is None else torque.coefficient,
         "models": {name: _model(torque, name) for name in shown_models(results)},
         "power_balance": {**values_of(shear, POWER_BALANCE), "hypothesis": hypothesis},
-        "per_ball_N_mm": None if shear is None else TORQUE.in_unit(shear.torque.per_ball),
+        "per_ball_N_mm": None
+        if shear is None or flowing is None
+        else TORQUE.in_unit(shear.torque.per_ball),
         "rolling_extent": {
             **{part.source: part.value(extent) for part in ROLLING_EXTENT},
             "layer_um": None if extent is None else from_si("layer_um", extent.layer),
