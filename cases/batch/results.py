@@ -325,6 +325,7 @@ def write_batch(
         (directory / TABLE).unlink(missing_ok=True)
     for name, write in writers.items():
         write(columns, directory / name)
-    write_batch_netcdf(columns, directory / DATA, results, whole=results.counts is None)
+    whole = results.counts is None
+    write_batch_netcdf(columns, directory / DATA, results, whole=whole, points=directory / POINTS)
     write_json(batch_summary(results, columns), directory / SUMMARY)
     write_digests(directory, [*writers, DATA, SUMMARY])

@@ -6,15 +6,17 @@ from itertools import repeat
 from pathlib import Path
 from typing import Any
 
+import h5netcdf
 import numpy as np
 import pyarrow
 import pyarrow.parquet
 
 from oilfilm.bearing.files import atomic_path
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import unit_of
 
 from ..files import write_csv
-from ..netcdf_write import DatasetParts, Variables, write_dataset_in_parts
+from ..netcdf_write import DatasetParts, Variables, open_netcdf, write_dataset_in_parts
 from .packed_columns import STATE, STATE_KINDS, Columns, Kinds, Numbers, Row
 from .results import BatchResults
 from .store import BOOL, INTEGER, NOTHING
@@ -97,9 +99,15 @@ def column_unit(name: str, columns: Columns) -> str:
 
 
 def write_batch_netcdf(
-    columns: Columns, path: Path, results: BatchResults, *, whole: bool = True
+    columns: Columns,
+    path: Path,
+    results: BatchResults,
+    *,
+    whole: bool = True,
+    points: Path | None = None,
 ) -> None:
-    """Write the table's columns over `point`, numbers of balls and contacts over ball and race.
+    """Write the table's columns over `point`, numbers of balls and contacts over ball and race,
+    records of vibrations over their samples.
 
     Units are attributes, the input of every point is the variable `case`; NaN for no value.
 
@@ -113,6 +121,8 @@ def write_batch_netcdf(
         Results of the batch.
     whole : bool, default True
         With the numbers of balls and contacts and the input, of the points in `results`.
+    points : Path | None, optional
+        Folder of the points' own files, which the records are taken from.
     """
     keys = columns.source.keys
     # netCDF lists them with spaces between
@@ -133,6 +143,7 @@ def write_batch_netcdf(
         array = np.array(cases, dtype=object)
         variables["case"] = (("point",), array, {"long_name": "input as run, JSON"})
         variables |= _per_ball(results) | _per_contact(results)
+        variables |= {} if points is None else _records(results, points)
     document = {
         "title": results.title,
         "oilfilm": results.version,
@@ -211,6 +222,38 @@ def _per_contact(results: BatchResults) -> Variables:
     )
     races: Variables = {"race": (("race",), np.array(RACES, dtype=object), {})} if values else {}
     return races | _named("contact", ("point", "ball", "race"), values)
+
+
+def _records(results: BatchResults, folder: Path) -> Variables:
+    """Acceleration of vibrations over point and sample, NaN behind the end of a shorter one, with
+    the sample rate and the defects in words, by which a classifier learns.
+    """
+    named = {n: folder / f"{point.key}.nc" for n, point in enumerate(results.points)}
+    records: dict[int, Array] = {}
+    rate = np.full(len(named), np.nan)
+    for n, file in named.items():
+        if "vibration" in (results.points[n].summary or {}) and file.is_file():
+            with open_netcdf(file, lambda path, engine: h5netcdf.File(path)) as record:
+                records[n] = np.asarray(record["acceleration"][:], dtype=np.float32)
+                time = record["time"]
+                rate[n] = (len(time) - 1) / float(time[-1] - time[0])
+    if not records:
+        return {}
+    values = np.full((len(named), max(map(len, records.values()))), np.nan, dtype=np.float32)
+    for n, record in records.items():
+        values[n, : len(record)] = record
+    defects = np.array([_defects(point.case) for point in results.points], dtype=object)
+    return {
+        "record.defects": (("point",), defects, {}),
+        "record.sample_rate_Hz": (("point",), rate, {"units": "Hz"}),
+        "record.acceleration_m_s2": (("point", "sample"), values, {"units": "m/s2"}),
+    }
+
+
+def _defects(case: dict[str, Any]) -> str:
+    """Defects of a case in words."""
+    defects = (case.get("form") or {}).get("defects") or ()
+    return "; ".join(f"{d['kind']}, {d['place']}, {d['width_mm']:g} mm" for d in defects) or "none"
 
 
 def _filled(

@@ -194,24 +194,30 @@ fields = true
 "vibration.wave_filter" = "dry"
 "vibration.loss_time_us" = 2.0
 [sweep]
-"operation.radial_load_N" = [150.0, 300.0]
+"form.defects" = [[], [{ place = "inner ring", kind = "spall", width_mm = 0.5, depth_um = 50.0 }]]
 """
 
 
 def test_vibrations(tmp_path):
-    """Levels and lines are columns beside the keys, a label each; the records lie in the points' files."""
+    """Levels and lines are columns beside the keys; the records lie in the points' files, and in one file with the
+    defects in words, the input of each and the sweep.
+    """
     (tmp_path / "sweep.toml").write_text(VIBRATION, encoding="utf-8")
     out = tmp_path / "out"
     found = CliRunner().invoke(app, ["batch", str(tmp_path / "sweep.toml"), "-o", str(out), "--workers", "1", "--json"])
     assert found.exit_code == 0, found.output
     points = json.loads(found.stdout)["points"]
-    assert [point["keys"]["operation.radial_load_N"] for point in points] == [150.0, 300.0]
+    assert [len(point["keys"]["form.defects"]) for point in points] == [0, 1]
     assert all(point["acceleration_m_s2"] > 0.0 for point in points)
     assert {"envelope_ball_pass_outer_m_s2", "strongest_line", "cage_speed_ratio"} <= set(points[0])
-    for record in sorted((out / "points").glob("*.nc")):
-        with postprocess.open_results(record) as tree:
-            assert tree.attrs["kind"] == "vibration"
-            assert tree["acceleration"].size == 640
+    with postprocess.open_results(out) as data:
+        assert data["record.defects"].values.tolist() == ["none", "spall, inner ring, 0.5 mm"]
+        assert data["record.sample_rate_Hz"].values == pytest.approx(12800.0)
+        assert "form.defects" in data.attrs["sweep"] and json.loads(data["case"].values[1])["form"]["defects"]
+        for point, whole in zip(points, data["record.acceleration_m_s2"].values, strict=True):
+            with postprocess.open_results(out / "points" / f"{point['key']}.nc") as tree:
+                assert tree.attrs["kind"] == "vibration"
+                assert whole == pytest.approx(tree["acceleration"].values, rel=1e-6) and whole.size == 640
 
 
 def test_simulations(tmp_path):
