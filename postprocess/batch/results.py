@@ -31,13 +31,7 @@ SIMULATION = (
     "energy_balance_error",
     "simulated_s",
 )
-LEVELS = (
-    "acceleration_m_s2",
-    "velocity_um_s",
-    "crest_factor",
-    "kurtosis_number",
-    "strongest_line",
-)
+LEVELS = ("acceleration_m_s2", "velocity_um_s", "crest_factor", "kurtosis_number")
 ENVELOPE_LINES = tuple(
     f"{body}_m_s2"
     for body in ("shaft", "cage", "ball_pass_outer", "ball_pass_inner", "ball_spin_twice")

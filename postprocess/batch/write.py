@@ -242,9 +242,12 @@ def _records(results: BatchResults, folder: Path) -> Variables:
     values = np.full((len(named), max(map(len, records.values()))), np.nan, dtype=np.float32)
     for n, record in records.items():
         values[n, : len(record)] = record
-    defects = np.array([_defects(point.case) for point in results.points], dtype=object)
-    return {
-        "record.defects": (("point",), defects, {}),
+    words = {
+        "record.defects": [_defects(point.case) for point in results.points],
+        "record.strongest_line": [_strongest(point.summary or {}) for point in results.points],
+    }
+    texts = {name: (("point",), np.array(w, dtype=object), {}) for name, w in words.items()}
+    return texts | {
         "record.sample_rate_Hz": (("point",), rate, {"units": "Hz"}),
         "record.acceleration_m_s2": (("point", "sample"), values, {"units": "m/s2"}),
     }
@@ -254,6 +257,11 @@ def _defects(case: dict[str, Any]) -> str:
     """Defects of a case in words."""
     defects = (case.get("form") or {}).get("defects") or ()
     return "; ".join(f"{d['kind']}, {d['place']}, {d['width_mm']:g} mm" for d in defects) or "none"
+
+
+def _strongest(summary: dict[str, Any]) -> str:
+    """Name of the body whose line is the strongest of the envelope; empty where none is."""
+    return str((summary.get("vibration") or {}).get("strongest_line") or "")
 
 
 def _filled(
