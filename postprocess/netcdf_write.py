@@ -16,6 +16,7 @@ import h5py
 import numpy as np
 
 from oilfilm.bearing.files import atomic_path, require_room, write_bytes
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.foreign_files import DAMAGE, DamagedFileError, open_file
 
 from .files import SUMMARY_FILE, CsvTable, attempt, write_csv, write_json
@@ -293,6 +294,30 @@ def open_netcdf(path: Path, opened: Callable[..., T]) -> T:
     except (OSError, *DAMAGE) as error:
         fault = f"{path} is damaged or not a netCDF-4 file: {error}"
         raise DamagedFileError(fault) from error
+
+
+def read_variables(path: Path, *names: str) -> tuple[Array, ...]:
+    """Values of variables of the first group of a file, read without xarray.
+
+    Parameters
+    ----------
+    path : Path
+        A netCDF-4 file.
+    *names : str
+        Of the variables.
+
+    Returns
+    -------
+    tuple of ndarray
+        Their values.
+
+    Raises
+    ------
+    DamagedFileError
+        If the file is damaged.
+    """
+    with open_netcdf(path, lambda file, engine: h5netcdf.File(file)) as content:
+        return tuple(np.asarray(content[name][:]) for name in names)
 
 
 def _require_own_data(group: h5py.Group, seen: set[int]) -> None:

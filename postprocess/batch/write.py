@@ -6,7 +6,6 @@ from itertools import repeat
 from pathlib import Path
 from typing import Any
 
-import h5netcdf
 import numpy as np
 import pyarrow
 import pyarrow.parquet
@@ -16,7 +15,7 @@ from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import unit_of
 
 from ..files import write_csv
-from ..netcdf_write import DatasetParts, Variables, open_netcdf, write_dataset_in_parts
+from ..netcdf_write import DatasetParts, Variables, read_variables, write_dataset_in_parts
 from .packed_columns import STATE, STATE_KINDS, Columns, Kinds, Numbers, Row
 from .results import BatchResults
 from .store import BOOL, INTEGER, NOTHING
@@ -233,15 +232,14 @@ def _records(results: BatchResults, folder: Path) -> Variables:
     rate = np.full(len(named), np.nan)
     for n, file in named.items():
         if "vibration" in (results.points[n].summary or {}) and file.is_file():
-            with open_netcdf(file, lambda path, engine: h5netcdf.File(path)) as record:
-                records[n] = np.asarray(record["acceleration"][:], dtype=np.float32)
-                time = record["time"]
-                rate[n] = (len(time) - 1) / float(time[-1] - time[0])
+            time, values = read_variables(file, "time", "acceleration")
+            records[n] = values
+            rate[n] = (len(time) - 1) / float(time[-1] - time[0])
     if not records:
         return {}
-    values = np.full((len(named), max(map(len, records.values()))), np.nan, dtype=np.float32)
+    whole = np.full((len(named), max(map(len, records.values()))), np.nan, dtype=np.float32)
     for n, record in records.items():
-        values[n, : len(record)] = record
+        whole[n, : len(record)] = record
     words = {
         "record.defects": [_defects(point.case) for point in results.points],
         "record.strongest_line": [_strongest(point.summary or {}) for point in results.points],
@@ -249,7 +247,7 @@ def _records(results: BatchResults, folder: Path) -> Variables:
     texts = {name: (("point",), np.array(w, dtype=object), {}) for name, w in words.items()}
     return texts | {
         "record.sample_rate_Hz": (("point",), rate, {"units": "Hz"}),
-        "record.acceleration_m_s2": (("point", "sample"), values, {"units": "m/s2"}),
+        "record.acceleration_m_s2": (("point", "sample"), whole, {"units": "m/s2"}),
     }
 
 
