@@ -1,4 +1,4 @@
-"""Write docs/validation/torque_of_bearings.md: torque of eleven bearings beside SKF's and Palmgren's models.
+"""Write docs/validation/torque_of_bearings.md: torque of eleven bearings, SKF's and Palmgren's models.
 
 Run it with `python tools/docs/torque_of_bearings.py`; it takes a minute.
 """
