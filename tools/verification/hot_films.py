@@ -126,13 +126,13 @@ def contacts(seed: int, file: Path) -> list[dict]:
     lines = [json.loads(one) for one in file.read_text().splitlines()] if file.exists() else []
     missing = {group: count - sum(line["group"] == group for line in lines) for group, count in GROUPS.items()}
     number = lines[-1]["number"] if lines else -1
-    while any(missing.values()):
+    while max(missing.values()) > 0:
         number += 1
         found = drawn(number, seed)
         if found is None:
             continue
         group = "light" if moes_groups(found[0].conditions)[0] < LIGHT[1] else "loaded"
-        if missing[group]:
+        if missing[group] > 0:
             missing[group] -= 1
             lines.append({"number": number, "group": group, **solved(*found)})
             with file.open("a") as out:
@@ -194,13 +194,13 @@ def section(lines: list[dict], seed: int) -> Section:
         for film, name in enumerate((f"{group}, central", f"{group}, minimum")):
             found = judged(sound, film)
             table.append(row(name, found))
-            within += list(found["solved"] <= found["bar"])
-            checks.append(Check(f"{name}: law within 2 %", np.mean(found["law"] < 0.02), least=0.95))
-            checks.append(Check(f"{name}: largest bar on 257 points", found["bar"].max(), most=0.03))
+            within += (found["solved"] <= found["bar"]).tolist()
+            checks.append(Check(f"{name}: law within 2 %", float(np.mean(found["law"] < 0.02)), least=0.95))
+            checks.append(Check(f"{name}: largest bar on 257 points", float(found["bar"].max()), most=0.03))
     costs = [cost(line) for line in lines]
     checks += [
         Check("contacts not converged or not resolved", sum(bool(message(line)) for line in lines), most=0),
-        Check(f"of {len(within)} films within their bars ({interval(within)})", np.mean(within), least=0.95),
+        Check(f"of {len(within)} films within their bars ({interval(within)})", float(np.mean(within)), least=0.95),
         Check("time with heat over time without, median", float(np.median(costs)), most=3.0),
         Check("the same, largest", max(costs), most=10.0),
     ]
