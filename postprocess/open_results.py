@@ -18,6 +18,7 @@ KINDS = (
     "bearing",
     "contact",
     "batch",
+    "shaft",
     "slip",
     "stiffness",
     "temperatures",

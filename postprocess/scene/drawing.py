@@ -13,7 +13,7 @@ import asyncio
 import json
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from math import degrees, floor, log10, pi, radians
 from pathlib import Path
@@ -48,7 +48,7 @@ from .parts import ColourScale, Label, look_at
 from .patch import Patch
 from .render_process import read_request, require_rendering, write_gif
 from .scene import LABELS, SceneOptions, check_scene
-from .vtk import DISPLACEMENT, DISTANCE, ring_files
+from .vtk import COLLECTION_FILE, DISPLACEMENT, DISTANCE, ring_files
 
 NUMBERS = "numbers"  # field data of a patch: its numbers as text
 
@@ -681,6 +681,8 @@ def build_scene(
         scene = Scene(plotter, options, for_page, str(tree.attrs.get("title", "")))
         if tree.attrs["kind"] == "contact":
             _add_contact(scene, tree["contacts/contact"].to_dataset())
+        elif tree.attrs["kind"] == "shaft":
+            _add_shaft(scene, directory, parse_json(tree.attrs["case"], str(directory)))
         else:
             _add_bearing(scene, directory, tree)
     plotter.enable_anti_aliasing("ssaa")
@@ -827,6 +829,51 @@ def _ruling(patches: list[Patch]) -> list[Patch]:
     pressures = [float(patch.attributes["hertz_pressure"]) for patch in patches]
     least = RULING_PRESSURE * max(pressures, default=0.0)
     return [p for p, pressure in zip(patches, pressures, strict=True) if pressure >= least]
+
+
+def _add_shaft(scene: Scene, directory: Path, case: Mapping[str, Any]) -> None:
+    """A shaft in the colours of its displacement, its bearings, and arrows of its forces."""
+    blocks = pv.get_reader(directory / COLLECTION_FILE).read()[0]
+    shaft = blocks["shaft"]["shaft"]
+    shaft["displacement"] = np.linalg.norm(shaft[DISPLACEMENT], axis=1)
+    largest = max(float(shaft["displacement"].max()), 1e-6)
+    label = "displacement [µm]"
+    scene.colours = ColourScale(quantity="displacement", label=label, limits=(0.0, largest))
+    mesh = shaft.clean().compute_normals(
+        consistent_normals=False, split_vertices=True, feature_angle=40.0
+    )
+    scene.mapper = parts.add_field(scene.plotter, mesh, scene.colours)
+    for name in blocks.keys():  # noqa: SIM118 - blocks, not a dictionary
+        if name != "shaft":
+            parts.add_bodies(scene.plotter, blocks[name], owner=f"{name} ")
+    points = np.asarray(shaft.points)
+    outside = max(bounds for block in blocks for bounds in np.abs(block.bounds[2:]))
+    labels = []
+    for support in case["support"]:
+        place = np.array([support["at_mm"], 1.15 * outside, 0.0])
+        labels.append(Label(place=place, text=support["bearing"], ball_diameter=outside))
+    forces = [np.array(load.get("force_N", (0.0,) * 3), dtype=float) for load in case["load"]]
+    most = max((float(np.linalg.norm(force)) for force in forces), default=0.0)
+    for k, (load, force) in enumerate(zip(case["load"], forces, strict=True)):
+        size = float(np.linalg.norm(force))
+        if size <= ROUND_OFF * most:
+            continue
+        near = np.abs(points[:, 0] - load["at_mm"]) <= 0.05 * outside
+        radius = float(np.hypot(*points[near, 1:].T).max()) if near.any() else 0.5 * outside
+        length = max(LONGEST * size / most, SHORTEST) * outside
+        direction = force / size
+        tail = np.array([load["at_mm"], 0.0, 0.0]) - (radius + length) * direction
+        arrow = pv.Arrow(start=tail, direction=direction, scale=length, **FORM)
+        scene.plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4, name=f"load {k}")
+        labels.append(Label(place=tail, text=f"{size:.4g} N", ball_diameter=outside))
+    scene.labels = tuple(labels)
+    scene.note = "shaft undeformed, displacement as colour"
+    camera = scene.plotter.camera
+    camera.focal_point = (0.0, 0.0, 0.0)
+    camera.position = (0.45, 0.45, 1.0)
+    camera.up = (0.0, 1.0, 0.0)
+    scene.up = np.array([0.0, 1.0, 0.0])
+    parts.fill_picture(scene.plotter, 1.05)
 
 
 def _add_contact(scene: Scene, data: xarray.Dataset) -> None:

@@ -250,12 +250,12 @@ def cage_surface(pitch: float, ball: float, balls: int) -> Surface:
     radius = np.full(2, 0.5 * pitch)
     turn = np.linspace(0.0, 2.0 * pi, 181)
     rim = np.array([-half_rim, half_rim])
-    parts = [_revolve(axial + rim, radius, turn) for axial in (-side, side)]
+    parts = [revolved(axial + rim, radius, turn) for axial in (-side, side)]
     half_bar = 0.5 * BAR_SHARE * (2.0 * pi / balls - 2.0 * np.arcsin(POCKET * ball / pitch))
     for k in range(balls):
         middle = 2.0 * pi * (k + 0.5) / balls
         bar = np.linspace(middle - half_bar, middle + half_bar, 5)
-        parts.append(_revolve(np.array([-side, side]), radius, bar))
+        parts.append(revolved(np.array([-side, side]), radius, bar))
     return merge(parts)
 
 
@@ -341,10 +341,10 @@ def ring_surface(
     axis = np.eye(3)[0]
     up = np.sign(r[0] - base[0]) * _radial(turn[0])
     parts = [
-        _facing(_revolve(x, r, turn), up),
-        _facing(_revolve(x, base, turn), -up),
-        _facing(_revolve(x[[0, 0]], np.array([base[0], r[0]]), turn), -axis),
-        _facing(_revolve(x[[-1, -1]], np.array([base[0], r[-1]]), turn), axis),
+        _facing(revolved(x, r, turn), up),
+        _facing(revolved(x, base, turn), -up),
+        _facing(revolved(x[[0, 0]], np.array([base[0], r[0]]), turn), -axis),
+        _facing(revolved(x[[-1, -1]], np.array([base[0], r[-1]]), turn), axis),
     ]
     if width > 0.0:
         parts.append(_facing(_cap(x, r, base, turn[0]), -_tangential(turn[0])))
@@ -433,7 +433,21 @@ def _facing(surface: Surface, outward: Array) -> Surface:
     return Surface(points=surface.points, quads=surface.quads[:, ::-1])
 
 
-def _revolve(x: Array, r: Array, turn: Array) -> Surface:
+def revolved(x: Array, r: Array, turn: Array) -> Surface:
+    """Surface of revolution of a line about the axis.
+
+    Parameters
+    ----------
+    x, r : Array
+        Points of the line along the axis and from it, shape (n,) [m].
+    turn : Array
+        Azimuths, shape (m,) [rad].
+
+    Returns
+    -------
+    Surface
+        The surface, its points azimuth by azimuth.
+    """
     axial = np.broadcast_to(x, (turn.size, x.size))
     points = np.stack([axial, np.outer(np.cos(turn), r), np.outer(np.sin(turn), r)], axis=-1)
     return Surface(points=points.reshape(-1, 3), quads=grid_quads(turn.size, x.size))

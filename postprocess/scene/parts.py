@@ -101,7 +101,7 @@ def add_field(
     return actor.mapper
 
 
-def add_bodies(plotter: Any, bodies: Any, outlined: Sequence[str] = ()) -> None:
+def add_bodies(plotter: Any, bodies: Any, outlined: Sequence[str] = (), owner: str = "") -> None:
     """Balls like smoked glass, cage, inner ring, and outer ring cut open, with their edges.
 
     Parameters
@@ -112,10 +112,12 @@ def add_bodies(plotter: Any, bodies: Any, outlined: Sequence[str] = ()) -> None:
         Meshes by name [mm].
     outlined : Sequence[str], default ()
         Races of rings that are drawn by their edges alone.
+    owner : str, default ""
+        Bearing of several, for the names of its bodies.
     """
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
     glass = {"opacity": 0.2, "specular": 0.5, "specular_power": 30}
-    plotter.add_mesh(balls, color=BALL_COLOUR, smooth_shading=True, name="balls", **glass)
+    plotter.add_mesh(balls, color=BALL_COLOUR, smooth_shading=True, name=f"{owner}balls", **glass)
     steel = {"specular": 0.2, "ambient": 0.35, "diffuse": 0.7}
     for race in ("inner", "outer"):
         ring = bodies[f"{race} ring"].clean()
@@ -123,11 +125,13 @@ def add_bodies(plotter: Any, bodies: Any, outlined: Sequence[str] = ()) -> None:
             solid = ring.compute_normals(
                 consistent_normals=False, split_vertices=True, feature_angle=40.0
             )
-            plotter.add_mesh(solid, color=RING, smooth_shading=True, name=f"{race} ring", **steel)
+            plotter.add_mesh(
+                solid, color=RING, smooth_shading=True, name=f"{owner}{race} ring", **steel
+            )
         edges = ring.extract_feature_edges(feature_angle=50.0)
         plotter.add_mesh(edges, color=EDGE, line_width=1.0)
     if "cage" in bodies.keys():  # noqa: SIM118 - blocks, not a dictionary
-        style: Any = {"opacity": 0.45, "ambient": 0.5, "name": "cage"}
+        style: Any = {"opacity": 0.45, "ambient": 0.5, "name": f"{owner}cage"}
         plotter.add_mesh(bodies["cage"], color=CAGE_COLOUR, **style)
 
 

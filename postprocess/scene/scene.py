@@ -231,9 +231,10 @@ def check_scene(directory: StrPath, options: SceneOptions | None = None) -> None
         If there is nothing to draw.
     """
     with open_results(directory) as tree:
-        require_contacts(directory, tree, "scene")
         kind = tree.attrs["kind"]
-    if kind == "bearing" and not (Path(directory) / COLLECTION_FILE).is_file():
+        if kind != "shaft":
+            require_contacts(directory, tree, "scene")
+    if kind in ("bearing", "shaft") and not (Path(directory) / COLLECTION_FILE).is_file():
         raise ValueError(f"{directory} holds no VTK files: {COLLECTION_FILE} is missing")
     if options and options.quantity == "displacement" and not ring_files(Path(directory)):
         raise ValueError(

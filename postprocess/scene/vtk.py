@@ -35,6 +35,7 @@ from ..bearing.results import BearingResults
 from ..contact.shown_part import principal_coordinates, resampled, shown_scales
 from ..contact.summary import ContactResults
 from ..files import contact_name, write_text
+from ..shaft.results import ShaftResults
 from . import geometry
 
 CELLS = 81  # each way
@@ -56,6 +57,7 @@ TEMPERATURE = "film temperature [degC]"
 FILLED = "filled share of the gap [-]"
 # level of zlib, 1 to 9; by the default of VTK, 5, a third slower, files 1 % smaller
 COMPRESSION_LEVEL = 1
+SHAFT_FACETS = 96
 OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
 DISPLACEMENT = "displacement [um]"
 DISTANCE = "displacement, size [um]"
@@ -178,6 +180,55 @@ def write_collection(
     }
     _write_azimuths(results, directory, blocks)
     return _write_collection(directory, COLLECTION_FILE, blocks)
+
+
+def write_shaft_collection(results: ShaftResults, directory: Path) -> Path:
+    """Write a shaft with its displacement, and its bearings at their places, as a VTK collection.
+
+    Parameters
+    ----------
+    results : ShaftResults
+        Results of a shaft.
+    directory : Path
+        Folder to write into.
+
+    Returns
+    -------
+    Path
+        The .pvd file.
+    """
+    blocks: Blocks = {"shaft": {"shaft": _write(_shaft_data(results), directory, "shaft.vtp")}}
+    supports = results.solution.system.supports
+    for k, (support, bearing) in enumerate(zip(supports, results.bearings, strict=True), 1):
+        if bearing is None:
+            continue
+        files = {}
+        for name, surface in bodies(bearing).items():
+            place = surface.points + support.position * np.eye(3)[0]
+            moved = geometry.Surface(points=place, quads=surface.quads)
+            file = f"bearing_{k}_{name.replace(' ', '_')}.vtp"
+            files[name] = _write(poly_data(moved), directory, file)
+        blocks[f"bearing {k}"] = files
+    return _write_collection(directory, COLLECTION_FILE, blocks)
+
+
+def _shaft_data(results: ShaftResults) -> vtkPolyData:
+    """Surface of a shaft, and how far its axis moves there."""
+    solution = results.solution
+    places = solution.positions
+    outside, inside = [], []
+    for section in solution.system.sections:
+        within = places[(places > section.start) & (places < section.end)]
+        x = np.concatenate([[section.start], within, [section.end]])
+        outside.append(np.stack([x, np.full(x.size, 0.5 * section.outside_diameter)]))
+        inside.append(np.stack([x, np.full(x.size, 0.5 * section.inside_diameter)]))
+    around = np.concatenate([*outside, *(line[:, ::-1] for line in inside[::-1])], axis=1)
+    x, r = np.concatenate([around, around[:, :1]], axis=1)
+    turn = np.linspace(0.0, 2.0 * np.pi, SHAFT_FACETS + 1)
+    data = poly_data(geometry.revolved(x, r, turn))
+    moved = np.stack([np.interp(x, places, u) for u in solution.displacement[:, :3].T], axis=1)
+    add_array(data, DISPLACEMENT, np.tile(moved / MICROMETRE, (turn.size, 1)))
+    return data
 
 
 def write_subsurface(results: BearingResults, directory: Path) -> Path | None:

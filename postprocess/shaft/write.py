@@ -15,6 +15,7 @@ from ..bearing.results import BearingResults
 from ..netcdf_write import StudyFiles, write_study
 from ..plot_style import titled_panels, write_figure
 from ..quantities import number, number_table, titled
+from ..scene.vtk import write_shaft_collection
 from .results import (
     AMPLITUDE,
     CRITICAL,
@@ -149,7 +150,7 @@ def draw_campbell(figure: Figure, results: ShaftResults) -> None:
 
 
 def write_shaft(results: ShaftResults, directory: Path) -> tuple[str, ...]:
-    """Write deflection, frequencies, data set, summary; pictures that failed are messages.
+    """Write deflection, frequencies, data set, scene, summary; pictures that failed are messages.
 
     Parameters
     ----------
@@ -169,7 +170,12 @@ def write_shaft(results: ShaftResults, directory: Path) -> tuple[str, ...]:
         tables=shaft_columns(results),
         variables=shaft_variables(results),
     )
-    return write_study(files, directory, lambda: write_shaft_plots(results, directory))
+
+    def draw() -> None:
+        write_shaft_plots(results, directory)
+        write_shaft_collection(results, directory)
+
+    return write_study(files, directory, draw)
 
 
 def shaft_table(results: ShaftResults) -> Group:

@@ -6,7 +6,9 @@ import json
 
 import numpy as np
 import pytest
+import pyvista as pv
 
+import oilfilm
 from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.shaft.equilibrium import solve_shaft
 from oilfilm.cases.batch.sweep import sweep_from_text
@@ -18,6 +20,8 @@ from oilfilm.cases.format.shipped import shipped_cases
 from oilfilm.cases.runs.heating import self_heated
 from oilfilm.cases.runs.shaft import balance_of_heat, run_shaft
 from oilfilm.postprocess.batch.results import main_results, result_names, scalar_numbers
+from oilfilm.postprocess.report.page import report_page
+from oilfilm.postprocess.scene.scene import check_scene
 from oilfilm.postprocess.shaft.results import shaft_summary
 from oilfilm.postprocess.shaft.write import write_shaft
 
@@ -50,7 +54,20 @@ def test_each_bearing_has_the_loads_that_the_shaft_puts_on_it(results):
 def test_files_and_pictures_are_written(results, tmp_path):
     assert write_shaft(results, tmp_path) == ()
     names = {path.name for path in tmp_path.iterdir()}
-    assert names == {"summary.json", "shaft.csv", "campbell.csv", "results.nc", "shaft.png", "campbell.png"}
+    tables = {"summary.json", "shaft.csv", "campbell.csv", "results.nc", "shaft.png", "campbell.png"}
+    assert names == tables | {"fields.pvd", "vtk"}
+    with oilfilm.open_results(tmp_path) as tree:
+        assert tree.attrs["kind"] == "shaft"
+    # the scene: the shaft with its displacement, each bearing at its place
+    shaft = pv.read(tmp_path / "vtk" / "shaft.vtp")
+    assert shaft.bounds == pytest.approx((0.0, 280.0, -22.0, 22.0, -22.0, 22.0), abs=1e-3)
+    largest = abs(results.solution.displacement[:, 1]).max() * 1e6
+    assert abs(shaft["displacement [um]"][:, 1]).max() == pytest.approx(largest, rel=1e-5)
+    for number, place in ((1, 60.0), (2, 268.0)):
+        ring = pv.read(tmp_path / "vtk" / f"bearing_{number}_inner_ring.vtp")
+        assert ring.center[0] == pytest.approx(place, abs=0.2)
+    check_scene(tmp_path)
+    assert "6207 CN" in report_page(tmp_path)
 
 
 @pytest.mark.parametrize(
