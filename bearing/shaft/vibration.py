@@ -13,6 +13,7 @@ from math import cos, sin
 
 import numpy as np
 import scipy
+from threadpoolctl import threadpool_limits
 
 from oilfilm.ehl.arrays import Array
 
@@ -22,6 +23,8 @@ from .equilibrium import ShaftSolution, ring_part
 ELEMENTS = (
     40  # at least along the shaft: its mass, and with it the frequencies, converge with them
 )
+# of matrices this small threads take thirty times as long as one, on a machine that is in use
+one_thread = threadpool_limits.wrap(limits=1, user_api="blas")
 MODES = 60  # at rest, of which those of the turning shaft are made [-]
 NOT_HELD = (
     "the bearings do not hold the shaft in every direction (a light load in the play of a "
@@ -87,6 +90,7 @@ def vibration(
     return Vibration(beam=beam, stiffness=stiffness, damping=resisting, across=across, free=free)
 
 
+@one_thread
 def critical_speeds(matrices: Vibration, highest: float) -> Array:
     """Speeds at which a rotating unbalance meets a natural frequency.
 
@@ -146,6 +150,7 @@ def _lateral(vector: Array, free: Array) -> bool:
     return bool(size[(freedom == 1) | (freedom == 2)].max() > along)
 
 
+@one_thread
 def whirl_frequencies(
     matrices: Vibration, speeds: Sequence[float], count: int
 ) -> tuple[Array, Array]:
@@ -201,6 +206,7 @@ def whirl_frequencies(
     return np.array(rows), np.array(ratios)
 
 
+@one_thread
 def unbalance_response(matrices: Vibration, solution: ShaftSolution, speed: float) -> Array:
     """Amplitudes of the nodes under the unbalances of the loads.
 

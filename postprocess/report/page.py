@@ -105,6 +105,8 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
     """Anchor, title and content of every part of a single case's page."""
     if simulations.is_simulation(summary):
         yield "dynamics", "Time simulation", simulations.dynamics_section(summary, folder)
+    elif "supports" in summary:
+        yield "shaft", "Shaft", simulations.shaft_section(summary, folder)
     else:
         yield from bearing.sections(summary, folder)
     yield "vibration", "Vibration", vibration_section(summary, folder)
@@ -130,6 +132,8 @@ def further_results(summary: dict[str, Any]) -> str:
     """
     is_simulation = simulations.is_simulation(summary)
     placed = bearing.PLACED | (simulations.PLACED if is_simulation else frozenset())
+    if "supports" in summary:
+        placed |= simulations.SHAFT_PLACED
     blocks = {
         key: value
         for key, value in summary.items()

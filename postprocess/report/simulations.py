@@ -1,4 +1,4 @@
-"""Parts of the page on a time simulation and on vibration."""
+"""Parts of the page on a time simulation, on vibration, and on a shaft."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -8,6 +8,7 @@ from markupsafe import Markup
 
 from oilfilm.ehl.units import unit_symbol
 
+from ..batch.results import main_results
 from ..dynamics.results import BALLS, RACES, RUN, SPEEDS, STARTS, STATES
 from ..quantities import FREQUENCIES, Quantity, by_key
 from . import html
@@ -40,6 +41,13 @@ VIBRATION_PICTURES = {
     "time": "Acceleration, velocity and displacement over the last turns",
     "ball_loads": "Loads of the balls",
 }
+SHAFT_PICTURES = {
+    "shaft": "Shaft with its bearings and loads, and its deflection",
+    "campbell": "Natural frequencies over the speed",
+}
+SHAFT_PLACED = frozenset(
+    "shaft supports bearings springs system critical_speeds_rpm campbell heat".split()
+)
 LINES = (
     "source name order_number direction frequency_Hz displacement_um velocity_um_s "
     "acceleration_m_s2"
@@ -75,6 +83,8 @@ def pictures(summary: dict[str, Any]) -> set[str]:
     set[str]
         Names of PNG files.
     """
+    if "supports" in summary:
+        return {f"{name}.png" for name in SHAFT_PICTURES}
     return {f"{name}.png" for name in PICTURES} if is_simulation(summary) else set()
 
 
@@ -222,3 +232,45 @@ def _bands(result: dict[str, Any]) -> html.Table | None:
     ]
     head = [("band", ""), ("from", "Hz"), ("to", "Hz"), ("velocity", "µm/s"), ("anderon", "")]
     return html.Table(head, rows) if rows else None
+
+
+def shaft_section(summary: dict[str, Any], folder: Path) -> str:
+    """Bearings of a shaft, the system, heat between bearings, pictures.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    str
+        Markup; empty of other results.
+    """
+    if "supports" not in summary:
+        return ""
+    head = [("bearing", ""), ("x", "mm"), ("F_x", "N"), ("F_y", "N"), ("F_z", "N")]
+    head += [("growth", "µm"), ("least film", "µm"), ("torque", "N mm"), ("film at", "°C")]
+    films = (summary.get("heat") or {}).get("film_C") or []
+    rows = []
+    for k, (support, bearing) in enumerate(
+        zip(summary["supports"], summary["bearings"], strict=True)
+    ):
+        main = main_results(bearing)
+        numbers = [support["x_mm"], *support["force_N"], support.get("growth_um")]
+        numbers += [main.get("film_minimum_um"), main.get("torque_N_mm")]
+        numbers.append(films[k] if k < len(films) else None)
+        cells = [html.NOTHING if n is None else html.number(n, 4) for n in numbers]
+        rows.append(("", [support["bearing"], *cells]))
+    critical = (summary.get("critical_speeds_rpm") or [None])[0]
+    facts = [html.facts("System", summary["system"] | {"critical_speed_rpm": critical})]
+    for path in (summary.get("heat") or {}).get("paths", ()):
+        pair = " to ".join(str(k) for k in path["bearings"])
+        shown = {key: path[key] for key in ("heat_W", "conductance_W_K")}
+        facts.append(html.facts(f"Heat along the {path['path']}, bearing {pair}", shown))
+    pictures = [html.picture(folder / f"{n}.png", text) for n, text in SHAFT_PICTURES.items()]
+    table = html.render("pieces", "table", html.Table(head, rows, (0,)))
+    parts = (table, html.side_by_side(*facts), html.side_by_side(*pictures, kind="gallery"))
+    return Markup("").join(parts)

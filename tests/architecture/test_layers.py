@@ -12,7 +12,7 @@ from .sources import FILES, LAYERS, at, layer, nodes, nothing, tree
 HOMES = {
     "numba": ("*_kernels.py", "ehl/compiled.py"),
     "lazy_loader": ("__init__.py",),
-    "threadpoolctl": ("bearing/dynamics/simulation.py",),
+    "threadpoolctl": ("bearing/dynamics/simulation.py", "bearing/shaft/vibration.py"),
     "skfem": ("ehl/finite_element/*.py", "ehl/solid/*.py", "ehl/solid/bodies/*.py"),
     "CoolProp": ("bearing/library/media.py",),
     "pyamg": ("ehl/solid/bodies/elasticity.py",),

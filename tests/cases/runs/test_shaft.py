@@ -67,7 +67,9 @@ def test_files_and_pictures_are_written(results, tmp_path):
         ring = pv.read(tmp_path / "vtk" / f"bearing_{number}_inner_ring.vtp")
         assert ring.center[0] == pytest.approx(place, abs=0.2)
     check_scene(tmp_path)
-    assert "6207 CN" in report_page(tmp_path)
+    page = report_page(tmp_path)
+    assert "6207 CN" in page
+    assert "Natural frequencies over the speed" in page
 
 
 @pytest.mark.parametrize(
