@@ -78,6 +78,22 @@ def test_shafts_with_ball_bearings_have_an_equilibrium(found, number, tmp_path):
     assert solution.converged, solution.message
 
 
+def test_the_output_shaft_has_the_reactions_of_the_hand_calculation(found, tmp_path):
+    """500 N m at the pitch circle of 87 teeth; the 6207 by the lever about the 6308 (docs/user/shaft.md)."""
+    path = tmp_path / "shaft.toml"
+    path.write_text(shaft_text(found, 4), encoding="utf-8")
+    solution = solve_shaft(load_shaft(path).system)
+    tangential = 500.0 / (0.077 * 87 / 101)
+    axial = tangential * np.tan(np.radians(10.0))
+    across = tangential * np.hypot(1.0, np.tan(np.radians(20.0)) / np.cos(np.radians(10.0)))
+    reaction = solution.reactions
+    assert reaction[:, 0] == pytest.approx([0.0, -axial], abs=1e-3)
+    assert np.hypot(*reaction[:, 1:3].sum(axis=0)) == pytest.approx(across, rel=3e-3)  # and 20 N of weight
+    load = solution.system.loads[0]
+    moments = load.moment[1] - reaction[1, 3] - reaction[0, 3]
+    assert reaction[0, 2] == pytest.approx((load.force[2] * (0.1195 - 0.0443) + moments) / 0.1027, rel=1e-6)
+
+
 def test_a_bearing_has_the_load_that_its_shaft_puts_on_it(found):
     text = bearing_text(found, 3)
     assert 'name = "6202"' in text

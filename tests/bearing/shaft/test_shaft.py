@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import scipy
 from numpy.testing import assert_allclose
 
 import oilfilm
@@ -11,7 +12,7 @@ from oilfilm.bearing import Operation, load_bearing, load_material, solve_quasis
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.films.unsolved_films import film_lag
 from oilfilm.bearing.shaft.beam import FREEDOMS, Section, stepped_beam
-from oilfilm.bearing.shaft.equilibrium import solve_shaft
+from oilfilm.bearing.shaft.equilibrium import ring_part, solve_shaft
 from oilfilm.bearing.shaft.system import AxialLocation, PointLoad, ShaftSystem, Support
 from oilfilm.bearing.shaft.vibration import Vibration, critical_speeds, unbalance_response, vibration, whirl_frequencies
 from oilfilm.bearing.studies.preload import Arrangement, duplex, preloaded_row
@@ -137,9 +138,10 @@ def test_two_supports_of_a_rigid_shaft_are_a_pair_of_rows():
     assert_allclose(rows, pair.inner_load, rtol=1e-5)
 
 
-def test_growth_of_the_shaft_frees_a_pair_back_to_back():
+@pytest.mark.parametrize("growth", [4.0e-6, -4.0e-6])
+def test_growth_of_the_shaft_frees_a_pair_back_to_back_and_shrinking_loads_it(growth):
     """Longer by g between the rows: each row of a rigid pair is displaced g/2 less."""
-    growth, preload = 4.0e-6, 400.0
+    preload = 400.0
     senses = ((0.11, 1, 0.0), (0.19, -1, growth))
     supports = tuple(
         Support(position=x, bearing=ANGULAR, rows=(preloaded_row(ANGULAR, 0.0, sense, preload),), growth=g)
@@ -151,7 +153,7 @@ def test_growth_of_the_shaft_frees_a_pair_back_to_back():
     alone = solve_quasistatic(ANGULAR, at, rows=(row,))
     assert solution.converged, solution.message
     assert_allclose(solution.bearings[0].ring_force[0], alone.ring_force[0], rtol=1e-6)
-    assert alone.ring_force[0] < preload
+    assert (alone.ring_force[0] < preload) == (growth > 0.0)
 
 
 def test_a_floating_bearing_takes_no_axial_force():
@@ -269,3 +271,14 @@ def test_damping_of_whirl_and_of_unbalance_are_those_of_a_rotor_on_springs():
     critical = critical_speeds(matrices, 1e4)[0]
     amplitude = abs(unbalance_response(matrices, solution, critical)[:, 1]).max()
     assert_allclose(amplitude, 1e-5 * critical / 4000.0, rtol=0.1)
+
+
+def test_stiffness_condensed_through_bearings_and_housing_is_symmetric():
+    """K_b (K_b + K_housing)^-1 K_housing of floating and fixed bearings; tangents of a tilted ring are so to 1e-6."""
+    housing = np.kron([[2.0, 0.5], [0.5, 1.0]], np.diag([2e8, 1e8, 1e8, 1e5, 1e5]))
+    loads = (PointLoad(position=0.1, force=(400.0, 2000.0, 300.0)),)
+    solution = solve_shaft(replace(on_two(loads, housing=housing), speed=0.0))
+    bearings = scipy.linalg.block_diag(*(state.stiffness for state in solution.bearings))
+    free = bearings @ scipy.linalg.block_diag(*(ring_part(state) for state in solution.bearings))
+    series = free @ np.linalg.solve(free + housing, housing)
+    assert_allclose(series, series.T, atol=1e-5 * abs(series).max())
