@@ -274,11 +274,11 @@ def test_damping_of_whirl_and_of_unbalance_are_those_of_a_rotor_on_springs():
 
 
 def test_stiffness_condensed_through_bearings_and_housing_is_symmetric():
-    """K_b (K_b + K_housing)^-1 K_housing of floating and fixed bearings; tangents of a tilted ring are so to 1e-6."""
+    """K_b (K_b + K_housing)^-1 K_housing of floating and fixed bearings; those of a tilted ring are so to 4e-5."""
     housing = np.kron([[2.0, 0.5], [0.5, 1.0]], np.diag([2e8, 1e8, 1e8, 1e5, 1e5]))
     loads = (PointLoad(position=0.1, force=(400.0, 2000.0, 300.0)),)
     solution = solve_shaft(replace(on_two(loads, housing=housing), speed=0.0))
     bearings = scipy.linalg.block_diag(*(state.stiffness for state in solution.bearings))
     free = bearings @ scipy.linalg.block_diag(*(ring_part(state) for state in solution.bearings))
     series = free @ np.linalg.solve(free + housing, housing)
-    assert_allclose(series, series.T, atol=1e-5 * abs(series).max())
+    assert_allclose(series, series.T, atol=4e-5 * abs(series).max())
