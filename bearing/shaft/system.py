@@ -88,7 +88,9 @@ class ShaftSystem:
     @property
     def stations(self) -> list[float]:
         """Places of bearings, springs and loads [m]."""
-        return [part.position for part in (*self.supports, *self.springs, *self.loads)]
+        springs = [spring.position for spring in self.springs]
+        loads = [load.position for load in self.loads]
+        return [*(support.position for support in self.supports), *springs, *loads]
 
     def beam(self, longest: float | None = None) -> Beam:
         """Beam of the shaft with its springs and the masses of its loads.

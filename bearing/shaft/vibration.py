@@ -23,7 +23,7 @@ from .equilibrium import ShaftSolution, ring_part
 ELEMENTS = (
     40  # at least along the shaft: its mass, and with it the frequencies, converge with them
 )
-# of matrices this small threads take thirty times as long as one, on a machine that is in use
+# threads take thirty times as long as one on matrices this small, on a machine that is in use
 one_thread = threadpool_limits.wrap(limits=1, user_api="blas")
 MODES = 60  # at rest, of which those of the turning shaft are made [-]
 NOT_HELD = (

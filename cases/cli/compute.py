@@ -253,10 +253,11 @@ def shaft(
 
     with terminal.progress_bar(quiet=quiet) as progress:
         results = interruptible(partial(run_shaft, loaded, progress))
+    from oilfilm.postprocess.scene.vtk import write_shaft_collection
     from oilfilm.postprocess.shaft.results import shaft_summary
     from oilfilm.postprocess.shaft.write import shaft_table, write_shaft
 
-    save_with(lambda folder: write_shaft(results, folder), directory)
+    save_with(lambda folder: write_shaft(results, folder, write_shaft_collection), directory)
     document = shaft_summary(results)
     return report(document, lambda: shaft_table(results), directory, as_json, quiet, notes)
 

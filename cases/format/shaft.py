@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
+from oilfilm.bearing.material import list_materials
 from oilfilm.bearing.shaft.system import AxialLocation
 
 from .fields import (
@@ -19,7 +20,7 @@ from .fields import (
     within,
 )
 from .operation import SELF_HEATED
-from .rules import CaseProblem, CaseValues, Relation, shown
+from .rules import CaseProblem, CaseValues, Relation, nearest_name, shown
 
 RELATIONS: tuple[Relation, ...] = ()
 # tables of a bearing case that all bearings of a shaft have in common
@@ -141,8 +142,16 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
     ends = [end for s in pieces if is_number(end := s.get("to_mm"))]
     if not ends or len(ends) < len(pieces):
         return
+    own = values.document.get("materials")
+    materials = (*(own if isinstance(own, dict) else ()), *list_materials())
     for index, (before, end) in enumerate(zip([0.0, *ends[:-1]], ends, strict=True)):
         table = pieces[index]
+        material = table.get("material")
+        if isinstance(material, str) and material not in materials:
+            near = nearest_name(material, materials)
+            allowed = "" if near else f"allowed: {', '.join(materials)}"
+            path = ("shaft", "section", index, "material")
+            yield CaseProblem(path, f"unknown name {shown(material)}", allowed, nearest=near)
         if end <= before:
             path = ("shaft", "section", index, "to_mm")
             yield CaseProblem(path, f"found {shown(end)}", f"allowed: more than {before:g} mm")

@@ -1,5 +1,6 @@
 """Files, pictures and table of a shaft on bearings."""
 
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -15,7 +16,6 @@ from ..bearing.results import BearingResults
 from ..netcdf_write import StudyFiles, write_study
 from ..plot_style import titled_panels, write_figure
 from ..quantities import number, number_table, titled
-from ..scene.vtk import write_shaft_collection
 from .results import (
     AMPLITUDE,
     CRITICAL,
@@ -149,7 +149,11 @@ def draw_campbell(figure: Figure, results: ShaftResults) -> None:
     axes.legend()
 
 
-def write_shaft(results: ShaftResults, directory: Path) -> tuple[str, ...]:
+def write_shaft(
+    results: ShaftResults,
+    directory: Path,
+    write_scene: Callable[[ShaftResults, Path], object] | None = None,
+) -> tuple[str, ...]:
     """Write deflection, frequencies, data set, scene, summary; pictures that failed are messages.
 
     Parameters
@@ -158,6 +162,8 @@ def write_shaft(results: ShaftResults, directory: Path) -> tuple[str, ...]:
         Results of the shaft.
     directory : Path
         Folder to write into.
+    write_scene : callable, optional
+        Writes the files of a scene, as `scene.vtk.write_shaft_collection`.
 
     Returns
     -------
@@ -173,7 +179,8 @@ def write_shaft(results: ShaftResults, directory: Path) -> tuple[str, ...]:
 
     def draw() -> None:
         write_shaft_plots(results, directory)
-        write_shaft_collection(results, directory)
+        if write_scene is not None:
+            write_scene(results, directory)
 
     return write_study(files, directory, draw)
 

@@ -22,6 +22,7 @@ from oilfilm.cases.runs.shaft import balance_of_heat, run_shaft
 from oilfilm.postprocess.batch.results import main_results, result_names, scalar_numbers
 from oilfilm.postprocess.report.page import report_page
 from oilfilm.postprocess.scene.scene import check_scene
+from oilfilm.postprocess.scene.vtk import write_shaft_collection
 from oilfilm.postprocess.shaft.results import shaft_summary
 from oilfilm.postprocess.shaft.write import write_shaft
 
@@ -52,7 +53,7 @@ def test_each_bearing_has_the_loads_that_the_shaft_puts_on_it(results):
 
 
 def test_files_and_pictures_are_written(results, tmp_path):
-    assert write_shaft(results, tmp_path) == ()
+    assert write_shaft(results, tmp_path, write_shaft_collection) == ()
     names = {path.name for path in tmp_path.iterdir()}
     tables = {"summary.json", "shaft.csv", "campbell.csv", "results.nc", "shaft.png", "campbell.png"}
     assert names == tables | {"fields.pvd", "vtk"}
@@ -80,6 +81,7 @@ def test_files_and_pictures_are_written(results, tmp_path):
         ('fixed = "both"', 'fixed = "none"', "no support holds the shaft along x"),
         ('"6207 CN"', '"6297 CN"', "support.0.bearing: unknown bearing"),
         ("force_N", "forces_N", "did you mean 'force_N'?"),
+        ("outside_mm = 44.0", 'outside_mm = 44.0\nmaterial = "bearing stel"', "did you mean 'bearing steel'?"),
         ('fixed = "both"', "preload_N = 100.0", "support.0.loaded_by: missing"),
     ],
 )
