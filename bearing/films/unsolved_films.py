@@ -228,7 +228,9 @@ def _numbers(
         for n, (_, way) in zip(outside, nearest, strict=True)
     }
     return [
-        beyond[n] if n in beyond else _of_atlas(films, *contact)
+        beyond[n]
+        if isinstance(films, NotInAtlasError) or n in beyond
+        else _of_atlas(films, *contact)
         for n, (contact, films) in enumerate(zip(contacts, known, strict=True))
     ]
 

@@ -387,7 +387,7 @@ def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Itera
     """
     for variation in variations[:1] + variations[-1:]:
         for setting in variation.settings:
-            table, *_, key = case_path(setting.key)
+            table, *_, key = map(str, case_path(setting.key))
             own = base.get(table)
             if key != "name" or not isinstance(own, dict):
                 continue

@@ -115,7 +115,8 @@ def changed_document(
         node: Any = document
         *tables, key = path = case_path(name)
         for table, following in zip(tables, path[1:], strict=True):
-            inner = node[table] if isinstance(node, list) else node.get(table)
+            entry: Any = table  # a number of a list
+            inner = node[entry] if isinstance(node, list) else node.get(table)
             if isinstance(following, int):
                 inner = list(inner) if isinstance(inner, list | tuple) else []
                 if following >= len(inner):

@@ -278,8 +278,8 @@ def with_dry_friction(
         boundary = table.boundary_coefficient if given else surface.friction.value
         return table.model_copy(update={"boundary_coefficient": boundary}), surface
     mu = surface.friction[0] if table.coefficient is None else table.coefficient
-    given = {"traction": table.traction or "coulomb", "coefficient": mu}
-    return table.model_copy(update=given), surface
+    update = {"traction": table.traction or "coulomb", "coefficient": mu}
+    return table.model_copy(update=update), surface
 
 
 def made_by(name: str) -> str:

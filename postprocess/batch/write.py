@@ -244,7 +244,9 @@ def _records(results: BatchResults, folder: Path) -> Variables:
         "record.defects": [_defects(point.case) for point in results.points],
         "record.strongest_line": [_strongest(point.summary or {}) for point in results.points],
     }
-    texts = {name: (("point",), np.array(w, dtype=object), {}) for name, w in words.items()}
+    texts: Variables = {
+        name: (("point",), np.array(w, dtype=object), {}) for name, w in words.items()
+    }
     return texts | {
         "record.sample_rate_Hz": (("point",), rate, {"units": "Hz"}),
         "record.acceleration_m_s2": (("point", "sample"), whole, {"units": "m/s2"}),

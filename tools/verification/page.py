@@ -133,8 +133,8 @@ def statements(checks: Sequence[Check]) -> Iterator[tuple[str, ...]]:
         kinds.setdefault(kind, []).append(check)
     for found in kinds.values():
         check = min(found, key=lambda one: one.room)
-        kind, _, place = check.name.partition(", ")
-        name = check.name if len(found) == 1 else f"{kind} ({len(found)}), {place}"
+        first, _, place = check.name.partition(", ")
+        name = check.name if len(found) == 1 else f"{first} ({len(found)}), {place}"
         number = f"{check.value:.4g}"
         yield name, number if check.passed else f"**{number}**", check.bounds
 
