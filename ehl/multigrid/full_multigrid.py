@@ -428,9 +428,11 @@ class Attempt:
 
 
 def _has_long_spike(contact: ScaledContact) -> bool:
-    """Tell whether the pressure has a spike in an ellipse whose longer axis lies along X."""
+    """Tell whether the pressure has a spike in an ellipse whose longer axis lies along X, in
+    entrainment that does not turn: a thick film that turns (M 9) came to rest on the usual mesh.
+    """
     long = contact.half_extent_x > SPIKE[1] * contact.half_extent_y
-    return long and contact.moes_lubricant > SPIKE[0]
+    return long and contact.moes_lubricant > SPIKE[0] and contact.turning == 0.0
 
 
 @dataclass(slots=True, kw_only=True)
