@@ -81,7 +81,8 @@ class Mixture:
 
     def spin_drag(self, surface: Array) -> Array:
         """Moment over the radius that resists each ball's rotation, s X C_M rho r^4 w^2/2, C_M =
-        6.45/sqrt(Re) + 32.1/Re (Dennis, Singh and Ingham, 1980), Re = rho r^2 w/eta.
+        6.45/sqrt(Re) + 32.1/Re (Dennis, Singh and Ingham, 1980), Re = rho r^2 w/eta; that of
+        creeping flow, 16 pi/Re, where it is more, below Re = 8.
 
         Parameters
         ----------
@@ -96,7 +97,7 @@ class Mixture:
         creep = self.viscosity / (self.density * self.ball_radius)  # r w/Re [m/s]
         size = np.linalg.norm(surface, axis=1)[:, None]
         pressure = 0.5 * self.density * self.ball_radius**2
-        moment = 6.45 * np.sqrt(creep * size) + 32.1 * creep
+        moment = np.maximum(6.45 * np.sqrt(creep * size) + 32.1 * creep, 16.0 * np.pi * creep)
         return SHIELDING * self.oil_share * pressure * moment * surface
 
 

@@ -229,13 +229,18 @@ def test_drag_of_a_ball_in_oil_has_its_limits():
     )
 
 
-@pytest.mark.parametrize("reynolds", [0.01, 1.0, 1e4])
+@pytest.mark.parametrize("reynolds", [0.01, 1.0, 7.8, 8.0, 1e4])
 def test_a_ball_that_spins_in_oil(reynolds):
-    """C_M = 6.45/sqrt(Re) + 32.1/Re on rho r^5 w^2/2 (Dennis, Singh and Ingham, 1980), about each axis."""
+    """C_M = 6.45/sqrt(Re) + 32.1/Re on rho r^5 w^2/2 (Dennis, Singh and Ingham, 1980), about each axis; Stokes' 8 pi eta
+    r^3 w where that is more.
+    """
     radius, density, viscosity, share = 0.006, 870.0, 0.02, 0.3
     speed = reynolds * viscosity / (density * radius**2)
     surface = radius * speed * np.array([[1.0, 0.0, 0.0], [0.0, -0.6, 0.8]])
     mixture = Mixture(oil_share=share, density=density, viscosity=viscosity, ball_radius=radius)
     moment = 0.5 * density * radius**5 * speed**2 * (6.45 / reynolds**0.5 + 32.1 / reynolds)
+    stokes = 8.0 * pi * viscosity * radius**3 * speed
+    assert (stokes > moment) == (reynolds < 7.9)
+    moment = max(moment, stokes)
     found = radius * mixture.spin_drag(surface)
     assert_allclose(found, SHIELDING * share * moment * surface / (radius * speed), rtol=1e-12)
