@@ -240,7 +240,8 @@ def housing_stiffness(table: HousingTable, seats: int) -> Array | None:
     if all(value is None for value in values):
         return None
     axial, radial, tilting = (RIGID if value is None else value for value in values)
-    return np.kron(np.eye(seats), np.diag([axial, radial, radial, tilting, tilting]))
+    spring = np.diag([axial, radial, radial, tilting, tilting])
+    return np.asarray(np.kron(np.eye(seats), spring), dtype=np.float64)
 
 
 def _matrix_of_file(file: str, unit: float, seats: int) -> Array:
@@ -254,7 +255,7 @@ def _matrix_of_file(file: str, unit: float, seats: int) -> Array:
         finding = f"{file}: {matrix.shape[0]} rows of {matrix.shape[1]} numbers"
         raise InvalidKeyError(key, finding, needed)
     if matrix.shape[0] == 6:
-        matrix = np.kron(np.eye(seats), matrix)
+        matrix = np.asarray(np.kron(np.eye(seats), matrix), dtype=np.float64)
     lengths = np.tile([1.0 / unit] * 3 + [1.0] * 3, seats)
     matrix = matrix * np.outer(lengths, lengths) * unit
     root = np.sqrt(np.abs(np.diag(matrix)))

@@ -210,9 +210,9 @@ def shaft_table(results: ShaftResults) -> Group:
     lines = []
     system = results.solution.system
     for spring, load in zip(system.springs, results.solution.spring_loads, strict=True):
-        force = ", ".join(f"{from_si('force_N', float(f)):.0f}" for f in load[:3])
+        carried = ", ".join(f"{from_si('force_N', float(f)):.0f}" for f in load[:3])
         place = number(POSITION.in_unit(spring.position))
-        lines.append(Text(f"spring {spring.name} at {place} mm: {force} N", style="dim"))
+        lines.append(Text(f"spring {spring.name} at {place} mm: {carried} N", style="dim"))
     moving = results.vibration
     if moving is not None and moving.critical.size:
         speeds = ", ".join(f"{speed:.0f}" for speed in CRITICAL.in_unit(moving.critical))

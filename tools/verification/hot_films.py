@@ -18,6 +18,7 @@ import warnings
 from dataclasses import replace
 from datetime import date
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -25,13 +26,15 @@ if not __package__:  # run as a script
     sys.path[0] = str(Path(__file__).resolve().parents[1])
 
 from oilfilm.bearing import contact_conditions, solve_quasistatic
+from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.films.operating_film import contact_films
 from oilfilm.bearing.library.bearings import list_bearings
-from oilfilm.cases.format.case import case_from_text
+from oilfilm.cases.format.case import Case, case_from_text
 from oilfilm.ehl import SolverOptions, solve_contact
 from oilfilm.ehl.closed_form.film import thermal_loading
-from oilfilm.ehl.conditions import moes_groups
+from oilfilm.ehl.conditions import ContactConditions, moes_groups
 from oilfilm.ehl.oil.rheology import Rheology
+from oilfilm.ehl.solution import ContactSolution
 from verification.page import Check, Section, Table, columns, text
 from verification.robustness_page import interval
 from verification.sections import HOT_PAGE, check_page, write_page
@@ -58,7 +61,7 @@ film_model = "thermal"
 """
 
 
-def drawn(number: int, seed: int):
+def drawn(number: int, seed: int) -> tuple[BearingContact, Case, str] | None:
     """One loaded contact, the case that solves it and a line of text; None where there is none in the range."""
     rng = random.Random(seed * 1_000_003 + number)
     values = {
@@ -68,12 +71,12 @@ def drawn(number: int, seed: int):
         "temperature": round(rng.uniform(10.0, 110.0), 1),
     }
     still = {"speed": 1.0, "radial": 1.0, "axial": 1.0}
-    size = case_from_text(CASE.format(**values, **still), "contact").bearing
+    size = bearing_case(CASE.format(**values, **still)).bearing
     load = 10 ** rng.uniform(-1.0, 1.0) * size.balls * (1e3 * size.ball_diameter) ** 2
     share = rng.uniform(0.3, 1.0) if size.angular_contact or rng.random() < 0.4 else 0.0
     values["speed"] = 10 ** rng.uniform(4.5, 6.0) / (1e3 * size.pitch_diameter)
     values |= {"radial": load * (1.0 - share), "axial": load * share}
-    case = case_from_text(CASE.format(**values), "contact")
+    case = bearing_case(CASE.format(**values))
     try:
         state = solve_quasistatic(case.bearing, case.operation, case.model)
     except ValueError:
@@ -82,6 +85,7 @@ def drawn(number: int, seed: int):
     if not loaded:
         return None
     contact = rng.choice(loaded)
+    assert contact.conditions is not None
     inside = LOADING[0] < thermal_loading(contact.conditions) < LOADING[1]
     if not inside or moes_groups(contact.conditions)[0] < LIGHT[0]:
         return None
@@ -89,11 +93,19 @@ def drawn(number: int, seed: int):
     return contact, case, f"{values['name']} {contact.race.value}, {values['balls']} balls, {oil}"
 
 
-def solved(contact, case, words: str) -> dict:
+def bearing_case(content: str) -> Case:
+    """The bearing of a case's text."""
+    case = case_from_text(content, "contact")
+    assert isinstance(case, Case)
+    return case
+
+
+def solved(contact: BearingContact, case: Case, words: str) -> dict[str, Any]:
     """Films of one contact without heat and with it, and of a Newtonian oil that rolls; times, values of the law."""
     conditions = contact.conditions
+    assert conditions is not None
     load, lubricant = moes_groups(conditions)
-    line = {"text": words, "M": load, "L": lubricant, "L_T": thermal_loading(conditions)}
+    line: dict[str, Any] = {"text": words, "M": load, "L": lubricant, "L_T": thermal_loading(conditions)}
     case.films.solve(conditions, SolverOptions(points=65))  # compiles what the clock is not to count
     solves = {"cold": solve_contact, "hot": case.films.solve}
     for points in POINTS:
@@ -102,26 +114,29 @@ def solved(contact, case, words: str) -> dict:
             found = solve(conditions, SolverOptions(points=points))
             line[f"{name} {points}"] = numbers(found) | {"seconds": time.thread_time() - start}
             if name == "cold" and points == POINTS[0]:
-                heat = contact_films([contact], [found])[0].heat
+                (film,) = contact_films([contact], [found])
+                assert film is not None
+                heat = film.heat
                 line["law"] = [(one.value, one.law) for one in (heat.central, heat.minimum)]
     return line | {"rolling 257": numbers(rolling(conditions, case))}
 
 
-def rolling(conditions, case):
+def rolling(conditions: ContactConditions, case: Case) -> ContactSolution:
     """Film of a Newtonian oil with heat, without sliding and spin: what the law is of."""
-    still = {"slide_roll_ratio": 0.0, "lateral_slide_ratio": 0.0, "spin": 0.0, "mean_spin": conditions.rotation}
+    turning = conditions.rotation
+    still = replace(conditions, slide_roll_ratio=0.0, lateral_slide_ratio=0.0, spin=0.0, mean_spin=turning)
     newtonian = replace(case.films, rheology=Rheology())
-    return newtonian.solve(replace(conditions, **still), SolverOptions(points=POINTS[0]))
+    return newtonian.solve(still, SolverOptions(points=POINTS[0]))
 
 
-def numbers(found) -> dict:
+def numbers(found: ContactSolution) -> dict[str, Any]:
     """Films with their error bars of a solution, and its message where it is not converged and resolved."""
     films = (found.film_central_dimensionless, found.film_minimum_dimensionless)
     message = "" if found.converged and found.resolved else found.message
     return {"films": [(film.value, film.uncertainty) for film in films], "message": message}
 
 
-def contacts(seed: int, file: Path) -> list[dict]:
+def contacts(seed: int, file: Path) -> list[dict[str, Any]]:
     """Lines of all contacts; those that the file lacks are solved."""
     lines = [json.loads(one) for one in file.read_text().splitlines()] if file.exists() else []
     missing = {group: count - sum(line["group"] == group for line in lines) for group, count in GROUPS.items()}
@@ -131,7 +146,9 @@ def contacts(seed: int, file: Path) -> list[dict]:
         found = drawn(number, seed)
         if found is None:
             continue
-        group = "light" if moes_groups(found[0].conditions)[0] < LIGHT[1] else "loaded"
+        conditions = found[0].conditions
+        assert conditions is not None
+        group = "light" if moes_groups(conditions)[0] < LIGHT[1] else "loaded"
         if missing[group] > 0:
             missing[group] -= 1
             lines.append({"number": number, "group": group, **solved(*found)})

@@ -231,8 +231,8 @@ def test_drag_of_a_ball_in_oil_has_its_limits():
 
 @pytest.mark.parametrize("reynolds", [0.01, 1.0, 7.8, 8.0, 1e4])
 def test_a_ball_that_spins_in_oil(reynolds):
-    """C_M = 6.45/sqrt(Re) + 32.1/Re on rho r^5 w^2/2 (Dennis, Singh and Ingham, 1980), about each axis; Stokes' 8 pi eta
-    r^3 w where that is more.
+    """C_M = 6.45/sqrt(Re) + 32.1/Re on rho r^5 w^2/2 (Dennis, Singh and Ingham, 1980), about each axis; Stokes' 8 pi
+    eta r^3 w where that is more.
     """
     radius, density, viscosity, share = 0.006, 870.0, 0.02, 0.3
     speed = reynolds * viscosity / (density * radius**2)
