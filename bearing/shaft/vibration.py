@@ -65,19 +65,13 @@ def vibration(
         Matrices of a mesh fine enough for frequencies.
     """
     system = solution.system
+    part, tangent = _series(solution)
     length = system.sections[-1].end - system.sections[0].start
     beam = system.beam(longest or length / ELEMENTS)
-    # 1. movement of the rings against their seats per movement of the shaft
-    part = scipy.linalg.block_diag(*(ring_part(state) for state in solution.bearings))
-    bearings = scipy.linalg.block_diag(*(state.stiffness for state in solution.bearings))
-    if system.housing is not None:
-        # both in series: K_b (K_b + K_housing)^-1 K_housing
-        part = part @ np.linalg.solve(bearings @ part + system.housing, system.housing)
-    # 2. of the places on the shaft per unknown
+    # places on the shaft per unknown
     select = np.zeros((part.shape[0], beam.stiffness.shape[0]))
     places = [FREEDOMS * beam.node(support.position) + RING for support in system.supports]
     select[np.arange(part.shape[0]), np.concatenate(places)] = 1.0
-    tangent = bearings @ part
     stiffness = beam.stiffness + select.T @ (0.5 * (tangent + tangent.T)) @ select
     resisting, across = (np.zeros_like(stiffness) for _ in range(2))
     if films is not None:
@@ -88,6 +82,38 @@ def vibration(
         )
     free = np.setdiff1d(np.arange(stiffness.shape[0]), [3])
     return Vibration(beam=beam, stiffness=stiffness, damping=resisting, across=across, free=free)
+
+
+def _series(solution: ShaftSolution) -> tuple[Array, Array]:
+    """Movement of the rings against their seats per movement of the shaft, and the force of
+    bearings and housing in series on it.
+    """
+    part = scipy.linalg.block_diag(*(ring_part(state) for state in solution.bearings))
+    bearings = scipy.linalg.block_diag(*(state.stiffness for state in solution.bearings))
+    housing = solution.system.housing
+    if housing is not None:
+        # K_b (K_b + K_housing)^-1 K_housing
+        part = part @ np.linalg.solve(bearings @ part + housing, housing)
+    return part, bearings @ part
+
+
+def support_stiffness(solution: ShaftSolution) -> list[Array]:
+    """Stiffness of each support, bearing and housing in series, the other ones at rest.
+
+    Parameters
+    ----------
+    solution : ShaftSolution
+        Converged equilibrium.
+
+    Returns
+    -------
+    list of Array
+        In the order x, y, z, tilt y, tilt z, (5, 5) [N/m], [N], [N m].
+    """
+    tangent = _series(solution)[1]
+    size = RING.size
+    rows = range(0, tangent.shape[0], size)
+    return [tangent[row : row + size, row : row + size] for row in rows]
 
 
 @one_thread

@@ -38,6 +38,7 @@ TableFile = Annotated[
     Path | None,
     typer.Option("--output", "-o", metavar="FILE", help="The table; default: CASE_table.zip."),
 ]
+Ross = Annotated[bool, typer.Option("--ross", help="Print the lines for the rotor code ROSS.")]
 
 
 class Method(StrEnum):
@@ -207,9 +208,7 @@ def stiffness(
             min=0.0, metavar="C", help="Damping for the rotor code [N s/m]; default: by the films."
         ),
     ] = None,
-    ross: Annotated[
-        bool, typer.Option("--ross", help="Print the lines for the rotor code ROSS.")
-    ] = False,
+    ross: Ross = False,
     as_json: terminal.Json = False,
     quiet: terminal.Quiet = False,
     notes: terminal.Notes = False,
@@ -238,6 +237,7 @@ def stiffness(
 def shaft(
     case: terminal.CaseName,
     output: terminal.Output = None,
+    ross: Ross = False,
     as_json: terminal.Json = False,
     quiet: terminal.Quiet = False,
     notes: terminal.Notes = False,
@@ -259,6 +259,10 @@ def shaft(
 
     save_with(lambda folder: write_shaft(results, folder, write_shaft_collection), directory)
     document = shaft_summary(results)
+    if ross and not as_json:
+        from oilfilm.postprocess.shaft.ross import ross_rotor
+
+        typer.echo(ross_rotor(results))
     return report(document, lambda: shaft_table(results), directory, as_json, quiet, notes)
 
 

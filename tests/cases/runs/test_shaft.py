@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -24,6 +26,7 @@ from oilfilm.postprocess.report.page import report_page
 from oilfilm.postprocess.scene.scene import check_scene
 from oilfilm.postprocess.scene.vtk import write_shaft_collection
 from oilfilm.postprocess.shaft.results import shaft_summary
+from oilfilm.postprocess.shaft.ross import ross_rotor
 from oilfilm.postprocess.shaft.write import write_shaft
 
 TEXT = shipped_cases()["spindle_two_bearings"].read_text(encoding="utf-8")
@@ -279,3 +282,34 @@ def test_a_fault_of_a_point_is_told_at_its_key_of_the_sweep(change, message):
     with pytest.raises(CaseError) as caught:
         sweep_from_text(SWEEP.format("268.0").replace(*change), "sweep.toml")
     assert message in str(caught.value)
+
+
+class Elements(list):
+    """ROSS as far as its lines go: every element by its class, its numbers and its names."""
+
+    def __getattr__(self, name):
+        return lambda *values, **named: self.append((name, values, named)) or (name, values, named)
+
+    def run_modal(self, speed):
+        return SimpleNamespace(wn=[], log_dec=[])
+
+
+def test_lines_for_ross_have_the_whole_shaft(results, monkeypatch):
+    """Nodes and sections of the vibration's mesh; stiffness and films of each bearing, the axis of the shaft last."""
+    made = Elements()
+    made.Rotor = lambda *parts: made
+    monkeypatch.setitem(sys.modules, "ross", made)
+    exec(ross_rotor(results), {})
+    shaft = [values for name, values, _ in made if name == "ShaftElement"]
+    assert np.cumsum([0.0, *(one[0] for one in shaft)]) == pytest.approx(results.vibration.positions)
+    system = results.solution.system
+    assert {one[2] for one in shaft} == {section.outside_diameter for section in system.sections}
+    discs = [values for name, values, _ in made if name == "DiskElement"]
+    assert [one[1] for one in discs] == [load.mass for load in system.loads if load.mass]
+    bearings = [(values[0], named) for name, values, named in made if name == "BearingElement"]
+    assert len(bearings) == len(system.supports)
+    for (node, found), support, state in zip(bearings, system.supports, results.solution.bearings, strict=True):
+        assert results.vibration.positions[node] == pytest.approx(support.position)
+        assert (found["kxx"], found["kyy"]) == pytest.approx((state.stiffness[1, 1], state.stiffness[2, 2]), rel=0.02)
+        assert found["cxx"] > 0.0 and found["cyy"] > 0.0
+    assert bearings[0][1]["kzz"] > 1e6 > bearings[1][1]["kzz"] == 0.0  # the second one floats
