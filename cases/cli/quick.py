@@ -169,6 +169,9 @@ def app(
     from ..app.design import start
 
     design = start(case)
+    if "bearing" not in design.document or "shaft" in design.document:
+        finding = "a shaft" if "shaft" in design.document else "no bearing"
+        raise CaseError(f"{case}: {finding}; allowed: a case of one bearing, or a designation")
     print_message("oilfilm app: starting; the address follows")
     from ..app.server import run_app
 

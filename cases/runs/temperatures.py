@@ -59,7 +59,7 @@ def temperatures(
     >>> results.heating.converged
     True
     >>> f"{results.heating.balance.temperature - 273.15:.0f} C"
-    '42 C'
+    '39 C'
     """
     start = perf_counter()
     notify = progress or (lambda done, total, state: None)

@@ -140,7 +140,7 @@ def test_starved_torque_at_its_ends(bearing):
     lubricant = oil(313.15)
     contacts = contact_conditions(solution, lubricant)
     friction = FrictionInput(coefficient=0.05, roughness=(0.1e-6, 0.1e-6))
-    supply = Supply(flow=1e5 * ML_MIN, track_share=1.0, residence_time=0.0)  # 1000 mL/min leave 0.97 of rolling
+    supply = Supply(flow=1e6 * ML_MIN, track_share=1.0, groove_width=0.01, residence_time=0.0)
     ample = starved_torque(solution, contacts, lubricant, friction, supply)
     assert ample.rolling == pytest.approx(sum(map(contact_rolling_power, contacts)) / 500.0, rel=1e-3)
     assert ample.drag == ample.cage == 0.0

@@ -10,6 +10,7 @@ pytest.importorskip("aiohttp")
 
 from aiohttp import web
 from aiohttp.test_utils import make_mocked_request
+from typer.testing import CliRunner
 
 from oilfilm.cases.app import design as designs
 from oilfilm.cases.app import session as sessions
@@ -19,6 +20,7 @@ from oilfilm.cases.app.design import Design, History, of_address, start
 from oilfilm.cases.app.engine import Engine, live_document
 from oilfilm.cases.app.pictures import number, ticks
 from oilfilm.cases.app.server import HOST, Gate
+from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.rules import CaseError
 
 LOAD = "operation.radial_load_N"
@@ -331,3 +333,10 @@ def test_one_page_at_a_time():
         assert not gate.pages and gate.came
 
     asyncio.run(main())
+
+
+@pytest.mark.parametrize(("case", "words"), [("spindle_two_bearings", "a shaft"), ("ball_on_disc", "no bearing")])
+def test_a_case_without_one_bearing_is_refused(case, words):
+    """Told before a page opens."""
+    found = CliRunner().invoke(app, ["app", case, "--no-browser"])
+    assert found.exit_code == 2 and f"{case}: {words}; allowed: a case of one bearing" in found.stderr

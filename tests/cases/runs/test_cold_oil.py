@@ -123,7 +123,7 @@ def test_cold_oil_is_named_first(folder):
 
 
 def test_a_jet_of_a_known_flow_takes_its_layer_from_it(folder):
-    """More than its replenishment leaves: 100 mL/min keep nine tenths of the films, half of the moment."""
+    """More than its replenishment leaves: 100 mL/min keep five sixths of the films, a quarter of the moment."""
     given = ("6005", "iso vg 150", 10000.0, 372.0, 52.0, "oil jet")
     case = at(folder, 20.0, *given)
     document = written(folder, "6005")
@@ -136,7 +136,7 @@ def test_a_jet_of_a_known_flow_takes_its_layer_from_it(folder):
     assert isinstance(jet.friction.jet, Supply) and jet.inlet.replenishment == 1.0 > case.inlet.replenishment
     films = [film for film in run_case(jet).torque.shear.films if film is not None]
     heavy = [film.supply for film in films if film.conditions.load > 100.0]
-    assert all(own.central > 0.85 and own.rolling_moment > 0.3 > case.inlet.replenishment for own in heavy)
+    assert all(own.central > 0.84 and own.rolling_moment > 0.23 > case.inlet.replenishment for own in heavy)
 
 
 def test_films_stand_behind_the_layer_of_the_torque(folder):
