@@ -396,8 +396,12 @@ def _number_fault(row: _Row, index: int, header: Sequence[str]) -> str:
 
 def _header(lines: Sequence[str], first: int, width: int, separator: str | None) -> list[str]:
     """Header of each column: the line before the first row, or two, the second one of units."""
-    before = [line.lstrip().lstrip(COMMENT).strip() for line in lines[: first - 1]]
-    before = [line for line in before if line][-2:]
+    above = [line.strip() for line in lines[: first - 1] if line.strip(COMMENT + " \t")]
+    fitting = [len(_fields(line, separator)) == width for line in above]
+    # remarks between a header and its numbers
+    while separator and above and above[-1][0] in COMMENT and not fitting.pop() and any(fitting):
+        above.pop()
+    before = [line.lstrip(COMMENT).strip() for line in above][-2:]
     split = [_names(line, width, separator) for line in before]
     if not split or split[-1] is None:
         return [""] * width

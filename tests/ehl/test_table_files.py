@@ -20,6 +20,7 @@ TEXTS = {
     "tabs, decimal commas": "n / (r/min)\tM / (N mm)\n500,0\t10,5\n1000,0\t12,5\n2000,0\t15,25\n",
     "units below": "speed;torque\nrpm;N·mm\n500;10.5\n1000;12.5\n2000;15.25\n",
     "keys": "torque_N_mm,speed_rpm\n10.5,500\n12.5,1000\n15.25,2000\n",
+    "remark": "speed [1/min];load [N];torque [N cm]\n# test rig 3\n#\n500;400;1,05\n1000;400;1,25\n2000;400;1,525\n",
     "comments": "% rig 3\n# speed_rpm torque_N_mm\n500 10.5\n# again\n1000 12.5\n2000 15.25\n",
     "another unit": "speed (Hz),torque (mNm)\n",
     "instrument": "Rig;3\nDate;2024-05-01\nPoints;3\n\nSpeed (rpm);Torque (N mm);Remark\n500;10.5;ok\n1000;12.5;ok\n"
