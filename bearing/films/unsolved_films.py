@@ -25,7 +25,7 @@ contact. Both together, with M_0 = 24 pi eta_0 u Rx^2/((3 + 2 Rx/Ry) sqrt(Rx/Ry)
 f fitted to the film atlas (`SLOPE`, `START`, `WIDTH`).
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import inf, log
 from typing import Any, NamedTuple
@@ -215,24 +215,15 @@ def _numbers(
 ) -> list[FormulaValues]:
     """The same of many contacts that differ: of the atlas, or as far beyond it as it is."""
     known = atlas_films_of_contacts([conditions for conditions, _ in contacts])
-    outside = [
-        n
-        for n, ((conditions, _), films) in enumerate(zip(contacts, known, strict=True))
-        if isinstance(films, NotInAtlasError) or skewed(conditions.entrainment_angle)
-    ]
-    nearest = [nearest_covered(contacts[n][0]) for n in outside]
-    places = {n: near for n, (near, way) in zip(outside, nearest, strict=True) if near and way}
-    there = dict(zip(places, atlas_films_of_contacts(list(places.values())), strict=True))
-    beyond = {
-        n: _beyond_atlas(contacts[n], places.get(n), there.get(n), way)
-        for n, (_, way) in zip(outside, nearest, strict=True)
-    }
-    return [
-        beyond[n]
-        if isinstance(films, NotInAtlasError) or n in beyond
+    values = [
+        None
+        if isinstance(films, NotInAtlasError) or skewed(contact[0].entrainment_angle)
         else _of_atlas(films, *contact)
-        for n, (contact, films) in enumerate(zip(contacts, known, strict=True))
+        for contact, films in zip(contacts, known, strict=True)
     ]
+    outside = [contact for contact, one in zip(contacts, values, strict=True) if one is None]
+    beyond = _beyond_atlas(outside)
+    return [next(beyond) if one is None else one for one in values]
 
 
 def _of_atlas(
@@ -260,21 +251,22 @@ def _as_numbers(atlas: AtlasFilms, distance: float) -> FormulaValues:
 
 
 def _beyond_atlas(
-    contact: tuple[ContactConditions, tuple[float, float]],
-    near: ContactConditions | None,
-    known: AtlasFilms | NotInAtlasError | None,
-    distance: float,
-) -> FormulaValues:
-    """Values of a contact that the atlas does not cover, by the nearest one that it does, known
-    there, at a distance [-]; by formulas where there is none, or its film is too thick.
+    contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
+) -> Iterator[FormulaValues]:
+    """Values of contacts that the atlas does not cover, by the nearest ones that it does; by
+    formulas where there is none, or its film is too thick.
     """
-    conditions, axes = contact
-    own = _by_formulas(conditions, axes)
-    if near is None or known is None or isinstance(known, NotInAtlasError):
-        return own
-    stretch = (near.load / conditions.load) ** (1.0 / 3.0)
-    there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))
-    return _beyond(_as_numbers(known, distance), own, there)
+    nearest = [nearest_covered(conditions) for conditions, _ in contacts]
+    films = iter(atlas_films_of_contacts([near for near, way in nearest if near and way]))
+    for (conditions, axes), (near, way) in zip(contacts, nearest, strict=True):
+        own = _by_formulas(conditions, axes)
+        known = next(films) if near and way else None
+        if near is None or known is None or isinstance(known, NotInAtlasError):
+            yield own
+            continue
+        stretch = (near.load / conditions.load) ** (1.0 / 3.0)
+        there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))
+        yield _beyond(_as_numbers(known, way), own, there)
 
 
 def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FormulaValues:

@@ -87,7 +87,25 @@ class Beam:
         int
             Number, from 0 [-].
         """
-        return int(np.argmin(np.abs(self.positions - position)))
+        return nearest_node(self.positions, position)
+
+
+def nearest_node(positions: Array, position: float) -> int:
+    """Number of the node at a position.
+
+    Parameters
+    ----------
+    positions : Array
+        Of the nodes along the shaft (n,) [m].
+    position : float
+        Place along the shaft [m].
+
+    Returns
+    -------
+    int
+        Number, from 0 [-].
+    """
+    return int(np.argmin(np.abs(positions - position)))
 
 
 def stepped_beam(

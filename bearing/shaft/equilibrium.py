@@ -20,7 +20,7 @@ from oilfilm.ehl.arrays import Array
 from ..operation import Operation
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
-from .beam import FREEDOMS, RING, Beam
+from .beam import FREEDOMS, RING, Beam, nearest_node
 from .system import AxialLocation, ShaftSystem, Support
 
 TOLERANCE = 1.0e-9  # of forces and moments, over the largest [-]
@@ -51,7 +51,7 @@ class ShaftSolution:
         """Force and moment of the shaft on each spring (springs, 6) [N], [N m]."""
         loads = np.zeros((len(self.system.springs), FREEDOMS))
         for load, spring in zip(loads, self.system.springs, strict=True):
-            node = np.abs(self.positions - spring.position).argmin()
+            node = nearest_node(self.positions, spring.position)
             load[:] = spring.stiffness * self.displacement[node]
         return loads
 

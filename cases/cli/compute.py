@@ -259,7 +259,9 @@ def shaft(
 
     save_with(lambda folder: write_shaft(results, folder, write_shaft_collection), directory)
     document = shaft_summary(results)
-    if ross and not as_json:
+    if ross and results.vibration is None:
+        print_message("oilfilm: --ross: the shaft has no equilibrium about which it vibrates")
+    elif ross and not as_json:
         from oilfilm.postprocess.shaft.ross import ross_rotor
 
         typer.echo(ross_rotor(results))

@@ -227,27 +227,26 @@ def _records(results: BatchResults, folder: Path) -> Variables:
     """Acceleration of vibrations over point and sample, NaN behind the end of a shorter one, with
     the sample rate and the defects in words, by which a classifier learns.
     """
-    named = {n: folder / f"{point.key}.nc" for n, point in enumerate(results.points)}
     records: dict[int, Array] = {}
-    rate = np.full(len(named), np.nan)
-    for n, file in named.items():
-        if "vibration" in (results.points[n].summary or {}) and file.is_file():
-            time, values = read_variables(file, "time", "acceleration")
-            records[n] = values
+    rate = np.full(len(results.points), np.nan)
+    strongest = [""] * len(results.points)
+    for n, point in enumerate(results.points):
+        seen = (point.summary or {}).get("vibration") or {}
+        strongest[n] = seen.get("strongest_line") or ""
+        file = folder / f"{point.key}.nc"
+        if seen and file.is_file():
+            time, records[n] = read_variables(file, "time", "acceleration")
             rate[n] = (len(time) - 1) / float(time[-1] - time[0])
     if not records:
         return {}
-    whole = np.full((len(named), max(map(len, records.values()))), np.nan, dtype=np.float32)
+    longest = max(map(len, records.values()))
+    whole = np.full((rate.size, longest), np.nan, dtype=np.float32)
     for n, record in records.items():
         whole[n, : len(record)] = record
-    words = {
-        "record.defects": [_defects(point.case) for point in results.points],
-        "record.strongest_line": [_strongest(point.summary or {}) for point in results.points],
-    }
-    texts: Variables = {
-        name: (("point",), np.array(w, dtype=object), {}) for name, w in words.items()
-    }
-    return texts | {
+    defects = [_defects(point.case) for point in results.points]
+    return {
+        "record.defects": (("point",), np.array(defects, dtype=object), {}),
+        "record.strongest_line": (("point",), np.array(strongest, dtype=object), {}),
         "record.sample_rate_Hz": (("point",), rate, {"units": "Hz"}),
         "record.acceleration_m_s2": (("point", "sample"), whole, {"units": "m/s2"}),
     }
@@ -257,11 +256,6 @@ def _defects(case: dict[str, Any]) -> str:
     """Defects of a case in words."""
     defects = (case.get("form") or {}).get("defects") or ()
     return "; ".join(f"{d['kind']}, {d['place']}, {d['width_mm']:g} mm" for d in defects) or "none"
-
-
-def _strongest(summary: dict[str, Any]) -> str:
-    """Name of the body whose line is the strongest of the envelope; empty where none is."""
-    return str((summary.get("vibration") or {}).get("strongest_line") or "")
 
 
 def _filled(

@@ -2,14 +2,15 @@
 
 import numpy as np
 
+from oilfilm.bearing.shaft.beam import nearest_node
 from oilfilm.bearing.shaft.vibration import support_stiffness
 from oilfilm.bearing.studies.stiffness import ring_damping
 from oilfilm.ehl.arrays import Array
 
+from ..stiffness.results import ross_entries
 from .results import ShaftResults
 
-AXES = [1, 2, 0]  # of ours, which are x, y, z of ROSS
-ENTRIES = ("xx", "xy", "yx", "yy", "zz")
+FRAME = np.eye(3)[[1, 2, 0]]  # x, y, z of ROSS in ours
 LINES = """\
 import ross as rs
 
@@ -71,7 +72,7 @@ def ross_rotor(results: ShaftResults) -> str:
             ', shear_method_calc="cowper")'
         )
     discs = [
-        f"rs.DiskElement({_node(nodes, load.position)}, {load.mass:.9g}, "
+        f"rs.DiskElement({nearest_node(nodes, load.position)}, {load.mass:.9g}, "
         f"{load.diametral_inertia:.9g}, {load.polar_inertia:.9g}),"
         for load in system.loads
         if load.mass > 0.0
@@ -81,11 +82,11 @@ def ross_rotor(results: ShaftResults) -> str:
     for support, stiffness, one in held:
         assert one is not None
         damping = ring_damping(one.elastic, one.contacts)[0]
-        bearings.append(_bearing(_node(nodes, support.position), stiffness, damping))
+        bearings.append(_bearing(nearest_node(nodes, support.position), stiffness, damping))
     for spring in system.springs:
         stiffness = np.diag([spring.axial, spring.radial, spring.radial])
         bearings.append(
-            _bearing(_node(nodes, spring.position), stiffness, np.zeros_like(stiffness))
+            _bearing(nearest_node(nodes, spring.position), stiffness, np.zeros_like(stiffness))
         )
     return LINES.format(
         title=results.case.get("title") or "shaft",
@@ -97,17 +98,8 @@ def ross_rotor(results: ShaftResults) -> str:
     )
 
 
-def _node(nodes: Array, position: float) -> int:
-    return int(np.abs(nodes - position).argmin())
-
-
 def _bearing(node: int, stiffness: Array, damping: Array) -> str:
     """An element by matrices of x, y, z along the shaft first."""
-    places = dict(zip(ENTRIES, ((0, 0), (0, 1), (1, 0), (1, 1), (2, 2)), strict=True))
-    turned = {"k": stiffness[np.ix_(AXES, AXES)], "c": damping[np.ix_(AXES, AXES)]}
-    entries = [
-        f"{letter}{name}={matrix[place]:.9g}"
-        for letter, matrix in turned.items()
-        for name, place in places.items()
-    ]
-    return f"rs.BearingElement({node}, {', '.join(entries)})"
+    entries = ross_entries(stiffness[:3, :3], damping[:3, :3], FRAME)
+    words = ", ".join(f"{name}={value:.9g}" for name, value in entries.items())
+    return f"rs.BearingElement({node}, {words})"

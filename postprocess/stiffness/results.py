@@ -80,11 +80,30 @@ def ross_table(study: StiffnessOverSpeed, damping: float | None = None) -> dict[
     films = study.damping[kept][:, :3, :3]
     if damping is not None:
         films = np.broadcast_to(damping * np.eye(3), films.shape)
+    stiffness = study.matrices[kept][:, :3, :3]
+    return {"speed": study.speeds[kept]} | ross_entries(stiffness, films, ROSS_AXES)
+
+
+def ross_entries(stiffness: Array, damping: Array, frame: Array) -> dict[str, Array]:
+    """Stiffness and damping as ROSS' BearingElement takes them, by its names.
+
+    Parameters
+    ----------
+    stiffness, damping : Array
+        In x, y, z, shape (..., 3, 3) [N/m], [N s/m].
+    frame : Array
+        Axes of ROSS in ours (3, 3) [-].
+
+    Returns
+    -------
+    dict
+        kxx, kxy, kyx, kyy, kzz and likewise c, each of shape (...) [N/m], [N s/m].
+    """
     places = {"xx": (0, 0), "xy": (0, 1), "yx": (1, 0), "yy": (1, 1), "zz": (2, 2)}
-    table = {"speed": study.speeds[kept]}
-    for letter, matrices in (("k", study.matrices[kept][:, :3, :3]), ("c", films)):
-        turned = ROSS_AXES @ matrices @ ROSS_AXES.T
-        table |= {letter + name: turned[:, i, j] for name, (i, j) in places.items()}
+    table: dict[str, Array] = {}
+    for letter, matrices in (("k", stiffness), ("c", damping)):
+        turned = frame @ matrices @ frame.T
+        table |= {letter + name: turned[..., i, j] for name, (i, j) in places.items()}
     return table
 
 

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import pyvista as pv
+from typer.testing import CliRunner
 
 import oilfilm
 from oilfilm.bearing.heating.network import NODES
@@ -98,8 +99,6 @@ def test_a_fault_is_told_at_its_key(tmp_path, before, after, message):
 
 
 def test_a_shaft_is_not_run_as_a_bearing_nor_a_bearing_as_a_shaft():
-    from typer.testing import CliRunner
-
     runner = CliRunner()
     run = runner.invoke(app, ["run", "spindle_two_bearings"])
     assert (run.exit_code, "oilfilm shaft" in run.output + run.stderr) == (2, True)
@@ -313,3 +312,15 @@ def test_lines_for_ross_have_the_whole_shaft(results, monkeypatch):
         assert (found["kxx"], found["kyy"]) == pytest.approx((state.stiffness[1, 1], state.stiffness[2, 2]), rel=0.02)
         assert found["cxx"] > 0.0 and found["cyy"] > 0.0
     assert bearings[0][1]["kzz"] > 1e6 > bearings[1][1]["kzz"] == 0.0  # the second one floats
+
+
+def test_lines_for_ross_need_an_equilibrium(tmp_path, monkeypatch):
+    """Told in one line beside the flagged results."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "lost.toml").write_text(TEXT.replace("-900.0", "-5.0e6"), encoding="utf-8")
+    found = CliRunner().invoke(app, ["shaft", "lost.toml", "--ross", "-q", "-o", "out"])
+    assert found.exit_code == 1 and "--ross: the shaft has no equilibrium" in found.stderr
+    assert (
+        "BearingElement" not in found.stdout
+        and not json.loads((tmp_path / "out/summary.json").read_text())["converged"]
+    )
