@@ -22,7 +22,8 @@ TOLERANCE = 1e-6  # of the root of the product of two diagonal entries [-]
 
 def stems():
     """Shipped bearings; elastic rings take seconds and are among the slow ones."""
-    marks = {name: () if name in FAST else (pytest.mark.slow,) for name in shipped_cases()}
+    bearings = [name for name, path in shipped_cases().items() if path.parent.name != "shaft"]
+    marks = {name: () if name in FAST else (pytest.mark.slow,) for name in bearings}
     return [pytest.param(name, marks=some) for name, some in marks.items()]
 
 
