@@ -32,7 +32,7 @@ temperature at a whole surface makes E alpha dT/(1 - nu) of tension there; at th
 the strength.
 """
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from math import expm1, gamma, pi
 
@@ -57,6 +57,73 @@ MAP_REACH = 1.5  # speeds of the map go up to so many times that of operation [-
 MAP_RISE = 120.0  # and temperatures at least so far above that of measurement [K]
 
 
+@dataclass(frozen=True, slots=True)
+class RingWall:
+    """Cylinder from seat to groove: radii [m], width [m], seat inside or outside, loads."""
+
+    inner: float
+    outer: float
+    width: float | None
+    material: Material
+    pressure: float  # [Pa]
+    inside: bool  # whether the pressure acts in the bore
+    speed: float  # [rad/s]
+
+    def by_pressure(self, radius: Array | float) -> Array | float:
+        """Hoop stress by the pressure of the seat.
+
+        Parameters
+        ----------
+        radius : Array | float
+            radius [m]
+
+        Returns
+        -------
+        Array | float
+            stress [Pa]
+        """
+        a = self.inner**2
+        b = self.outer**2
+        if self.inside:
+            return self.pressure * a / (b - a) * (1.0 + b / np.square(radius))
+        return -self.pressure * b / (b - a) * (1.0 + a / np.square(radius))
+
+    def by_rotation(self, radius: Array | float) -> Array | float:
+        """Hoop stress by rotation.
+
+        Parameters
+        ----------
+        radius : Array | float
+            radius [m]
+
+        Returns
+        -------
+        Array | float
+            stress [Pa]
+        """
+        nu = self.material.poisson_ratio
+        a = self.inner**2
+        b = self.outer**2
+        r = np.square(radius)
+        form = a + b + a * b / r - (1.0 + 3.0 * nu) / (3.0 + nu) * r
+        return (3.0 + nu) / 8.0 * self.material.density * self.speed**2 * form
+
+    def hoop(self, radius: Array | float) -> Array | float:
+        """Hoop stress by both.
+
+        Parameters
+        ----------
+        radius : Array | float
+            radius [m]
+
+        Returns
+        -------
+        Array | float
+            stress [Pa]
+        """
+        return self.by_pressure(radius) + self.by_rotation(radius)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingStrength:
     """Hoop stress of one ring, tension positive, and its probability of failure."""
@@ -73,6 +140,7 @@ class RingStrength:
     # with the strongest and least scattered material of the range, and with the weakest
     failure_low: float | None = None  # [-]
     failure_high: float | None = None  # [-]
+    wall: RingWall | None = None  # its loads; None where tensions alone are given
 
     @property
     def hoop_tension(self) -> float:
@@ -148,6 +216,21 @@ def _shock(material: Material, strength: float | None) -> float | None:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RingGradient:
+    """Differences of temperature between track and seat at which a ring breaks."""
+
+    conductance: float | None  # from track to seat [W/K]; None: conductivity not known
+    tension: float  # largest hoop stress of a track that is warmer, for each kelvin [Pa/K]
+    # allowed with the mean strength and the ends of its range [K]
+    warm: float
+    warm_low: float
+    warm_high: float
+    cold: float
+    cold_low: float
+    cold_high: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class StrengthMap:
     """Hoop tension of the inner ring over its temperature and its speed."""
 
@@ -166,44 +249,12 @@ class Strength:
 
     rings: tuple[RingStrength, ...]  # those whose seat has a diameter
     inner_map: StrengthMap | None = None  # None unless the inner ring is brittle and has a seat
+    # None of a ring that is not brittle, or without width or expansion
+    gradients: dict[Race, RingGradient | None] = field(default_factory=dict)
 
     def groove_tension(self) -> dict[Race, float]:
         """Hoop tension at the bottom of the grooves by race [Pa]."""
         return {ring.race: ring.groove_tension for ring in self.rings}
-
-
-@dataclass(frozen=True, slots=True)
-class _Wall:
-    """Cylinder from seat to groove: radii [m], width [m], seat inside or outside, loads."""
-
-    inner: float
-    outer: float
-    width: float | None
-    material: Material
-    pressure: float  # [Pa]
-    inside: bool  # whether the pressure acts in the bore
-    speed: float  # [rad/s]
-
-    def by_pressure(self, radius: Array | float) -> Array | float:
-        """Hoop stress by the pressure of the seat [Pa]."""
-        a = self.inner**2
-        b = self.outer**2
-        if self.inside:
-            return self.pressure * a / (b - a) * (1.0 + b / np.square(radius))
-        return -self.pressure * b / (b - a) * (1.0 + a / np.square(radius))
-
-    def by_rotation(self, radius: Array | float) -> Array | float:
-        """Hoop stress by rotation [Pa]."""
-        nu = self.material.poisson_ratio
-        a = self.inner**2
-        b = self.outer**2
-        r = np.square(radius)
-        form = a + b + a * b / r - (1.0 + 3.0 * nu) / (3.0 + nu) * r
-        return (3.0 + nu) / 8.0 * self.material.density * self.speed**2 * form
-
-    def hoop(self, radius: Array | float) -> Array | float:
-        """Hoop stress [Pa]."""
-        return self.by_pressure(radius) + self.by_rotation(radius)
 
 
 def ring_strengths(
@@ -347,7 +398,7 @@ def bar_volume(modulus: float) -> float:
 
 def _wall(
     bearing: Bearing, race: Race, operation: Operation, budget: ClearanceBudget | None
-) -> _Wall | None:
+) -> RingWall | None:
     """The ring between its seat and its groove; None where the seat's diameter is not known."""
     bottom, top = groove_diameters(bearing)
     seat = bearing.bore if race is Race.INNER else bearing.outside_diameter
@@ -356,7 +407,7 @@ def _wall(
     inside = race is Race.INNER
     diameters = (seat, bottom) if inside else (top, seat)
     name = race.value
-    return _Wall(
+    return RingWall(
         inner=0.5 * diameters[0],
         outer=0.5 * diameters[1],
         width=bearing.width,
@@ -367,7 +418,7 @@ def _wall(
     )
 
 
-def _strength(race: Race, wall: _Wall) -> RingStrength:
+def _strength(race: Race, wall: RingWall) -> RingStrength:
     """Hoop stress and probability of failure of a ring."""
     bore = wall.inner
     stresses = RingStrength(
@@ -377,6 +428,7 @@ def _strength(race: Race, wall: _Wall) -> RingStrength:
         fit_tension=float(wall.by_pressure(bore)) + 0.0,  # no -0
         rotation_tension=float(wall.by_rotation(bore)),
         groove_tension=float(wall.hoop(wall.outer if wall.inside else bore)) + 0.0,
+        wall=wall,
     )
     material = wall.material
     strength = material.bending_strength
@@ -395,18 +447,18 @@ def _strength(race: Race, wall: _Wall) -> RingStrength:
     )
 
 
-def _failure(wall: _Wall, strength: float, modulus: float) -> float:
+def _failure(wall: RingWall, strength: float, modulus: float) -> float:
     """Probability of failure [-] by the strength of bars [Pa] and Weibull's modulus [-]."""
     largest = float(wall.hoop(wall.inner))
     return failure_probability(largest, effective_volume(wall, modulus), strength, modulus)
 
 
-def effective_volume(wall: _Wall, modulus: float) -> float:
+def effective_volume(wall: RingWall, modulus: float) -> float:
     """Integral of (sigma/sigma_bore)^m over the wall, tension alone; zero if the bore is pressed.
 
     Parameters
     ----------
-    wall : _Wall
+    wall : RingWall
         ring as a cylinder with its loads
     modulus : float
         Weibull's m [-]

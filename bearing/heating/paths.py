@@ -6,17 +6,14 @@ the cavity and to air, dimensions of shaft and housing where a case gives none.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cache
 from math import pi
 
 from oilfilm.ehl.oil.assumed_heat import heat_of
 from oilfilm.ehl.oil.lubricant import Lubricant
-from oilfilm.ehl.solid.bodies.conduction import ring_conductances
-from oilfilm.ehl.solid.bodies.ring_profile import RingProfile, Seat
 
-from ..geometry import Bearing, Race, ring_material, shoulder_diameter
+from ..geometry import Bearing, Race, ring_material
 from ..material import Material
-from ..rings.elastic_ring import elastic_ring
+from ..rings.ring_gradient import heated_section
 from ..torque.skf import diameters
 from .friction_heat import FrictionHeat, solid_thermal
 from .network import (
@@ -48,9 +45,6 @@ HOUSING_DIAMETER = 1.6  # of the housing over the bearing's, assumed [-]
 HOUSING_WIDTH = 2.0  # of the housing over the bearing's, assumed [-]
 WIDTH = 0.9  # of a bearing over the height of its section, where none is given, assumed [-]
 HARRIS_SPEED = 1.0 / 3.0  # of the cage, with which oil or air passes the walls (Harris) [-]
-# half-width of the track that the balls heat over the ball diameter [-]: the ellipses of loaded
-# contacts reach 0.05 to 0.15; the ring's conductance changes by 10 % from one to the other
-TRACK = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -369,17 +363,8 @@ def ring_conductance(bearing: Bearing, race: Race, width: float) -> float:
         conductance [W/K]
     """
     k = solid_thermal(ring_material(bearing, race)).conductivity
-    bore, outside = diameters(bearing)
-    inner = race is Race.INNER
-    ball = bearing.ball_diameter
-    shoulder = shoulder_diameter(bearing, race)
-    groove = bearing.pitch_diameter + (-ball if inner else ball)
-    height = 0.2 * ball  # of shoulders of which no diameter is known, assumed
-    if shoulder is None:
-        shoulder = (groove + 2.0 * height if inner else groove - 2.0 * height, True)
-    sized = with_dimensions(bearing, bore, outside, width)
-    profile = elastic_ring(sized, race, Seat.RIGID, shoulder).profile
-    return _ring_conductance(profile, k, TRACK * ball)
+    sized = with_dimensions(bearing, *diameters(bearing), width)
+    return k * heated_section(sized, race).conductance
 
 
 def with_dimensions(bearing: Bearing, bore: float, outside: float, width: float) -> Bearing:
@@ -400,9 +385,3 @@ def with_dimensions(bearing: Bearing, bore: float, outside: float, width: float)
         changed bearing
     """
     return replace(bearing, bore=bore, outside_diameter=outside, width=width)
-
-
-@cache
-def _ring_conductance(profile: RingProfile, conductivity: float, half_width: float) -> float:
-    resistance = ring_conductances(profile, conductivity, half_width).resistance
-    return float(1.0 / resistance[0, 0])

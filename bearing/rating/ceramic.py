@@ -3,11 +3,13 @@
 No standard rates ceramic rings. The tension at the rim of a dry, frictionless contact opens a
 crack that is deeper than c: K = 1.12 (2/pi) sigma sqrt(pi c) = K_Ic of a half-circular crack under
 uniform tension. The tension fades below the surface, so that c is a lower bound; friction and the
-hoop tension of a ring add to the tension and are left out. Makers rate ceramic bearings with 65 to
-75 % of the static rating of the same bearing of steel.
+hoop tension of a ring add to the tension and are left out. The bending strength over the tension
+at the rim is a lower bound of the safety against such a crack, since bars are larger than the rim
+and have deeper flaws. Makers rate ceramic bearings with 65 to 75 % of the static rating of the
+same bearing of steel.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import hypot, pi
 
@@ -16,7 +18,7 @@ from oilfilm.ehl.closed_form.hertz_stress import hertz_edge_tension
 from ..contacts.contact import BearingContact
 from ..contacts.stress import edge_tension
 from ..geometry import Bearing, ring_material
-from ..material import load_material
+from ..material import Material, load_material
 from ..quasistatic.solution import QuasistaticSolution
 from .load_rating import static_equivalent_load, static_rating
 
@@ -30,6 +32,10 @@ class ContactStrength:
 
     edge_tension: float  # largest of all contacts [Pa]
     critical_flaw: float  # smallest of all contacts [m]
+    # least bending strength over the tension at a rim, by mean, least and largest strength [-]
+    rim_safety: float | None
+    rim_safety_low: float | None
+    rim_safety_high: float | None
     rating: tuple[float, float]  # static rating by the rule of makers, low and high [N]
     load: float | None  # static equivalent load of the worst row [N]
 
@@ -74,16 +80,24 @@ def critical_flaw(bearing: Bearing, contact: BearingContact) -> float | None:
         the smaller depth of ring and ball [m]; None if the contact is unloaded or no fracture
         toughness is known
     """
+    depths = [
+        (body.fracture_toughness / (CRACK_SHAPE * tension)) ** 2 / pi
+        for body, tension in _rims(bearing, contact)
+        if body.fracture_toughness is not None
+    ]
+    return min(depths, default=None)
+
+
+def _rims(bearing: Bearing, contact: BearingContact) -> Iterator[tuple[Material, float]]:
+    """Ring and ball of a loaded contact with the tension at their rims [Pa]."""
     hertz = contact.hertz
     if hertz is None:
-        return None
+        return
     axes = (hertz.semi_axis_x, hertz.semi_axis_y)
-    depths = []
     for body in (ring_material(bearing, contact.race), bearing.ball_material):
         tension = max(hertz_edge_tension(axes, hertz.pressure, body.poisson_ratio))
-        if body.fracture_toughness is not None and tension > 0.0:
-            depths.append((body.fracture_toughness / (CRACK_SHAPE * tension)) ** 2 / pi)
-    return min(depths, default=None)
+        if tension > 0.0:
+            yield body, tension
 
 
 def makers_static_rating(bearing: Bearing, contact_angle: float) -> tuple[float, float]:
@@ -135,6 +149,11 @@ def contact_strength(
     tensions = [t for one in contacts if (t := edge_tension(bearing, one)) is not None]
     if not tensions or any(ring.fracture_toughness is None for ring in rings):
         return None
+    rims = [
+        (body.bending_strength, body.bending_strength_range, tension)
+        for one in contacts
+        for body, tension in _rims(bearing, one)
+    ]
     flaws = [c for one in contacts if (c := critical_flaw(bearing, one)) is not None]
     loads = [
         static_equivalent_load(hypot(y, z), abs(float(x)), contact_angle)
@@ -143,6 +162,9 @@ def contact_strength(
     return ContactStrength(
         edge_tension=max(tensions),
         critical_flaw=min(flaws),
+        rim_safety=min((mean / tension for mean, _, tension in rims if mean), default=None),
+        rim_safety_low=min((ends[0] / tension for _, ends, tension in rims if ends), default=None),
+        rim_safety_high=min((ends[1] / tension for _, ends, tension in rims if ends), default=None),
         rating=makers_static_rating(bearing, contact_angle),
         load=max((load for load in loads if load is not None), default=None),
     )

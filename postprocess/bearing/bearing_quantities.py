@@ -64,9 +64,21 @@ RING_STRENGTH = quantities(  # hoop stress, tension positive, of the cylinder fr
     ("thermal_shock_high_K", "its upper end", "shock_high"),
     null="its seat has no diameter, or the material no strength",
 )
+RING_GRADIENT = quantities(  # with the hoop stress of fit and rotation
+    ("allowed_warm_track_K", "track over seat at which the tension is the strength", "warm"),
+    ("allowed_warm_track_low_K", "its lower end", "warm_low"),
+    ("allowed_warm_track_high_K", "its upper end", "warm_high"),
+    ("allowed_cold_track_K", "track below seat at which the tension is the strength", "cold"),
+    ("allowed_cold_track_low_K", "its lower end", "cold_low"),
+    ("allowed_cold_track_high_K", "its upper end", "cold_high"),
+    null="the ring has no width, or its material no strength or expansion",
+)
 CONTACT_STRENGTH = quantities(  # of ceramic rings; no standard rates them
     ("edge_tension_maximum_GPa", "largest tension at the rim of a contact", "edge_tension"),
     ("critical_flaw_um", "depth of a surface crack that it would open"),
+    ("rim_safety", "bending strength over the tension at the rim, a lower bound"),
+    ("rim_safety_low", "its lower end, by the range of the strength"),
+    ("rim_safety_high", "its upper end"),
     ("static_rating_makers_low_kN", "static rating by the rule of makers, low", "low_rating"),
     ("static_rating_makers_high_kN", "the same, high", "high_rating"),
     ("static_safety_makers_low", "static safety by it, low", "low_safety"),

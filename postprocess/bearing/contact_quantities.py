@@ -599,7 +599,8 @@ def heat_messages(films: Films) -> Iterator[str]:
         "(isothermal_film_..., flooded_film_... too), by a law of solved films; in the error bars "
         f"up to {100.0 * law:.2g} % of the law and {100.0 * data:.2g} % of {_oil_data(running[0])}"
     )
-    if any(not share.inside and share.law > OUTSIDE * share.value for share in shares):
+    beyond = [s for s in shares if not s.inside and s.law > OUTSIDE * s.value]
+    if any(share.value < 1.0 - OUTSIDE for share in beyond):
         yield Caution(
             "contacts: an estimate, the heat of some inlets lies beyond the solved contacts, from "
             f"whose end films go on with error bars up to {100.0 * law:.2g} %"

@@ -13,7 +13,8 @@ from .results import BearingResults
 
 UNKNOWN = (
     "dry_running: unknown and left out: seizure, debris, oxidation, moisture or vacuum where the "
-    "source has another, friction and heat of the cage; wear spreads over decades: measure it"
+    "source has another, friction and heat of the cage, "
+    "hysteresis of rolling; wear spreads over decades: measure it"
 )
 
 

@@ -14,12 +14,18 @@ from oilfilm.bearing.contacts.electrical import (
     bearing_electrical,
     electrical_lack,
 )
-from oilfilm.bearing.fits.ring_strength import LARGE_SHARE, RingStrength, StrengthMap
+from oilfilm.bearing.fits.ring_strength import (
+    LARGE_SHARE,
+    RingGradient,
+    RingStrength,
+    StrengthMap,
+)
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.heating.over_speed import required_heat_transfer, required_oil_flow
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.library.bearings import named_designation
+from oilfilm.bearing.material import ROOM
 from oilfilm.bearing.quasistatic.ring import ball_forces, seat_reactions
 from oilfilm.bearing.quasistatic.solution import (
     QuasistaticSolution,
@@ -76,6 +82,7 @@ from .bearing_quantities import (
     RING,
     RING_BODY,
     RING_LOAD,
+    RING_GRADIENT,
     RING_STRENGTH,
     ROW,
     STABILITY,
@@ -1315,11 +1322,32 @@ def _ring_strength(
     solved = [t.ring for contact, t in pairs if t is not None and contact.race is race]
     tension = from_si("tension_GPa", max(solved, default=None))
     material = None if ring is None else ring.material.name
+    gradient = None if results.strength is None else results.strength.gradients.get(race)
+    heated, heat_tension = _by_friction(results, gradient)
     return {
         "material": material,
         **values_of(ring, RING_STRENGTH),
+        **values_of(gradient, RING_GRADIENT),
+        "friction_gradient_K": from_si("gradient_K", heated),
+        "friction_tension_MPa": from_si("tension_MPa", heat_tension),
         "surface_tension_maximum_GPa": tension,
     }
+
+
+def _by_friction(
+    results: BearingResults, gradient: RingGradient | None
+) -> tuple[float | None, float | None]:
+    """Track over seat if all friction heat leaves by this seat [K], and its hoop tension [Pa]."""
+    if gradient is None or gradient.conductance is None:
+        return None, None
+    operation = results.quasistatic.operation
+    power = None if results.dry is None else results.dry.power.value
+    if results.torque is not None and results.torque.total is not None:
+        power = results.torque.total * abs(operation.inner_speed - operation.outer_speed)
+    if power is None:
+        return None, None
+    rise = power / gradient.conductance
+    return rise, rise * gradient.tension
 
 
 def _map(result: StrengthMap) -> dict[str, Any]:
@@ -1376,11 +1404,28 @@ def strength_messages(results: BearingResults) -> Iterator[str]:
                 f"{hours:.3g} h at the low end of its exponent and strength "
                 "(slow_crack_growth_low_h)"
             )
+    temperature = results.quasistatic.operation.temperature
+    for material in {ring.material.name: ring.material for ring in brittle}.values():
+        shrinkage = -(material.thermal_strain(temperature - ROOM) or 0.0)
+        tension = material.youngs_modulus * shrinkage / (1.0 - material.poisson_ratio)
+        if tension > (material.bending_strength_range or (np.inf,))[0]:
+            yield Caution(
+                f"strength: {material.name} that comes from 20 C into a medium of "
+                f"{from_si('temperature_C', temperature):.0f} C at once has "
+                f"{from_si('tension_MPa', tension):.3g} MPa in its surface and may crack: "
+                "cool it slowly"
+            )
     for name in dict.fromkeys(ring.material.name for ring in brittle if _assumed(ring)):
         yield f"strength: the Weibull modulus of {name} is assumed, its range read in sources"
     contacts = _contact_strength(results)
     if contacts is not None:
         yield MAKERS_RULE
+        if contacts.rim_safety_low is not None and contacts.rim_safety_low < 1.0:
+            yield Caution(
+                "strength: the tension at the rim of a contact exceeds the least bending strength, "
+                f"which is {contacts.rim_safety_low:.2g} of it (strength.contacts.rim_safety_low): ring "
+                "cracks are possible, which the static rating of makers does not exclude"
+            )
         if contacts.high_safety is not None and contacts.high_safety < 1.0:
             yield Caution(
                 f"strength: the load is {1.0 / contacts.high_safety:.3g} times the static rating "
@@ -1428,6 +1473,11 @@ def strength_rows(results: BearingResults) -> dict[str, str]:
         tension = from_si("tension_GPa", contacts.edge_tension)
         flaw = from_si("flaw_um", contacts.critical_flaw)
         rows["contacts"] = f"tension {tension:.3g} GPa at the rim, opens cracks of {flaw:.3g} um"
+        if contacts.rim_safety is not None:
+            rows["contacts"] += f"; strength over it {contacts.rim_safety:.3g}"
+            ends = [contacts.rim_safety_low, contacts.rim_safety_high]
+            reach = " to ".join(f"{end:.3g}" for end in ends if end is not None)
+            rows["contacts"] += f" ({reach}), a lower bound" if reach else ", a lower bound"
         if contacts.low_safety is not None:
             rows["contacts"] += (
                 f"; static safety {contacts.low_safety:.3g} to {contacts.high_safety:.3g} "

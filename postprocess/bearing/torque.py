@@ -267,7 +267,8 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield f"torque_N_mm.total: the {_total_text(results, torque)}"
         yield from _lag_message(results, torque)
         yield from _boundary_message(torque)
-        yield from _inlet_messages(torque)
+        if results.dry is None:
+            yield from _inlet_messages(torque)
         yield from _free_message(results, torque)
         yield from _seal_message(torque)
         yield from _churning_message(results, torque)
@@ -489,6 +490,8 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
         if name != torque.chosen
     ]
     chosen = torque_model(torque.chosen).title
+    if results.dry is not None:
+        chosen = "sliding of the contacts alone"
     ends = _total_range(results)
     reach = "" if ends is None else f"; {ends[0]:.4g} to {ends[1]:.4g}"
     if results.frozen:

@@ -195,7 +195,8 @@ def _bearing_table(results: BearingResults) -> Table:
         ),
         "moment_N_mm": "y {:.0f}, z {:.0f} N mm".format(*moments),
         "stiffness": _stiffness_text(state),
-        "temperature": f"{from_si('oil_C', state.operation.temperature):.1f} °C of the films",
+        "temperature": f"{from_si('oil_C', state.operation.temperature):.1f} °C of the "
+        + ("films" if results.dry is None else "bearing"),
         "cage_speed_rpm": f"{ring['cage_speed_rpm']:.1f} r/min",
         "balls loaded": f"{balls_loaded(state)} of {len(state.azimuth)}",
         "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from oilfilm.bearing import Material, MaterialKind, list_materials, load_material
@@ -84,11 +85,30 @@ def test_expansion_is_its_integral_where_it_is_known():
     alumina = load_material("alumina")
     # NIST's densities of sintered alumina, 3.984 and 3.834 g/cm3 at 20 and 1500 C
     assert alumina.thermal_strain(1480.0) == pytest.approx((3.984 / 3.834) ** (1 / 3) - 1.0, rel=1e-3)
-    for material in (steel, alumina):
+    for material in (steel, alumina, load_material("silicon nitride")):
         strains = [material.thermal_strain(rise) for rise in range(-250, 1400, 50)]
         assert strains == sorted(strains)
-    nitride = load_material("silicon nitride")
-    assert nitride.thermal_strain(100.0) == nitride.thermal_expansion * 100.0
+    m50 = load_material("m50")
+    assert m50.thermal_strain(100.0) == m50.thermal_expansion * 100.0
+
+
+def test_silicon_nitride_expands_with_its_heat_content():
+    """JANAF's heat capacity of 300 to 3000 K, 3.3e-6 1/K on average over 20 to 1000 C; 0.25 per mille to 77 K."""
+
+    def heat(kelvin):
+        low = kelvin < 1000.0
+        cold = (7.163568, 0.019007111, -1.1469333e-05, 7.0665915e-09, -2.745864e-12)
+        hot = (2.7981745, 0.027975018, -1.5020578e-05, 3.5872288e-09, -3.1776969e-13)
+        return 8.314462 / 0.140283 * np.polynomial.polynomial.polyval(kelvin, cold if low else hot)
+
+    cold, warm = load_material("silicon nitride"), load_material("silicon nitride", 773.15)
+    assert warm.specific_heat / cold.specific_heat == pytest.approx(heat(773.15) / heat(293.15), rel=0.02)
+    kelvins = np.linspace(293.15, 1273.15, 2001)
+    content = np.concatenate([[0.0], np.cumsum(np.diff(kelvins) * [heat(k) for k in kelvins[1:]])])
+    share = np.interp(773.15, kelvins, content) / content[-1]
+    assert cold.thermal_strain(480.0) == pytest.approx(share * cold.thermal_strain(980.0), rel=5e-3)
+    assert cold.thermal_strain(980.0) == pytest.approx(3.3e-6 * 980.0, rel=1e-3)
+    assert cold.thermal_strain(77.0 - 293.15) == pytest.approx(-252e-6)
 
 
 def test_properties_over_the_temperature_change_by_the_ratio_of_their_source():

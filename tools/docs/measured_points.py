@@ -42,6 +42,7 @@ from oilfilm.postprocess.vibration.summary import vibration_summary
 
 matplotlib.use("agg")
 from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
 
 DOCS = Path(__file__).parents[2] / "docs"
 DATA = DOCS / "validation" / "measured"
@@ -52,6 +53,8 @@ GLASS = 102.4e9  # E' of steel on glass, 206 and 63 GPa, 0.3 and 0.22 [Pa]
 SAPPHIRE = 291e9  # E' of steel on sapphire, 207 and 380 GPa, 0.3 and 0.27 [Pa]
 GRAVITY = 9.80665  # [m/s^2]
 SPALLS = ((None, 0.0), ("outer ring", 0.178), ("outer ring", 0.356), ("outer ring", 0.533), ("inner ring", 0.533))
+REACH = (0.3, 3.2)  # of the picture, computed over published [-]
+LEAST_WIDTH = 4.0  # of a source in it, in points [-]
 FORMULA_ERROR = 0.1  # of a central film by formula (assumed) [-]
 
 
@@ -412,29 +415,45 @@ NOTES = {
 
 def draw(sources: dict[str, list[Row]]) -> None:
     """Picture: computed over published, computed's range thick, published's bar thin."""
-    figure, axes = plt.subplots(figsize=(11, 4.6), layout="constrained")
-    place, ticks = 0.0, []
+    measured = {name: rows for name, rows in sources.items() if rows[0].kind == "measured"}
+    others = {name: rows for name, rows in sources.items() if name not in measured}
+    figure, both = plt.subplots(2, 1, figsize=(11, 8.4), layout="constrained")
+    for axes, group, title in zip(both, (measured, others), ("measured", "fits, tables, calculations"), strict=True):
+        draw_group(axes, group)
+        count = sum(len(rows) for rows in group.values())
+        axes.set_title(f"{title}: {count} points", loc="left", fontsize=11)
+    note = "thick: range of the computed value; thin: bar of the published one; triangles: beyond the picture"
+    both[0].set_title(note, loc="right", fontsize=9)
+    figure.savefig(PICTURE, dpi=120)
+
+
+def draw_group(axes: Axes, sources: dict[str, list[Row]]) -> None:
+    """One panel, source by source."""
+    place = 0.0
     for number, (name, rows) in enumerate(sources.items()):
+        colour = f"C{number % 10}"
         start = place
         for row in rows:
-            colour = f"C{number % 10}"
-            axes.plot(
-                [place] * 2, [row.found.low / row.value, row.found.high / row.value], color=colour, lw=3, alpha=0.6
-            )
-            share = row.bar / row.value
-            axes.errorbar(place, row.ratio, yerr=share * row.ratio, fmt="o", ms=3, color=colour, ecolor="k", lw=0.6)
+            ends = [row.found.low / row.value, row.found.high / row.value]
+            axes.plot([place] * 2, ends, color=colour, lw=3, alpha=0.5, solid_capstyle="butt")
+            shown = min(max(row.ratio, 1.02 * REACH[0]), 0.98 * REACH[1])
+            marker = "o" if shown == row.ratio else "^" if row.ratio > 1.0 else "v"
+            bar = row.bar / row.value * row.ratio if marker == "o" else 0.0
+            axes.errorbar(place, shown, yerr=bar, fmt=marker, ms=4, color=colour, ecolor="k", lw=0.6)
             place += 1.0
-        ticks.append((0.5 * (start + place - 1.0), name.replace("_", " ")))
-        place += 2.0
+        place = max(place, start + LEAST_WIDTH)
+        label = f"{name.replace('_', ' ')} ({len(rows)})"
+        axes.text(start - 0.4, 1.06 * REACH[0], label, rotation=90, va="bottom", ha="right", fontsize=8, color=colour)
+        place += 2.6
     axes.axhline(1.0, color="k", lw=0.8)
     axes.set_yscale("log")
-    axes.set_ylim(0.4, 2.6)
-    axes.set_yticks([0.5, 0.7, 1.0, 1.4, 2.0], ["0.5", "0.7", "1", "1.4", "2"])
+    axes.set_ylim(*REACH)
+    axes.set_xlim(-3.0, place - 1.5)
+    axes.set_yticks([0.3, 0.5, 0.7, 1.0, 1.4, 2.0, 3.0], ["0.3", "0.5", "0.7", "1", "1.4", "2", "3"])
     axes.minorticks_off()
-    axes.set_xticks([at for at, _ in ticks], [name for _, name in ticks], rotation=30, ha="right")
+    axes.set_xticks([])
+    axes.grid(axis="y", lw=0.3)
     axes.set_ylabel("computed / published")
-    axes.set_title("thick: range of the computed value; thin: bar of the published one", fontsize=9)
-    figure.savefig(PICTURE, dpi=120)
 
 
 def main() -> None:

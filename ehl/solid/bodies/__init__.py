@@ -1,7 +1,7 @@
-"""Bodies of finite size: meshes of rings, their elasticity and heat conduction by finite elements.
+"""Bodies of finite size: meshes of rings, their elasticity, heat and thermal stress by finite elements.
 
 compliance             - structural compliance of a ring at its balls, without that of a half-space
-conduction             - heat conductances of a ring between its track, other surfaces and seat
+conduction             - heat from the track of a ring to its seat, and the stress that it makes
 elasticity             - linear elasticity on meshes of quadratic hexahedra
 finite_body_correction - surface of a grooved ring under a contact, less that of a half-space
 ring                   - stress in a grooved ring below a contact

@@ -1,14 +1,15 @@
 from .compliance import RingResponse, ring_response
-from .conduction import RingConductances, ring_conductances
+from .conduction import HeatedRing, heated_ring, thermal_hoop
 from .ring_profile import Elasticity, RingCells, RingProfile, Seat
 
 __all__ = [
     "Elasticity",
+    "HeatedRing",
     "RingCells",
-    "RingConductances",
     "RingProfile",
     "RingResponse",
     "Seat",
-    "ring_conductances",
+    "heated_ring",
     "ring_response",
+    "thermal_hoop",
 ]

@@ -1,71 +1,70 @@
-r"""Heat conductances of a ring between its track, its other surfaces and its seat.
+r"""Heat from the track of a ring to its seat, and the stress that it makes, by finite elements.
 
-.. math:: \int k\, \nabla T \cdot \nabla v\, dV = \int q\, v\, dA, \qquad T = 0 \text{ on the seat}
+.. math:: \int \nabla T \cdot \nabla v\, r\, dA = \int q\, v\, r\, ds, \qquad
+          T = 0 \text{ on the seat}
 
-on the section of the ring, as a thin sector of the same mesh: for a ring that turns under
-circulating balls heat enters its track evenly around. A unit of heat, spread evenly over one
-surface at a time, yields the mean temperatures of all, a symmetric matrix of resistances R. Its
-inverse is that of the network: minus its entries are the conductances between two surfaces, the
-sums of its rows those to the seat.
+.. math:: \int \sigma : \varepsilon(v)\, r\, dA = 0, \qquad
+          \sigma = \lambda\, \mathrm{tr}(\varepsilon) + 2 \mu\, \varepsilon
+                   - \frac{E \alpha T}{1 - 2 \nu}
+
+on half the section of the ring, alike on both sides and around its axis: heat of circulating balls
+enters a band of the track evenly, the rest is insulated, and nothing holds the ring but its
+symmetry. Quadratic quadrilaterals; temperatures are per kelvin of the band's mean, stresses per E
+alpha of it.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from math import pi
 
 import numpy as np
-from scipy import sparse
+from skfem import (
+    Basis,
+    BilinearForm,
+    ElementQuad2,
+    ElementVector,
+    FacetBasis,
+    LinearForm,
+    MeshQuad,
+    MeshQuad2,
+    condense,
+    solve,
+)
+from skfem.helpers import dot, grad
 
 from ...arrays import Array
-from .elasticity import HexMesh, Nodes, block_matrix, gradient_products, solve_symmetric
-from .ring_mesh import RingMesh, ring_mesh
-from .ring_profile import RingCells, RingProfile, section_points, track_points
+from .ring_profile import RingCells, RingProfile, section_points
 
-SURFACES = (
-    "track",
-    "land",
-    "side",
-)  # band of the track, rest of groove and lands, both side faces
-# halved cells change the conductance of track and seat of a 6208 inner ring by 1e-3
+# halved cells change the conductance of a 6208 inner ring by 1e-3, its largest tension by 3e-3
 CELLS = RingCells(groove=24, land=4)
-SECTOR = 0.05  # [rad]
-TOLERANCE = 1e-10  # relative residual of the temperatures [-]
-STEP = 1e-6  # of the depth, for the slope of the side faces [-]
+DEPTH = 12  # cells from track to seat [-]
+SAME = 1e-9  # places closer than this count as one, relative to the width [-]
 
 
-@dataclass(frozen=True, slots=True)
-class RingConductances:
-    """Conduction between the surfaces of a ring, in the order of `SURFACES`, and its seat."""
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class HeatedRing:
+    """Half the section of a ring that takes heat at its track and gives it off at its seat."""
 
-    resistance: Array  # mean temperature of each per heat into each, seat at zero, (3, 3) [K/W]
-
-    @property
-    def between(self) -> Array:
-        """Conductance between two surfaces, shape (3, 3), zero on the diagonal [W/K].
-
-        Entries below zero belong to a network that has the right temperatures and heats, not to
-        three bodies.
-        """
-        network = -np.linalg.inv(self.resistance)
-        return np.asarray(network - np.diag(np.diag(network)))
+    mesh: MeshQuad2  # coordinates: along the axis from the middle, radius [m]
+    temperature: Array  # of the nodes over the mean of the heated band, seat at zero [-]
+    conductance: float  # of the whole ring from band to seat, over its conductivity [m]
 
     @property
-    def to_seat(self) -> Array:
-        """Conductance of each surface to the seat, shape (3,) [W/K]."""
-        return np.asarray(np.linalg.inv(self.resistance).sum(axis=1))
+    def radius(self) -> Array:
+        """Radius of the nodes, shape (n,) [m]."""
+        return np.asarray(self.mesh.doflocs[1])
 
 
-def ring_conductances(
-    profile: RingProfile, conductivity: float, track_half_width: float, cells: RingCells = CELLS
-) -> RingConductances:
-    """Conductances of a whole ring between its surfaces and its seat.
+@cache
+def heated_ring(
+    profile: RingProfile, track_half_width: float, cells: RingCells = CELLS
+) -> HeatedRing:
+    """Temperature of a ring whose track is heated.
 
     Parameters
     ----------
     profile : RingProfile
         section of the ring, without shaft or housing
-    conductivity : float
-        of the ring [W/(m K)]
     track_half_width : float
         arc length from the bottom of the groove to which the balls heat it [m]
     cells : RingCells, default CELLS
@@ -73,8 +72,8 @@ def ring_conductances(
 
     Returns
     -------
-    RingConductances
-        resistances of the network [K/W]
+    HeatedRing
+        temperatures and conductance
 
     Raises
     ------
@@ -85,90 +84,107 @@ def ring_conductances(
         raise ValueError(f"track_half_width must lie between 0 and {profile.edge:.6g} m")
     if profile.body_radius is not None:
         raise ValueError("body_radius must be None: the conductances of the ring alone")
-    mesh = ring_mesh(profile, cells, SECTOR, uniform=1)
-    weights = np.stack(_surfaces(mesh, track_half_width), axis=1)
-    weights /= weights.sum(axis=0)
-    fixed = mesh.seat
-    matrix = conduction_matrix(mesh.body, conductivity * 2.0 * pi / SECTOR)
-    return RingConductances(_resistance(matrix, weights, fixed))
+    half = max(2, cells.groove // 2)
+    inside = max(1, round(half * track_half_width / profile.edge))
+    lines = np.concatenate(
+        [
+            np.linspace(0.0, track_half_width, inside + 1),
+            np.linspace(track_half_width, profile.edge, half - inside + 2)[1:],
+            np.linspace(profile.edge, profile.arc, cells.land + 1)[1:],
+        ]
+    )
+    box = MeshQuad2.from_mesh(MeshQuad.init_tensor(lines, np.linspace(0.0, 1.0, DEPTH + 1)))
+    arc, depth = np.array(box.doflocs)
+    mesh = MeshQuad2(np.ascontiguousarray(section_points(profile, arc, depth)), box.t)
+    if np.ptp(np.sign(mesh.mapping().detDF(np.full((2, 1), 0.5)))) > 0.0:
+        raise ValueError("cells of the mesh are turned inside out: profile too flat or thin")
+    corners = (depth == 0.0) & (arc <= track_half_width * (1.0 + 1e-9))
+    return section_heated(mesh, corners, depth == 1.0)
 
 
-def conduction_matrix(body: HexMesh, conductivity: float) -> sparse.bsr_matrix:
-    """Matrix of the heat that nodal temperatures conduct.
+def section_heated(mesh: MeshQuad2, heated: Array, seat: Array) -> HeatedRing:
+    """Temperature of a section that takes heat on some nodes of its surface.
 
     Parameters
     ----------
-    body : HexMesh
-        the mesh
-    conductivity : float
-        [W/(m K)]
+    mesh : MeshQuad2
+        half the section: along the axis from the middle, radius [m]
+    heated, seat : Array
+        nodes that take the heat and those at zero, shape (n,) of bool
 
     Returns
     -------
-    sparse.bsr_matrix
-        matrix, shape (n, n) [W/K]
+    HeatedRing
+        temperatures and conductance
     """
-    products = np.einsum("caibi->cab", gradient_products(body))
-    return block_matrix(body, conductivity * products[..., None, None])
+    basis = Basis(mesh, ElementQuad2())
+    facets = np.flatnonzero(heated[mesh.facets].all(axis=0))
+    flux = _even.assemble(FacetBasis(mesh, ElementQuad2(), facets=facets))
+    heat = 2.0 * pi * flux.sum()
+    matrix = _conduction.assemble(basis)
+    temperature = solve(*condense(matrix, flux, D=np.flatnonzero(seat)))
+    mean = float(flux @ temperature / flux.sum())
+    # half the section: twice the heat
+    whole = float(2.0 * heat / mean)
+    return HeatedRing(mesh=mesh, temperature=temperature / mean, conductance=whole)
 
 
-def _resistance(matrix: sparse.bsr_matrix, weights: Array, fixed: Nodes) -> Array:
-    """Mean temperatures under unit heats, weights of both equal [K/W]."""
-    free = np.flatnonzero(~fixed)
-    inner = sparse.csr_matrix(matrix)[free][:, free]
-    ones = np.ones((free.size, 1))
-    solution = solve_symmetric(inner, ones, weights[free], TOLERANCE)
-    resistance = weights[free].T @ solution.values
-    return np.asarray(0.5 * (resistance + resistance.T))
+@cache
+def thermal_hoop(ring: HeatedRing, poisson: float) -> Array:
+    """Hoop stress of a heated ring that nothing holds, tension positive.
 
+    Parameters
+    ----------
+    ring : HeatedRing
+        temperatures
+    poisson : float
+        nu [-]
 
-def _surfaces(mesh: RingMesh, half_width: float) -> list[Array]:
-    """Components of an even flux on the band of the track, the rest of it, the sides, at the
-    nodes.
+    Returns
+    -------
+    Array
+        of the nodes, over E alpha times the rise of the heated band over the seat, shape (n,) [-]
     """
-    profile = mesh.profile
-    arc = profile.arc
-
-    def track(s: Array) -> Array:
-        return np.asarray(track_points(profile, s)[1])
-
-    def side(t: Array) -> Array:
-        r, before, after = (
-            section_points(profile, np.full_like(t, arc), t + step)[1]
-            for step in (0.0, -STEP, STEP)
-        )
-        return np.asarray(r * np.abs(after - before))
-
-    bounds = ((-half_width, half_width), (-arc, -half_width), (half_width, arc))
-    band, first_rest, second_rest = (
-        _integrals(mesh, mesh.track, 1, track, between) for between in bounds
-    )
-    ends = (mesh.body.on(1, end) for end in (-arc, arc))
-    first, last = (_integrals(mesh, end, 2, side, (0.0, 1.0)) for end in ends)
-    return [band, first_rest + second_rest, first + last]
+    scalar = Basis(ring.mesh, ElementQuad2())
+    basis = scalar.with_element(ElementVector(ElementQuad2()))
+    constants = {"lame": poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson)), "nu": poisson}
+    warm = scalar.interpolate(ring.temperature)
+    matrix = _elasticity.assemble(basis, **constants)
+    load = _expansion.assemble(basis, warm=warm, **constants)
+    middle = 2 * np.flatnonzero(ring.mesh.doflocs[0] < SAME * np.ptp(ring.mesh.doflocs[0]))
+    moved = basis.interpolate(solve(*condense(matrix, load, D=middle)))
+    strain = _trace(moved, moved.grad, scalar.global_coordinates()[1])
+    around = moved[1] / scalar.global_coordinates()[1]
+    hoop = constants["lame"] * strain + around / (1.0 + poisson) - warm / (1.0 - 2.0 * poisson)
+    return np.asarray(scalar.project(hoop))
 
 
-def _integrals(
-    mesh: RingMesh,
-    nodes: Nodes,
-    axis: int,
-    density: Callable[[Array], Array],
-    bounds: tuple[float, float],
-) -> Array:
-    """Integrals of the shape functions along one parameter, evenly around the axis."""
-    theta = mesh.body.parameters[0]
-    coordinate = mesh.body.parameters[axis]
-    lines = np.unique(coordinate[nodes].round(12))
-    points, weights = np.polynomial.legendre.leggauss(6)
-    sums = np.zeros(lines.size)
-    for first in range(0, lines.size - 2, 2):
-        low, high = np.clip(lines[[first, first + 2]], *bounds)
-        at = 0.5 * (low + high) + 0.5 * (high - low) * points
-        flux = 0.5 * (high - low) * weights * density(at)
-        for k in range(3):
-            others = [lines[first + j] for j in range(3) if j != k]
-            shape = np.prod([(at - x) / (lines[first + k] - x) for x in others], axis=0)
-            sums[first + k] += flux @ shape
-    around = np.where(np.abs(theta - 0.5 * mesh.angle) < 0.1 * mesh.angle, 4.0, 1.0)  # Simpson
-    line = np.searchsorted(lines, coordinate - 1e-9 * float(np.ptp(lines)))
-    return np.asarray(np.where(nodes, sums[np.minimum(line, lines.size - 1)] * around, 0.0))
+def _trace(u, slope, r):  # type: ignore[no-untyped-def]
+    """Sum of the strains along the axis, the radius and around [-]."""
+    return slope[0, 0] + slope[1, 1] + u[1] / r
+
+
+@LinearForm
+def _even(v, w):  # type: ignore[no-untyped-def]
+    return v * w.x[1]
+
+
+@BilinearForm
+def _conduction(T, v, w):  # type: ignore[no-untyped-def]
+    return dot(grad(T), grad(v)) * w.x[1]
+
+
+@BilinearForm
+def _elasticity(u, v, w):  # type: ignore[no-untyped-def]
+    r = w.x[1]
+    du = grad(u)
+    dv = grad(v)
+    shear = 0.5 * (du[0, 1] + du[1, 0]) * (dv[0, 1] + dv[1, 0])
+    normal = du[0, 0] * dv[0, 0] + du[1, 1] * dv[1, 1] + u[1] * v[1] / r**2
+    volume = w.lame * _trace(u, du, r) * _trace(v, dv, r)
+    return (volume + (normal + shear) / (1.0 + w.nu)) * r
+
+
+@LinearForm
+def _expansion(v, w):  # type: ignore[no-untyped-def]
+    return w.warm * _trace(v, grad(v), w.x[1]) * w.x[1] / (1.0 - 2.0 * w.nu)

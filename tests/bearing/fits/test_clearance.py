@@ -73,7 +73,7 @@ def ring_on_shaft(radii, materials, interference, omega, warmings):
         row[2 * k] = e / (1.0 - nu)
         row[2 * k + 1] = -e / (1.0 + nu) / r**2
         body = -(3.0 + nu) / 8.0 * material.density * omega**2 * r**2
-        return row, body - e * material.thermal_expansion * warming / (1.0 - nu)
+        return row, body - e * material.thermal_strain(warming) / (1.0 - nu)
 
     def displacement(k, r):
         material = materials[k]

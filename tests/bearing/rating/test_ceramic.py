@@ -70,6 +70,24 @@ def test_safety_is_the_rating_over_the_equivalent_load(carbide):
     assert (found.low_safety, found.high_safety) == pytest.approx(tuple(r / 1000.0 for r in found.rating), rel=1e-6)
 
 
+def test_strength_over_the_tension_at_the_rims(carbide):
+    """Ring and ball of one material: the largest tension decides; by the ends of its strength."""
+    found = contact_strength(*carbide, 0.0)
+    material = load_material("silicon carbide")
+    assert found.rim_safety == pytest.approx(material.bending_strength / found.edge_tension)
+    ends = [end / found.edge_tension for end in material.bending_strength_range]
+    assert [found.rim_safety_low, found.rim_safety_high] == pytest.approx(ends)
+    without = replace(material, bending_strength=None, bending_strength_range=None)
+    solution, contacts = carbide
+    bare = replace(
+        solution,
+        bearing=replace(
+            solution.bearing, inner_ring_material=without, outer_ring_material=without, ball_material=without
+        ),
+    )
+    assert contact_strength(bare, contacts, 0.0).rim_safety is None
+
+
 def test_steel_rings_have_none():
     assert contact_strength(*solved("bearing steel", "silicon nitride"), 0.0) is None
 
