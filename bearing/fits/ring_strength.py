@@ -32,7 +32,7 @@ temperature at a whole surface makes E alpha dT/(1 - nu) of tension there; at th
 the strength.
 """
 
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, fields, replace
 from functools import cache
 from math import expm1, gamma, pi
 
@@ -216,21 +216,6 @@ def _shock(material: Material, strength: float | None) -> float | None:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RingGradient:
-    """Differences of temperature between track and seat at which a ring breaks."""
-
-    conductance: float | None  # from track to seat [W/K]; None: conductivity not known
-    tension: float  # largest hoop stress of a track that is warmer, for each kelvin [Pa/K]
-    # allowed with the mean strength and the ends of its range [K]
-    warm: float
-    warm_low: float
-    warm_high: float
-    cold: float
-    cold_low: float
-    cold_high: float
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class StrengthMap:
     """Hoop tension of the inner ring over its temperature and its speed."""
 
@@ -249,8 +234,6 @@ class Strength:
 
     rings: tuple[RingStrength, ...]  # those whose seat has a diameter
     inner_map: StrengthMap | None = None  # None unless the inner ring is brittle and has a seat
-    # None of a ring that is not brittle, or without width or expansion
-    gradients: dict[Race, RingGradient | None] = field(default_factory=dict)
 
     def groove_tension(self) -> dict[Race, float]:
         """Hoop tension at the bottom of the grooves by race [Pa]."""

@@ -13,7 +13,7 @@ from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..geometry import Bearing, Race, ring_material
 from ..material import Material
-from ..rings.ring_gradient import heated_section
+from ..rings.elastic_ring import heated_section
 from ..torque.skf import diameters
 from .friction_heat import FrictionHeat, solid_thermal
 from .network import (

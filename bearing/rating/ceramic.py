@@ -7,19 +7,32 @@ hoop tension of a ring add to the tension and are left out. The bending strength
 at the rim is a lower bound of the safety against such a crack, since bars are larger than the rim
 and have deeper flaws. Makers rate ceramic bearings with 65 to 75 % of the static rating of the
 same bearing of steel.
+
+Heat that enters the track of a ring and leaves by its seat, or the other way, makes hoop stress in
+a ring that nothing holds: its cold side is in tension, by E alpha of the difference times the
+solved stress of its section (`ehl.solid.bodies.conduction`). A difference is allowed up to which
+this and the hoop stress of fit and rotation (`fits.ring_strength`) reach the bending strength
+nowhere. Heat is even around; the expansion is the mean one.
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import hypot, pi
 
+import numpy as np
+
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.closed_form.hertz_stress import hertz_edge_tension
+from oilfilm.ehl.solid import bodies
 
 from ..contacts.contact import BearingContact
 from ..contacts.stress import edge_tension
+from ..fits.ring_strength import RingStrength
 from ..geometry import Bearing, ring_material
 from ..material import Material, load_material
 from ..quasistatic.solution import QuasistaticSolution
+from ..rings.elastic_ring import heated_section
+from .dry_surface import Range
 from .load_rating import static_equivalent_load, static_rating
 
 CRACK_SHAPE = 1.12 * 2.0 / pi  # of a half-circular crack in a surface [-]
@@ -32,10 +45,7 @@ class ContactStrength:
 
     edge_tension: float  # largest of all contacts [Pa]
     critical_flaw: float  # smallest of all contacts [m]
-    # least bending strength over the tension at a rim, by mean, least and largest strength [-]
-    rim_safety: float | None
-    rim_safety_low: float | None
-    rim_safety_high: float | None
+    rim_safety: Range | None  # least bending strength over the tension at a rim [-]
     rating: tuple[float, float]  # static rating by the rule of makers, low and high [N]
     load: float | None  # static equivalent load of the worst row [N]
 
@@ -58,6 +68,58 @@ class ContactStrength:
     def high_safety(self) -> float | None:
         """High end of the static safety [-]; None without a load or its factors."""
         return self.rating[1] / self.load if self.load else None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RingGradient:
+    """Differences of temperature between track and seat at which a ring breaks."""
+
+    conductance: float | None  # from track to seat [W/K]; None: conductivity not known
+    tension: float  # largest hoop stress of a track that is warmer, for each kelvin [Pa/K]
+    warm: Range  # allowed of a track warmer than the seat, by the range of the strength [K]
+    cold: Range  # and of a colder one [K]
+
+
+def ring_gradient(bearing: Bearing, ring: RingStrength) -> RingGradient | None:
+    """Differences of temperature that a brittle ring bears.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    ring : RingStrength
+        the ring with the hoop stress of fit and rotation
+
+    Returns
+    -------
+    RingGradient | None
+        the differences; None without width, strength or expansion of the ring
+    """
+    material = ring.material
+    strength = _strength(material)
+    wall = ring.wall
+    if wall is None or wall.width is None or strength is None or not material.thermal_expansion:
+        return None
+    try:
+        section = heated_section(bearing, ring.race)
+    except ValueError:  # a groove that does not fit into the ring
+        return None
+    scale = material.youngs_modulus * material.thermal_expansion
+    by_kelvin = scale * bodies.thermal_hoop(section, material.poisson_ratio)
+    hoop = np.asarray(wall.hoop(section.radius))
+    conductivity = material.thermal_conductivity
+    return RingGradient(
+        conductance=None if conductivity is None else conductivity * section.conductance,
+        tension=float(by_kelvin.max()),
+        warm=Range(*(_allowed(end - hoop, by_kelvin) for end in strength)),
+        cold=Range(*(_allowed(end - hoop, -by_kelvin) for end in strength)),
+    )
+
+
+def _allowed(reserve: Array, by_kelvin: Array) -> float:
+    """Difference at which a tension that grows with it uses up what is left of strength [K]."""
+    tense = by_kelvin > 0.0
+    return max(0.0, float((reserve[tense] / by_kelvin[tense]).min()))
 
 
 def critical_flaw(bearing: Bearing, contact: BearingContact) -> float | None:
@@ -98,6 +160,14 @@ def _rims(bearing: Bearing, contact: BearingContact) -> Iterator[tuple[Material,
         tension = max(hertz_edge_tension(axes, hertz.pressure, body.poisson_ratio))
         if tension > 0.0:
             yield body, tension
+
+
+def _strength(body: Material) -> Range | None:
+    """Bending strength with its range [Pa]; None without one."""
+    value = body.bending_strength
+    if value is None:
+        return None
+    return Range(value, *(body.bending_strength_range or (value, value)))
 
 
 def makers_static_rating(bearing: Bearing, contact_angle: float) -> tuple[float, float]:
@@ -150,9 +220,10 @@ def contact_strength(
     if not tensions or any(ring.fracture_toughness is None for ring in rings):
         return None
     rims = [
-        (body.bending_strength, body.bending_strength_range, tension)
+        Range(*(end / tension for end in strength))
         for one in contacts
         for body, tension in _rims(bearing, one)
+        if (strength := _strength(body)) is not None
     ]
     flaws = [c for one in contacts if (c := critical_flaw(bearing, one)) is not None]
     loads = [
@@ -162,9 +233,7 @@ def contact_strength(
     return ContactStrength(
         edge_tension=max(tensions),
         critical_flaw=min(flaws),
-        rim_safety=min((mean / tension for mean, _, tension in rims if mean), default=None),
-        rim_safety_low=min((ends[0] / tension for _, ends, tension in rims if ends), default=None),
-        rim_safety_high=min((ends[1] / tension for _, ends, tension in rims if ends), default=None),
+        rim_safety=min(rims, default=None),
         rating=makers_static_rating(bearing, contact_angle),
         load=max((load for load in loads if load is not None), default=None),
     )

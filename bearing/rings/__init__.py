@@ -1,6 +1,5 @@
 """Rings as elastic bodies on their seats.
 
-compliance    - movement of a groove at one ball by the force of another, supports of seats
-elastic_ring  - an elastic ring: section, material, seat
-ring_gradient - differences of temperature that a brittle ring bears
+compliance   - movement of a groove at one ball by the force of another, supports of seats
+elastic_ring - an elastic ring: section, material, seat
 """

@@ -4,9 +4,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import degrees, pi, radians
 
+from oilfilm.ehl.solid import bodies
 from oilfilm.ehl.solid.bodies.ring_profile import Elasticity, RingCells, RingProfile, Seat
 
-from ..geometry import Bearing, Race, ring_material
+from ..geometry import Bearing, Race, ring_material, shoulder_diameter
 from ..material import Material
 
 # contact angle at which the axial compliance is taken: at least this, from the free angle rounded,
@@ -15,6 +16,10 @@ LEAST_ANGLE_DEG = 20.0
 ANGLE_STEP_DEG = 5.0
 # the mesh of a solid shaft ends at this part of its radius, which softens it by the square [-]
 SHAFT_CORE = 0.15
+# half-width of the track that the balls heat over the ball diameter [-]: the ellipses of loaded
+# contacts reach 0.05 to 0.15; the ring's conductance changes by 10 % from one to the other
+TRACK = 0.1
+SHOULDER = 0.2  # height over the ball diameter where no shoulder is known, assumed [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -138,3 +143,26 @@ def _contact_angle(bearing: Bearing, profile: RingProfile) -> float:
     steps = round(degrees(bearing.free_contact_angle) / ANGLE_STEP_DEG)
     angle = max(LEAST_ANGLE_DEG, steps * ANGLE_STEP_DEG)
     return min(radians(angle), 0.8 * profile.edge_angle)
+
+
+def heated_section(bearing: Bearing, race: Race) -> "bodies.HeatedRing":
+    """Solved temperatures of a ring whose track is heated.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry, with bore, outside diameter and width
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    bodies.HeatedRing
+        temperatures and conductance
+    """
+    ball = bearing.ball_diameter
+    outward = 1.0 if race is Race.INNER else -1.0
+    groove = bearing.pitch_diameter - outward * ball
+    shoulder = shoulder_diameter(bearing, race) or (groove + 2.0 * outward * SHOULDER * ball, True)
+    profile = elastic_ring(bearing, race, Seat.RIGID, shoulder).profile
+    return bodies.heated_ring(profile, TRACK * ball)

@@ -20,7 +20,6 @@ from oilfilm.bearing.films.unsolved_films import (
 )
 from oilfilm.bearing.fits.ring_strength import Strength, ring_strengths, strength_map
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.bearing.rings.ring_gradient import ring_gradient
 from oilfilm.bearing.supply.supply import OilAtInlets, Supply
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
@@ -363,8 +362,8 @@ def solve_contacts(
 
 
 def case_strength(case: Case) -> Strength:
-    """Hoop tension of the rings; of brittle ones also the differences of temperature that they
-    bear, of a brittle inner ring on a shaft the tension over temperature and speed.
+    """Hoop tension of the rings; of a brittle inner ring on a shaft also over temperature and
+    speed.
 
     Parameters
     ----------
@@ -377,13 +376,12 @@ def case_strength(case: Case) -> Strength:
         Tensions and strengths.
     """
     rings = ring_strengths(case.bearing, case.operation, case.clearance)
-    gradients = {ring.race: ring_gradient(case.bearing, ring) for ring in rings}
     seats = case.seats
     brittle = case.bearing.inner_ring_material.bending_strength is not None
     if seats.fit is None or not brittle:
-        return Strength(rings=rings, gradients=gradients)
+        return Strength(rings=rings)
     inner = strength_map(case.bearing, case.operation, seats.fit, seats.rise, seats.reference)
-    return Strength(rings=rings, inner_map=inner, gradients=gradients)
+    return Strength(rings=rings, inner_map=inner)
 
 
 def contact_tensions(

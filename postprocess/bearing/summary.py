@@ -14,12 +14,7 @@ from oilfilm.bearing.contacts.electrical import (
     bearing_electrical,
     electrical_lack,
 )
-from oilfilm.bearing.fits.ring_strength import (
-    LARGE_SHARE,
-    RingGradient,
-    RingStrength,
-    StrengthMap,
-)
+from oilfilm.bearing.fits.ring_strength import LARGE_SHARE, RingStrength, StrengthMap
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.heating.over_speed import required_heat_transfer, required_oil_flow
@@ -32,7 +27,12 @@ from oilfilm.bearing.quasistatic.solution import (
     bearing_frequencies,
     kinematic_frequencies,
 )
-from oilfilm.bearing.rating.ceramic import ContactStrength, contact_strength
+from oilfilm.bearing.rating.ceramic import (
+    ContactStrength,
+    RingGradient,
+    contact_strength,
+    ring_gradient,
+)
 from oilfilm.bearing.rating.duty_cycle import LoadCase
 from oilfilm.bearing.rating.film_life import ContactKappa, FilmLife, film_life
 from oilfilm.bearing.rating.life import (
@@ -81,8 +81,8 @@ from .bearing_quantities import (
     PATH,
     RING,
     RING_BODY,
-    RING_LOAD,
     RING_GRADIENT,
+    RING_LOAD,
     RING_STRENGTH,
     ROW,
     STABILITY,
@@ -1322,7 +1322,7 @@ def _ring_strength(
     solved = [t.ring for contact, t in pairs if t is not None and contact.race is race]
     tension = from_si("tension_GPa", max(solved, default=None))
     material = None if ring is None else ring.material.name
-    gradient = None if results.strength is None else results.strength.gradients.get(race)
+    gradient = None if ring is None else ring_gradient(results.quasistatic.bearing, ring)
     heated, heat_tension = _by_friction(results, gradient)
     return {
         "material": material,
@@ -1420,11 +1420,12 @@ def strength_messages(results: BearingResults) -> Iterator[str]:
     contacts = _contact_strength(results)
     if contacts is not None:
         yield MAKERS_RULE
-        if contacts.rim_safety_low is not None and contacts.rim_safety_low < 1.0:
+        if contacts.rim_safety is not None and contacts.rim_safety.low < 1.0:
             yield Caution(
-                "strength: the tension at the rim of a contact exceeds the least bending strength, "
-                f"which is {contacts.rim_safety_low:.2g} of it (strength.contacts.rim_safety_low): ring "
-                "cracks are possible, which the static rating of makers does not exclude"
+                "strength: the least bending strength is "
+                f"{contacts.rim_safety.low:.2g} of the tension at the rim of a contact "
+                "(strength.contacts.rim_safety_low): ring cracks are possible, which the static "
+                "rating of makers does not exclude"
             )
         if contacts.high_safety is not None and contacts.high_safety < 1.0:
             yield Caution(
@@ -1474,10 +1475,8 @@ def strength_rows(results: BearingResults) -> dict[str, str]:
         flaw = from_si("flaw_um", contacts.critical_flaw)
         rows["contacts"] = f"tension {tension:.3g} GPa at the rim, opens cracks of {flaw:.3g} um"
         if contacts.rim_safety is not None:
-            rows["contacts"] += f"; strength over it {contacts.rim_safety:.3g}"
-            ends = [contacts.rim_safety_low, contacts.rim_safety_high]
-            reach = " to ".join(f"{end:.3g}" for end in ends if end is not None)
-            rows["contacts"] += f" ({reach}), a lower bound" if reach else ", a lower bound"
+            value, low, high = (f"{end:.3g}" for end in contacts.rim_safety)
+            rows["contacts"] += f"; strength over it {value} ({low} to {high}), a lower bound"
         if contacts.low_safety is not None:
             rows["contacts"] += (
                 f"; static safety {contacts.low_safety:.3g} to {contacts.high_safety:.3g} "

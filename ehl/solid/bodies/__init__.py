@@ -1,4 +1,4 @@
-"""Bodies of finite size: meshes of rings, their elasticity, heat and thermal stress by finite elements.
+"""Bodies of finite size: meshes of rings, elasticity, heat and thermal stress by finite elements.
 
 compliance             - structural compliance of a ring at its balls, without that of a half-space
 conduction             - heat from the track of a ring to its seat, and the stress that it makes
