@@ -1,0 +1,136 @@
+"""Small laws of a contact by values that a hand can compute: exponents, signs, factors and ends."""
+
+from __future__ import annotations
+
+from math import exp, log, sqrt
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from oilfilm.ehl import Lubricant
+from oilfilm.ehl.atlas import films, oils
+from oilfilm.ehl.atlas.table import BASE_ALPHA, BASE_Z, OIL_UNITS, oil_features
+from oilfilm.ehl.closed_form.starvation import _radial
+from oilfilm.ehl.finite_element.reynolds import _conductance
+from oilfilm.ehl.multigrid.film_values import LOWEST_RATIO, _departure
+from oilfilm.ehl.oil.lubricant import ViscosityLaw
+from oilfilm.ehl.solid.bodies.compliance import _shape
+from oilfilm.ehl.solid.compliance import FAR, _kernel
+from oilfilm.ehl.solid.heat import SolidThermal
+from oilfilm.ehl.traction.film_quadrature import BLOCKS, _blocks
+from oilfilm.ehl.traction_table.splines import leave_one_out_error, node_values, spline_coefficients, spline_weights
+from oilfilm.ehl.transient.content import _extended
+
+X = np.arange(9.0)
+
+
+def cubic(x):
+    return 2.0 - 3.0 * x + 0.5 * x**2 + 0.25 * x**3
+
+
+def at(coefficients, place):
+    first, weights = spline_weights(place, X.size)
+    return float(weights @ coefficients[first : first + 4])
+
+
+def test_splines_are_exact_for_cubics():
+    coefficients = spline_coefficients(cubic(X), (0,))
+    assert node_values(coefficients, (0,)) == pytest.approx(cubic(X), abs=1e-10)
+    assert [at(coefficients, x) for x in (0.0, 0.3, 4.75, 8.0)] == pytest.approx(
+        [cubic(x) for x in (0.0, 0.3, 4.75, 8.0)], abs=1e-10
+    )
+    assert spline_weights(3.3, 9)[1].sum() == pytest.approx(1.0)
+
+
+def test_the_error_of_a_node_left_out_is_that_of_its_cubic():
+    """A cubic has none; x^4 has the product of the distances to the four others, at the second node 1, 1, 2 and 3."""
+    assert leave_one_out_error(cubic(X), 0) == pytest.approx(0.0, abs=1e-9)
+    assert leave_one_out_error((X**4)[None, :], 1) == pytest.approx(6.0)
+    assert leave_one_out_error((X[:3] ** 2)[:, None], 0) == pytest.approx(1.0)  # by a line through the ends
+
+
+def test_parabolas_through_three_nodes_are_exact():
+    """Shape functions of an element, and lines of oil beyond their ends."""
+    nodes, x = np.array([0.0, 1.0, 4.0]), 2.5
+    for power in range(3):
+        assert _shape(nodes, x) @ nodes**power == pytest.approx(x**power)
+    one, other = 3.0 - X + X**2, X**2 - 20.0
+    beyond = np.arange(-3.0, 12.0)
+    wanted = np.stack([3.0 - beyond + beyond**2, beyond**2 - 20.0])
+    assert _extended(np.stack([one, other]), 3) == pytest.approx(wanted)
+
+
+def test_conductance_is_the_mean_of_the_cube():
+    """Simpson's rule is exact for H^3 of a linear H."""
+    head, tail, speed = np.array([1.0, 2.0]), np.array([3.0, 2.0]), np.array([5.0, 0.5])
+    edges, k = SimpleNamespace(head=[0, 1], tail=[2, 3]), SimpleNamespace(H=np.append(head, tail), speed=speed)
+    mean = (head**3 + 4.0 * (0.5 * (head + tail)) ** 3 + tail**3) / 6.0
+    assert _conductance(edges, k) == pytest.approx(mean / speed)
+
+
+def test_departure_from_second_order():
+    """None where a step is a quarter of the one before; of an eighth (third order) 4/7 of the step."""
+    assert _departure(1.0, 4.0) == 0.0
+    assert _departure(-1.0, -8.0) == pytest.approx(4.0 / 7.0)
+    assert _departure(0.0, 4.0) == pytest.approx(4.0 / (LOWEST_RATIO - 1.0))
+    assert _departure(1.0, 1.0) == pytest.approx(3.0 / (LOWEST_RATIO - 1.0))  # first order at least
+
+
+def test_kernel_of_the_starvation_law():
+    """(1 + s + s^2/3) exp(-s) with s = sqrt 5 times the distance (Matern, nu 5/2)."""
+    function = SimpleNamespace(centres=np.array([[1.0, 2.0, 3.0, 9.0]]), scales=np.array([1.0, 2.0, 0.5, 1.0]))
+    s = sqrt(5.0 * (0.25 + 1.0 + 1.0 + 4.0))
+    found = _radial(function, np.array([2.0, 4.0, 4.0]), np.array([[0.25]]))
+    assert found == pytest.approx((1.0 + s + s * s / 3.0) * exp(-s))
+    assert _radial(function, np.array([1.0, 2.0, 3.0]), np.zeros((1, 1))) == pytest.approx(1.0)
+
+
+def test_features_of_an_oil_are_a_second_order_expansion():
+    """sqrt L/4 times z', a, z' a/2, a^2/2, z'^2/2; none of the oil that the table stands at."""
+    x = np.array([[0.0, 8.0, 0.0]])
+    assert oil_features(x, [BASE_ALPHA], [BASE_Z]) == pytest.approx(np.zeros((1, 5)))
+    other = oil_features(x, [BASE_ALPHA * exp(3.0 * OIL_UNITS[1])], [BASE_Z + 2.0 * OIL_UNITS[0]])
+    assert other == pytest.approx(np.array([[4.0, 6.0, 6.0, 9.0, 4.0]]))
+
+
+def test_oils_of_the_table_are_those_of_roelands_at_his_pressure():
+    own = Lubricant(viscosity=0.03, pressure_viscosity=18e-9)
+    assert own.viscosity_law is ViscosityLaw.ROELANDS and oils._roelands(own)
+    assert not oils._roelands(Lubricant(viscosity=0.03, pressure_viscosity=18e-9, viscosity_law=ViscosityLaw.BARUS))
+    assert not oils._roelands(Lubricant(viscosity=0.03, pressure_viscosity=18e-9, roelands_pressure=1.5e8))
+
+
+def test_moment_of_a_layer_between_those_tabulated():
+    """A parabola in the inverse of the layer: the tabulated ones are met; the bar widens where it is thinner."""
+    rest = np.array([0.3, 0.5, 0.6])
+    for layer, own in zip(films.LAYERS, rest, strict=True):
+        found = films._moment(rest, layer * 1.2, 0.2, 0.01, 7.0)
+        expected = log(layer * 1.2) + own
+        assert found.value == pytest.approx(7.0 * expected)
+        assert found.uncertainty == pytest.approx(0.07 * abs(expected))
+    thin = films._moment(rest, 4.0 * 1.2, 0.2, 0.01, 1.0)
+    assert thin.uncertainty > 0.01 * abs(thin.value) * (1.0 + 1e-9)
+    assert films._moment(rest, 2.9 * 1.2, 0.2, 0.01, 1.0) is None
+
+
+def test_deflection_is_continuous_where_the_far_field_begins():
+    """The expansion of the far field meets the exact integral; a single layer has 1/r far away."""
+    hx, hy = 0.1, 0.2
+    x = np.linspace(0.0, 3.0 * FAR * hy, 200)
+    kernel = _kernel(x, np.array([0.0, 0.3]), hx, hy, None)
+    assert (np.diff(kernel, axis=0) < 0.0).all()
+    jump = np.abs(np.diff(np.log(kernel[:, 0]), 2))
+    assert jump[(x > 0.5 * FAR * hy)[2:]].max() < 2e-3
+    assert kernel[-1, 0] * x[-1] == pytest.approx(hx * hy, rel=1e-3)
+
+
+def test_blocks_are_the_same_from_either_end():
+    numbers = _blocks(65)
+    assert (numbers[::-1] == numbers[-1] - numbers).all() and numbers[0] == 0
+    assert numbers[-1] + 1 == pytest.approx(BLOCKS, abs=1)
+
+
+def test_heat_of_a_solid():
+    body = SolidThermal(conductivity=4.0, density=3.0, specific_heat=12.0)
+    assert (body.effusivity, body.diffusivity) == (12.0, 4.0 / 36.0)
