@@ -1,0 +1,130 @@
+"""Small parts of results and texts by values that a hand can compute."""
+
+from __future__ import annotations
+
+from math import cos, pi
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from oilfilm.bearing.contacts.contact import Race
+from oilfilm.bearing.heating.over_speed import SpeedBranch, SpeedLimit
+from oilfilm.bearing.rating.life import LARGEST_A_ISO
+from oilfilm.postprocess.batch import write
+from oilfilm.postprocess.bearing.contact_quantities import finite_body_messages
+from oilfilm.postprocess.bearing.summary import _life_text
+from oilfilm.postprocess.bearing.torque import CHURNING_SHARE, _churning_share
+from oilfilm.postprocess.dynamics import results
+from oilfilm.postprocess.report.page import _rows
+from oilfilm.postprocess.report.pdf_and_workbook import _is_table
+from oilfilm.postprocess.shaft.results import _heat
+from oilfilm.postprocess.temperatures.results import temperature_study_messages
+
+
+def test_defect_frequencies_of_a_simulation():
+    """Z times the speed of the cage against each ring, that turns at the last of the schedule; gamma = D cos a/d_m."""
+    schedule = np.zeros((2, 99))
+    schedule[-1, results.INNER_SPEED], schedule[-1, results.OUTER_SPEED] = 2.0 * pi * 40.0, 2.0 * pi * -10.0
+    simulation = SimpleNamespace(
+        data=SimpleNamespace(schedule=schedule),
+        bearing=SimpleNamespace(balls=8, ball_diameter=10.0, pitch_diameter=40.0),
+    )
+    numbers = SimpleNamespace(contact_angle=0.3, orbit_speed=2.0 * pi * 7.0, spin_speed=2.0 * pi * 90.0)
+    found = results._frequencies(simulation, numbers)
+    gamma = 0.25 * cos(0.3)
+    cage = 0.5 * (40.0 * (1.0 - gamma) - 10.0 * (1.0 + gamma))
+    assert found["kinematic"] == pytest.approx(
+        {
+            "cage": cage,
+            "ball_pass_outer": 8 * (cage + 10.0),
+            "ball_pass_inner": 8 * (40.0 - cage),
+            "ball_spin": 0.5 * 50.0 * 4.0 * (1.0 - gamma**2),
+        }
+    )
+    slipping = {"cage": 7.0, "ball_pass_outer": 8 * 17.0, "ball_pass_inner": 8 * 33.0, "ball_spin": 90.0}
+    assert found["with_slip"] == pytest.approx(slipping)
+
+
+def test_drag_is_told_where_it_is_much_of_the_total():
+    def share(drag, total=10.0, chosen="films"):
+        models = {"films": SimpleNamespace(components={"drag": drag})}
+        return _churning_share(SimpleNamespace(models=models, chosen=chosen, total=total))
+
+    assert share(4.0) == pytest.approx(0.4)
+    assert share(0.99 * CHURNING_SHARE * 10.0) is share(None) is share(4.0, None) is share(4.0, 10.0, None) is None
+
+
+def test_life_at_its_limit():
+    known = {"basic_reference_rating_h": 1000.0, "modified_reference_rating_h": 50_000.0, "a_1": 1.0}
+    assert ", its limit" in _life_text(known | {"a_iso": LARGEST_A_ISO})
+    assert "limit" not in _life_text(known | {"a_iso": 0.99 * LARGEST_A_ISO})
+    assert "L10mh" in _life_text(known | {"a_iso": 3.0}) and "a_1" not in _life_text(known | {"a_iso": 3.0})
+    other = _life_text(known | {"a_iso": 3.0, "a_1": 0.64})
+    assert "Lnmh" in other and "a_1 0.64" in other
+    assert "modified" not in _life_text(known | {"modified_reference_rating_h": None})
+
+
+def test_conductances_of_a_shaft_and_its_housing():
+    link = SimpleNamespace(
+        node="shaft", bearings=(0, 1), description="", conductance=SimpleNamespace(value=2.0, low=1.0, high=5.0)
+    )
+    (path,) = _heat(
+        SimpleNamespace(bearings=(), temperatures=np.zeros((2, 9)), stable=True, links=[link], flows=[7.0])
+    )["paths"]
+    numbers = ("bearings", "conductance_W_K", "conductance_low_W_K", "conductance_high_W_K", "heat_W")
+    assert [path[name] for name in numbers] == [[1, 2], 2.0, 1.0, 5.0, 7.0]
+
+
+def test_changes_by_finite_bodies_are_told_for_both_races():
+    changes = {
+        Race.INNER: SimpleNamespace(pressure_share=0.01, film_share=-0.02),
+        Race.OUTER: SimpleNamespace(pressure_share=-0.03, film_share=None),
+    }
+    (text,) = finite_body_messages(SimpleNamespace(finite_bodies=SimpleNamespace(reason="", at=changes.get)))
+    assert "inner race +1.00% of Hertz' pressure, -2.00% of the central film; outer race -3.00%" in text
+    assert list(finite_body_messages(SimpleNamespace(finite_bodies=None))) == []
+
+
+@pytest.mark.parametrize(
+    ("limit", "text"),
+    [
+        (SpeedLimit.RUNAWAY, "limiting speed 3000 r/min by heat, films at 80 C"),
+        (SpeedLimit.NOT_REACHED, "limiting speed null: none up to 3000 r/min"),
+        (SpeedLimit.NO_STATE, "limiting speed null: not converged beyond 2000 r/min, films at 60 C: stuck"),
+    ],
+)
+def test_the_limit_of_the_speed_in_words(limit, text):
+    speeds = [(3000.0, 80.0), (2000.0, 60.0)]
+    balances = tuple(
+        SimpleNamespace(speed=speed * pi / 30.0, state=SimpleNamespace(film_temperature=273.15 + film))
+        for speed, film in speeds
+    )
+    branch = SpeedBranch(balances=balances, limited_by=limit, message="stuck")
+    ended = SimpleNamespace(ended=True)
+    results = SimpleNamespace(branch=branch, heating=SimpleNamespace(converged=True), warm_up=ended)
+    (message,) = temperature_study_messages(results)
+    assert message.startswith(text)
+
+
+def test_records_of_vibrations_have_their_rate(tmp_path, monkeypatch):
+    """n samples take n - 1 steps; shorter records end in NaN, points without one have no rate."""
+    series = {"a": (np.linspace(1.0, 1.5, 6), np.arange(6.0)), "b": (np.linspace(0.0, 1.0, 3), np.ones(3))}
+    for name in series:
+        (tmp_path / f"{name}.nc").touch()
+    monkeypatch.setattr(write, "read_variables", lambda path, *_: series[path.stem])
+    monkeypatch.setattr(write, "_defects", lambda case: "none")
+    points = [SimpleNamespace(key=key, summary={"vibration": {"strongest_line": key}}, case={}) for key in "abc"]
+    found = write._records(SimpleNamespace(points=points), tmp_path)
+    assert found["record.sample_rate_Hz"][1].tolist()[:2] == pytest.approx([10.0, 2.0])
+    assert np.isnan(found["record.sample_rate_Hz"][1][2])
+    whole = found["record.acceleration_m_s2"][1]
+    assert whole.shape == (3, 6) and whole[0].tolist() == list(range(6)) and np.isnan(whole[1, 3:]).all()
+    assert found["record.strongest_line"][1].tolist() == ["a", "b", "c"]
+
+
+def test_what_is_a_table():
+    assert _is_table([{"a": 1}]) and not any(map(_is_table, ([], [1], [{"a": 1}, 2], {"a": 1}, "text")))
+    assert _rows([]) is _rows([{"a": 1}, 2]) is None
+    table = _rows([{"a": 1, "b": 2}, {"a": 3}])
+    assert len(table.rows) == 2 and all(len(cells) == 2 for _, cells in table.rows)
