@@ -36,6 +36,7 @@ from .keys import digest
 POINTS = "points"
 CONTACTS = "contacts"
 TABLES = "tables"
+FOLDERS = (POINTS, CONTACTS, TABLES)
 SWEEP_FILE = "sweep.toml"
 SUMMARY = "summary.json"
 TABLE = "batch.csv"
@@ -68,9 +69,10 @@ def open_folder(directory: Path, *, resume: bool, single_writer: bool = True) ->
     if not resume and has_points(directory):
         allowed = "allowed: --resume to go on, or another -o"
         raise CaseError(f"{directory}: holds finished points of an earlier batch; {allowed}")
-    for file in _own_files(directory):
-        if file.is_dir():
-            wanted = "is a folder in the place of a file of the batch; allowed: without it"
+    for file in (*_own_files(directory), *(directory / name for name in FOLDERS)):
+        kind = "link" if file.is_symlink() else "folder"
+        if kind == "link" or (file.is_dir() and file.name not in FOLDERS):
+            wanted = f"is a {kind} in the place of a file of the batch; allowed: without it"
             raise CaseError(f"{file}: {wanted}, or another -o")
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
     if single_writer:
@@ -101,7 +103,7 @@ def remove_unfinished(directory: Path) -> None:
     directory : Path
         Folder of the batch.
     """
-    for folder in (POINTS, CONTACTS, TABLES):
+    for folder in FOLDERS:
         for left in (directory / folder).glob(f".*{PARTIAL}*"):
             left.unlink(missing_ok=True)
 
@@ -111,7 +113,7 @@ def _own_files(directory: Path) -> Iterator[Path]:
     names = (SWEEP_FILE, SUMMARY, TABLE, DATA, PARQUET, DIGESTS)
     yield from (directory / name for name in names)
     yield from directory.glob(PATTERN)
-    for folder in (POINTS, CONTACTS, TABLES):
+    for folder in FOLDERS:
         yield from (directory / folder).glob("*.*")
 
 

@@ -383,7 +383,8 @@ def _check_foreign(directory: Path, names: list[str], ours: list[str]) -> None:
         file = directory / name
         folder = file.parent
         way = [file] if file.is_dir() or (name not in known and file.exists()) else []
-        way += [folder] if folder.exists() and not folder.is_dir() else []
+        away = folder != directory and not _inside(directory, [os.path.dirname(name)])  # by a link
+        way += [folder] if away or (folder.exists() and not folder.is_dir()) else []
         if way:
             refused = "not written by oilfilm, will not be replaced; choose another -o"
             raise CaseError(f"{way[0]}: {refused}")

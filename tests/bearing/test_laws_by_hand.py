@@ -49,7 +49,7 @@ def test_moment_of_hysteresis():
 
 @pytest.mark.parametrize("direction", [0.0, 90.0, 200.0])
 def test_loaded_half_is_that_of_the_load(direction):
-    """Balls within a quarter turn of the load's direction; those at right angles to it, and of an axial load, by half."""
+    """Balls within a quarter turn of the load's direction; at right angles, and of an axial load, by half."""
     psi = np.radians(direction + np.array([0.0, 60.0, 90.0, 180.0, 270.0, 300.0]))
     load = np.array([5.0, 2.0, 1.0, 0.5, 1.0, 2.0])
     solution = SimpleNamespace(azimuth=psi, outer_load=load)

@@ -12,8 +12,9 @@ from hashlib import blake2b
 import pytest
 
 from oilfilm.cases.batch.shared_tables import ContactCache
-from oilfilm.cases.batch.store import open_store
+from oilfilm.cases.batch.store import open_folder, open_store
 from oilfilm.cases.format.film_model import NEWTONIAN
+from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.runs.output_directory import MANIFEST, save
 from oilfilm.ehl import Lubricant, MoesConditions, SolverOptions
 from oilfilm.ehl.foreign_files import DamagedFileError
@@ -95,3 +96,37 @@ def test_a_list_of_files_names_none_outside_its_folder(tmp_path, name):
     (folder / "summary.json").write_text("{}")
     save(lambda target: (target / "summary.json").write_text("{}") and (), folder)
     assert outside.read_text() == "mine"
+
+
+@pytest.mark.parametrize("name", ["points", "contacts", "tables", "points.sqlite", "sweep.toml", "points/x.nc"])
+def test_links_in_a_folder_lead_nowhere(tmp_path, name):
+    """Neither is anything written to where a link of another's folder leads, nor removed there."""
+    away, folder = tmp_path / "away", tmp_path / "batch"
+    (folder / "points").mkdir(parents=True)
+    away.mkdir()
+    (away / ".mine.part1").write_text("kept")
+    (folder / "sweep.toml").touch()
+    place = folder / name
+    if place.is_dir():
+        place.rmdir()
+    place.unlink(missing_ok=True)
+    place.symlink_to(away if "." not in name else away / ".mine.part1")
+    with pytest.raises(CaseError, match="is a link in the place of a file of the batch"):
+        open_folder(folder, resume=True)
+    assert (away / ".mine.part1").read_text() == "kept"
+
+
+def test_results_are_not_written_through_a_linked_folder(tmp_path):
+    away, folder = tmp_path / "away", tmp_path / "result"
+    away.mkdir()
+    folder.mkdir()
+    (folder / "vtk").symlink_to(away)
+
+    def write(target):
+        (target / "vtk").mkdir()
+        (target / "vtk" / "new.vtp").touch()
+        return ()
+
+    with pytest.raises(CaseError, match="not written by oilfilm, will not be replaced"):
+        save(write, folder)
+    assert list(away.iterdir()) == []
