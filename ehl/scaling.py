@@ -429,6 +429,21 @@ def contact_starvation_factors(
         the law
     """
     factors = starvation_factors(*groups_along(contact), ratio, flooded_ratio)
-    if abs(contact.curvature_xy) <= OBLIQUE and contact.turning <= TURNING:
-        return factors
-    return factors.outside()
+    return factors if nearly_principal(contact) else factors.outside()
+
+
+def nearly_principal(contact: ScaledContact) -> bool:
+    """Check whether the entrainment of a contact is that of those that the law of starvation was
+    solved for.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        the dimensionless contact, in the frame of its entrainment
+
+    Returns
+    -------
+    bool
+        True where it hardly departs from a principal direction, and hardly turns
+    """
+    return abs(contact.curvature_xy) <= OBLIQUE and contact.turning <= TURNING

@@ -11,7 +11,6 @@ from math import inf
 
 import numpy as np
 
-from oilfilm.ehl.closed_form import starvation
 from oilfilm.ehl.closed_form.film import film_error_nijenbanning
 from oilfilm.ehl.closed_form.thermal_reduction import (
     NO_HEAT,
@@ -274,22 +273,27 @@ def operating_films(
     """
     supply = supply and on_tracks(supply, contacts)
     heats = film_heats(contacts, films)
-    alike: dict[Hashable, ContactFilm] = {}
-    running: list[ContactFilm | None] = []
-    for contact, film, heat, kind in zip(
-        contacts, films, heats, _kinds(contacts, films), strict=True
-    ):
-        if film is None:
-            running.append(None)
-        elif kind in alike:
-            # equal balls of a load zone differ in their spins and round-off alone
-            running.append(replace(alike[kind], conditions=film.conditions, size=film.size))
-        else:
-            alike[kind] = _operating(film, contact, heat, supply, asperities)
-            running.append(alike[kind])
+    kinds = _kinds(contacts, films)
+    first = {kind: n for n, kind in reversed(list(enumerate(kinds)))}
+    distinct = [n for n, kind in enumerate(kinds) if films[n] is not None and first[kind] == n]
+    computed = [film for n in distinct if (film := films[n]) is not None]
+    given = [contacts[n] for n in distinct]
+    if supply is not None:
+        computed = _at_supply(computed, given, supply)
+    alike = {
+        kinds[n]: _operating(film, contacts[n], heats[n], supply, asperities)
+        for n, film in zip(distinct, computed, strict=True)
+    }
+    # equal balls of a load zone differ in their spins and round-off alone
     return tuple(
-        film and replace(film, elastic_moment=elastic_moment(contact, hysteresis))
-        for contact, film in zip(contacts, running, strict=True)
+        film
+        and replace(
+            alike[kind],
+            conditions=film.conditions,
+            size=film.size,
+            elastic_moment=elastic_moment(contact, hysteresis),
+        )
+        for contact, film, kind in zip(contacts, films, kinds, strict=True)
     )
 
 
@@ -364,11 +368,8 @@ def _operating(
     supply: OilAtInlets | None,
     asperities: Asperities | None,
 ) -> ContactFilm:
-    """One of `operating_films`."""
-    # 1. oil at the inlet
-    if supply is not None:
-        film = _at_supply(film, contact, supply)
-    # 2. heat of the inlet
+    """One of `operating_films`, with the oil at its inlet."""
+    # 1. heat of the inlet
     central = film.central
     minimum = film.minimum
     rolling = film.rolling_fraction
@@ -386,12 +387,12 @@ def _operating(
             if minimum.value > central.value:
                 minimum = minimum._replace(value=central.value)
                 heat = heat._replace(minimum=heat.minimum._replace(value=central.value / least))
-    # 3. pressure-viscosity coefficient
+    # 2. pressure-viscosity coefficient
     error = film_error_nijenbanning(film.conditions)
     central = central._replace(pressure_viscosity=error * central.value)
     minimum = minimum and minimum._replace(pressure_viscosity=error * minimum.value)
     film = replace(film, central=central, minimum=minimum, heat=heat, rolling_fraction=rolling)
-    # 4. asperities
+    # 3. asperities
     return film if asperities is None else with_asperities(film, contact, asperities)
 
 
@@ -434,24 +435,40 @@ def _heated(film: FilmThickness, heat: ThermalReduction) -> FilmThickness:
     )
 
 
-def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) -> ContactFilm:
-    """Film that a supply leaves of a flooded one, or of one behind a layer of another supply, by
-    what the flooded film of that was.
+def _at_supply(
+    films: Sequence[ContactFilm], contacts: Sequence[BearingContact], supply: OilAtInlets
+) -> list[ContactFilm]:
+    """Films that a supply leaves of flooded ones, or of those behind a layer of another supply, by
+    what the flooded films of these were.
     """
+    found = list(films)
+    some = [
+        n
+        for n, film in enumerate(films)
+        if not film.with_inlet_film_by_law
+        or not (supply.as_solved or not film.supply.rolling_moment > 0.0)
+    ]
+    layers = [supply.layer_of(contacts[n]) for n in some]
+    flooded = [films[n].flooded_central for n in some]
+    given = [contacts[n] for n in some]
+    shares, inside = shares_behind(given, flooded, np.array(layers).reshape(-1, 2))
+    for n, layer, own, known in zip(some, layers, shares.tolist(), inside.tolist(), strict=True):
+        left, most = (SupplyFractions(*values, inside=known) for values in own)
+        if left == FLOODED and films[n].with_inlet_film_by_law:
+            found[n] = _without_layer(films[n])
+            continue
+        found[n] = _behind(films[n], left)
+        if layer.most > layer.thickness and contacts[n].gap is None:  # a gap decides its film
+            central = _to_most(found[n].central, most.central / left.central)
+            minimum = found[n].minimum
+            minimum = minimum and _to_most(minimum, most.minimum / left.minimum)
+            found[n] = replace(found[n], central=central, minimum=minimum)
+    return found
+
+
+def _behind(film: ContactFilm, left: SupplyFractions) -> ContactFilm:
+    """A film with these fractions of its flooded one in place of its own."""
     before = film.supply
-    layered = film.with_inlet_film_by_law
-    if layered and (supply.as_solved or not before.rolling_moment > 0.0):
-        return film
-    layer = supply.layer_of(contact)
-    shares = shares_behind(contact, film.flooded_central, layer.thickness)
-    if shares == starvation.FLOODED and layered:
-        return _without_layer(film)
-    left = SupplyFractions(
-        central=shares.central.value,
-        minimum=shares.minimum.value,
-        rolling_moment=shares.rolling_moment.value,
-        inside=shares.inside,
-    )
     fractions = (left.central / before.central, left.minimum / before.minimum)
     central = _scaled(film.central, fractions[0] * film.central.value)
     minimum = None
@@ -461,10 +478,6 @@ def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) 
     smallest = film.isothermal_minimum and fractions[1] * film.isothermal_minimum
     if isothermal and smallest:
         smallest = min(smallest, isothermal)
-    if layer.most > layer.thickness and contact.gap is None:  # a gap decides its film
-        most = shares_behind(contact, film.flooded_central, layer.most)
-        central = _to_most(central, most.central.value / left.central)
-        minimum = minimum and _to_most(minimum, most.minimum.value / left.minimum)
     return replace(
         film,
         central=central,

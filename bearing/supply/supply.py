@@ -39,24 +39,33 @@ roughnesses sigma, and a contact that finds twice its film builds nearly all of 
 (docs/theory/starved_contact.md); more oil only stands in the way: h = 6 sigma. Only phi/l counts.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import acos, inf, isfinite, pi
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.closed_form.starvation import (
-    FLOODED,
     StarvationFactors,
     rolling_moment_inlet_biboulet_houpert,
     starvation_exponent,
+    starvation_shares,
     starved_film_factor,
 )
 from oilfilm.ehl.conditions import ContactConditions
 from oilfilm.ehl.oil.lubricant import Lubricant, density, log_viscosity_ratio
-from oilfilm.ehl.scaling import contact_inlet_ratio, contact_starvation_factors, scale_contact
+from oilfilm.ehl.scaling import (
+    ScaledContact,
+    contact_inlet_ratio,
+    contact_starvation_factors,
+    groups_along,
+    nearly_principal,
+    scale_contact,
+)
 
 from ..contacts.contact import BearingContact
 from ..geometry import Bearing, Race
@@ -241,27 +250,45 @@ class OilAtInlets:
         return self.layers[contact.row, contact.race]
 
 
-def shares_behind(contact: BearingContact, flooded_film: float, layer: float) -> StarvationFactors:
-    """Fractions of the flooded films and of the rolling moment of a contact behind a layer.
+def shares_behind(
+    contacts: Sequence[BearingContact], flooded_films: Sequence[float], layers: Array
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Fractions of the flooded films and of the rolling moment of contacts behind layers.
 
     Parameters
     ----------
-    contact : BearingContact
-        contact of a bearing
-    flooded_film : float
-        central, solved or from a formula [m]
-    layer : float
-        at its inlet; one that is ample leaves the film as it was, to the last digit [m]
+    contacts : sequence of BearingContact
+        contacts of a bearing
+    flooded_films : sequence of float
+        their central films, solved or from a formula [m]
+    layers : Array
+        at their inlets, shape (n, k); one that is ample leaves the film as it was, to the last
+        digit [m]
 
     Returns
     -------
-    StarvationFactors
-        fractions [-]; all where no oil is entrained
+    shares
+        central film, minimum film, moment, shape (n, k, 3) [-]; all where no oil is entrained
+    inside
+        True where the law of starvation was solved for such a contact, shape (n,)
     """
-    if contact.conditions is None or contact.hertz is None:
-        return FLOODED
-    unit = _unit(contact, flooded_film)
-    return starvation_law(contact.conditions, unit)(layer / unit)
+    shares = np.ones((*layers.shape, 3))
+    inside = np.ones(len(contacts), dtype=bool)
+    units: dict[int, tuple[float, float]] = {}
+    scaled: list[ScaledContact] = []
+    for n, (contact, film) in enumerate(zip(contacts, flooded_films, strict=True)):
+        if contact.conditions is not None and contact.hertz is not None:
+            unit = _unit(contact, film)
+            units[n] = unit, contact.conditions.lubricant.flooded_layer / unit
+            scaled.append(scale_contact(contact.conditions, along_entrainment=True))
+    if not units:
+        return shares, inside
+    groups = np.array([groups_along(one) for one in scaled])
+    oil, ample = np.array(list(units.values())).T
+    some = list(units)
+    shares[some], law = starvation_shares(groups, layers[some] / oil[:, None], ample)
+    inside[some] = law & [nearly_principal(one) for one in scaled]
+    return shares, inside
 
 
 def inlet_layer(

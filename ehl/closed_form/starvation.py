@@ -22,17 +22,19 @@ the limits of little and of much oil exact. A fitted curve that falls over r, wh
 light contacts alone, is replaced by its largest value so far.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from math import exp, inf, log, log1p
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array, trend_terms
 from ..data_files import read_arrays
 from ..options import require_not_negative, require_positive
+from . import _starvation_kernels as _kernels
 from .film import moes_film_nijenbanning
 from .hertz import hertz_coefficients
 
@@ -40,9 +42,6 @@ FILE = Path(__file__).parent / "starvation_law.npz"
 DAMPING_FILE = Path(__file__).parent / "starvation_damping.npz"
 STRETCH = 3.0  # of L, ln(1 + L/3): films leave the isoviscous ones about there
 NODES = 61  # of ln r, between which the functions of one contact are linear
-LEAST_RISE = 1e-6  # of ln R, ln R_min and s from node to node
-HALVINGS = 50
-LARGEST_LOG_EXPONENT = 5.0  # ln g
 
 EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
 WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
@@ -65,7 +64,7 @@ class Table(NamedTuple):
 
     functions: tuple[Function, ...]
     log_ratios: Array  # (m,) nodes of ln r
-    along: tuple[Array, ...]  # (m, n) squared steps of these from the centres, over the scale
+    along: tuple[Array, ...]  # (n, m) squared steps of these from the centres, over the scale
     lower: Array  # (4,) of x
     upper: Array
     # (3,) M, Rx/Ry and alpha p_h between which contacts were solved
@@ -77,15 +76,28 @@ class Table(NamedTuple):
 
 
 class Curves(NamedTuple):
-    """The functions of one contact over ln r, shape (n,) each [-]."""
+    """The functions of contacts at the nodes of ln r [-]."""
 
-    log_ratios: Array
-    exponent: Array  # ln g
-    gain: Array  # c
-    moment: Array  # s
-    damping: Array  # factor of the damping
-    errors: Array  # (4, m) over `Table.error_ratios`
-    inside: bool
+    functions: Array  # (n, rows, m), rows of `_starvation_kernels`
+    log_films: Array  # (n,) ln H_c, inside the table
+    inside: NDArray[np.bool_]  # (n,) whether the contact lies among the solved ones
+
+    def shares(self, ratios: Array) -> Array:
+        """R, R_min, T/T_0 and the damping's factor behind layers.
+
+        Parameters
+        ----------
+        ratios : Array
+            r, shape (n, k) [-]
+
+        Returns
+        -------
+        Array
+            shares of the flooded values, shape (n, k, 4) [-]
+        """
+        found = np.empty((*ratios.shape, 4))
+        _kernels.factors(self.functions, table().log_ratios, NODES, ratios, found)
+        return found
 
 
 @cache
@@ -100,7 +112,7 @@ def table() -> Table:
     of_damping = [damping[name] for name in ("scales", "trend", "weights")]
     functions.append(Function(damping["places"].astype(float), *of_damping))
     log_ratios = np.linspace(file["lower"][3], file["upper"][3], NODES)
-    steps = [(log_ratios[:, None] - f.centres[:, 3]) / f.scales[3] for f in functions]
+    steps = [(log_ratios - f.centres[:, 3:]) / f.scales[3] for f in functions]
     return Table(
         functions=tuple(functions),
         log_ratios=log_ratios,
@@ -137,108 +149,92 @@ def contact_coordinates(load: float, lubricant: float, radius_ratio: float) -> A
     return np.array([log(film), log1p(lubricant / STRETCH), log(radius_ratio)])
 
 
-@lru_cache(maxsize=1024)
-def curves(load: float, lubricant: float, radius_ratio: float) -> Curves:
-    """The four functions of one contact over ln r.
+def curves(contacts: Array, damping: bool) -> Curves:
+    """The functions of contacts at the nodes of ln r.
 
     Parameters
     ----------
-    load : float
-        Moes' M [-]
-    lubricant : float
-        Moes' L [-]
-    radius_ratio : float
-        Rx/Ry [-]
+    contacts : Array
+        Moes' M, L and Rx/Ry, shape (n, 3) [-]
+    damping : bool
+        whether that of the damping is wanted; zero where it is not
 
     Returns
     -------
     Curves
-        functions, their errors, and if the contact lies among the solved ones
+        functions, and which contacts lie among the solved ones
     """
     tabulated = table()
-    contact_point = contact_coordinates(load, lubricant, radius_ratio)
-    log_ratios = tabulated.log_ratios
-    x = np.empty((NODES, 4))
-    x[:, :3] = np.clip(contact_point, tabulated.lower[:3], tabulated.upper[:3])
-    x[:, 3] = log_ratios
-    terms = trend_terms(x)
-    exponent, gain, moment, damping = (
-        terms @ f.trend + _radial(f, x[0, :3], along) @ f.weights
-        for f, along in zip(tabulated.functions, tabulated.along, strict=True)
-    )
-    log_factor = _rising(log_film_factor(exponent, log_ratios))
-    exponent = _exponents(log_factor, log_ratios, exponent)
-    missing = -np.expm1(log_factor)
-    log_minimum = _rising(np.minimum(log_factor + missing * gain, 0.0))
-    pressure = hertz_coefficients(radius_ratio)[1] * lubricant * load ** (1.0 / 3.0)
-    contact = np.array([load, radius_ratio, pressure])
-    return Curves(
-        log_ratios=log_ratios,
-        exponent=exponent,
-        gain=(log_minimum - log_factor) / missing,
-        moment=_rising(moment),
-        damping=damping,
-        errors=_errors(tabulated, x[0, 0]),
-        inside=bool(np.all(tabulated.least <= contact) and np.all(contact <= tabulated.largest)),
-    )
+    places = np.array([contact_coordinates(*map(float, contact)) for contact in contacts])
+    places = np.clip(places, tabulated.lower[:3], tabulated.upper[:3])
+    x = np.empty((len(places), NODES, 4))
+    x[..., :3] = places[:, None]
+    x[..., 3] = tabulated.log_ratios
+    terms = trend_terms(x.reshape(-1, 4))
+    functions = np.zeros((len(places), _kernels.ROWS, NODES))
+    fitted = (_kernels.EXPONENT, _kernels.MINIMUM, _kernels.MOMENT, _kernels.DAMPING)
+    wanted = fitted if damping else fitted[:-1]
+    for row, f, along in zip(wanted, tabulated.functions, tabulated.along, strict=False):
+        functions[:, row] = (terms @ f.trend).reshape(-1, NODES)
+        for place, values in zip(places, functions[:, row], strict=True):
+            _kernels.radial_sums(place, f.centres, f.scales, along, f.weights, values)
+    for own in functions:
+        _kernels.rising(tabulated.log_ratios, NODES, own)
+    pressures = [hertz_coefficients(d)[1] * l * m ** (1.0 / 3.0) for m, l, d in contacts]
+    groups = np.column_stack([contacts[:, 0], contacts[:, 2], pressures])
+    inside = ((tabulated.least <= groups) & (groups <= tabulated.largest)).all(axis=1)
+    return Curves(functions, places[:, 0], inside)
 
 
-def _radial(function: Function, contact_point: Array, along: Array) -> Array:
-    """k(d) of one contact at the nodes of ln r, (m, n) [-]: the steps of the contact's coordinates
-    from the centres are the same at all of them.
-    """
-    steps = (contact_point - function.centres[:, :3]) / function.scales[:3]
-    t = np.sqrt(5.0 * (along + (steps**2).sum(axis=1)))
-    return np.asarray((1.0 + t * (1.0 + t / 3.0)) * np.exp(-t))
+@lru_cache(maxsize=1024)
+def _curves_of_one(*contact: float) -> Curves:
+    """The functions of one contact by its M, L and Rx/Ry."""
+    return curves(np.array([contact]), damping=True)
 
 
-def log_film_factor(exponent: Array, log_ratio: Array) -> Array:
-    """ln R of the starvation factor R = r/(1 + r^g)^(1/g).
+def starvation_shares(
+    contacts: Array, ratios: Array, flooded_ratios: Array
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Films and rolling moment of contacts behind layers over the flooded ones, as
+    `starvation_factors`.
 
     Parameters
     ----------
-    exponent : Array
-        ln g, any shape [-]
-    log_ratio : Array
-        ln r, of the same shape [-]
+    contacts : Array
+        Moes' M, L and Rx/Ry, shape (n, 3) [-]
+    ratios : Array
+        r of each contact, shape (n, k) [-]
+    flooded_ratios : Array
+        r of inlets that count as flooded, shape (n,) [-]
 
     Returns
     -------
-    Array
-        ln R [-]
+    shares
+        R, R_min and T/T_0, shape (n, k, 3) [-]
+    inside
+        True of contacts among those that the law was solved for, shape (n,)
     """
-    g = np.exp(exponent)
-    return np.minimum(log_ratio, 0.0) - np.log1p(np.exp(-g * np.abs(log_ratio))) / g
+    law = curves(contacts, damping=False)
+    ends = flooded_ratios[:, None]
+    plain = law.shares(np.concatenate([ratios, ends], axis=1))[..., :3]
+    lack = 1.0 - plain[:, -1:]
+    shares = _raised(plain[:, :-1], ((ratios / ends) ** 2)[..., None] * lack)
+    return np.where((ratios >= ends)[..., None], 1.0, shares), law.inside
 
 
-def _rising(values: Array) -> Array:
-    """Largest value so far, plus a small slope: a rising function."""
-    slope = LEAST_RISE * np.arange(len(values))
-    return np.asarray(np.maximum.accumulate(values - slope) + slope)
+def _raised(shares: Array, by: Array) -> Array:
+    """Shares increased, to 1 at most [-]."""
+    return np.asarray(np.minimum(shares + by, np.maximum(shares, 1.0)))
 
 
-def _exponents(log_factor: Array, log_ratio: Array, before: Array) -> Array:
-    """ln g that give ln R at ln r; those before where they do so."""
-    raised = log_factor > log_film_factor(before, log_ratio) + 0.5 * LEAST_RISE
-    if not raised.any():
-        return before
-    low = before[raised]
-    high = np.full(len(low), LARGEST_LOG_EXPONENT)
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        less = log_film_factor(middle, log_ratio[raised]) < log_factor[raised]
-        low, high = np.where(less, middle, low), np.where(less, high, middle)
-    exponents = before.copy()
-    exponents[raised] = low
-    return exponents
-
-
-def _errors(tabulated: Table, log_film: float) -> Array:
-    """Uncertainties of a contact by its ln H_c, shape (4, m) [-]."""
-    flat = tabulated.errors.transpose(0, 2, 1)
-    return np.array(
-        [[np.interp(log_film, tabulated.error_films, row) for row in rows] for rows in flat]
-    )
+def _errors(log_film: float, log_ratio: float) -> list[float]:
+    """Uncertainties of a contact by its ln H_c and ln r, shape (4,) [-]."""
+    tabulated = table()
+    at_ratio = [
+        [np.interp(log_ratio, tabulated.error_ratios, row) for row in rows]
+        for rows in tabulated.errors
+    ]
+    return [float(np.interp(log_film, tabulated.error_films, row)) for row in at_ratio]
 
 
 @dataclass(frozen=True, slots=True)
@@ -255,23 +251,8 @@ class ReductionFactor:
         """The factor of a contact outside the solved ones, with wider uncertainty."""
         return ReductionFactor(self.value, OUTSIDE * self.uncertainty)
 
-    def raised(self, by: float) -> "ReductionFactor":
-        """The factor increased, to 1 at most.
 
-        Parameters
-        ----------
-        by : float
-            increase [-]
-
-        Returns
-        -------
-        ReductionFactor
-            the larger factor
-        """
-        return ReductionFactor(min(self.value + by, max(self.value, 1.0)), self.uncertainty)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class StarvationFactors:
     """Starvation factors of a contact: its values behind a layer over the flooded ones."""
 
@@ -370,21 +351,17 @@ def starvation_factors(
         return FLOODED
     if inlet_ratio == 0.0:
         return DRY
-    functions = curves(load_parameter, lubricant_parameter, radius_ratio)
-    factors = _factors(functions, inlet_ratio)
-    if flooded_ratio == inf:
-        return factors
-    ample = _factors(functions, flooded_ratio)
-    fraction = (inlet_ratio / flooded_ratio) ** 2
-    return replace(
-        factors,
-        central=factors.central.raised(fraction * (1.0 - ample.central.value)),
-        minimum=factors.minimum.raised(fraction * (1.0 - ample.minimum.value)),
-        rolling_moment=factors.rolling_moment.raised(
-            fraction * (1.0 - ample.rolling_moment.value)
-        ),
-        damping=factors.damping.raised(fraction * (1.0 - ample.damping.value)),
+    law = _curves_of_one(load_parameter, lubricant_parameter, radius_ratio)
+    plain, ample = law.shares(np.array([[inlet_ratio, flooded_ratio]]))[0]
+    values = _raised(plain, (inlet_ratio / flooded_ratio) ** 2 * (1.0 - ample))
+    errors = _errors(float(law.log_films[0]), log(inlet_ratio))
+    errors[0] *= float(plain[0])
+    errors[1] *= float(plain[1])
+    factors = StarvationFactors(
+        *(ReductionFactor(float(v), error) for v, error in zip(values, errors, strict=True)),
+        inside=True,
     )
+    return factors if law.inside[0] else factors.outside()
 
 
 def inlet_ratio_of_moment(
@@ -417,13 +394,13 @@ def inlet_ratio_of_moment(
     """
     if rolling_moment >= 1.0:
         return flooded_ratio
-    functions = curves(load_parameter, lubricant_parameter, radius_ratio)
-    nodes = functions.log_ratios
+    law = _curves_of_one(load_parameter, lubricant_parameter, radius_ratio)
+    nodes = table().log_ratios
     end = log(flooded_ratio)
     # the table's nodes as far as they go, and beyond them to the flooded inlet
     farther = np.linspace(nodes[-1], end, NODES)[1:] if end > nodes[-1] else np.array([end])
     at = np.append(nodes[nodes < end], farther)
-    moment = 1.0 / (1.0 + np.exp(-np.interp(at, nodes, functions.moment)))
+    moment = 1.0 / (1.0 + np.exp(-np.interp(at, nodes, law.functions[0, _kernels.MOMENT])))
     moment = 1.0 - (1.0 - moment) * np.exp(-np.maximum(at - nodes[-1], 0.0))
     shares = moment + np.exp(2.0 * (at - end)) * (1.0 - moment[-1])
     wanted = log(rolling_moment)
@@ -450,36 +427,6 @@ def rolling_moment_inlet_biboulet_houpert(rolling_moment: float) -> float:
     if left <= 0.0:
         return inf
     return 2.0 * constant / (linear + (linear**2 + 4.0 * left * constant) ** 0.5)
-
-
-def _factors(functions: Curves, inlet_ratio: float) -> StarvationFactors:
-    """Starvation factors of a contact at a ratio above zero [-]."""
-    at = log(inlet_ratio)
-    exponent, gain, moment, damping = (
-        float(np.interp(at, functions.log_ratios, values))
-        for values in (functions.exponent, functions.gain, functions.moment, functions.damping)
-    )
-    film = starved_film_factor(inlet_ratio, exp(exponent))
-    minimum = min(film * exp((1.0 - film) * gain), 1.0)
-    errors = [float(np.interp(at, table().error_ratios, row)) for row in functions.errors]
-    beyond = at - float(np.clip(at, functions.log_ratios[0], functions.log_ratios[-1]))
-    factors = StarvationFactors(
-        central=ReductionFactor(film, errors[0] * film),
-        minimum=ReductionFactor(minimum, errors[1] * minimum),
-        rolling_moment=ReductionFactor(_beyond(1.0 / (1.0 + exp(-moment)), beyond), errors[2]),
-        damping=ReductionFactor(_beyond(damping, beyond), errors[3]),
-        inside=True,
-    )
-    return factors if functions.inside else factors.outside()
-
-
-def _beyond(factor: float, beyond: float) -> float:
-    """A factor extrapolated in ln r past the ends of the table [-]: below, it falls with r; above,
-    its distance from 1 does.
-    """
-    if beyond > 0.0:
-        return 1.0 - (1.0 - factor) * exp(-beyond)
-    return factor * exp(beyond)
 
 
 def starvation_exponent(semi_axis_ratio: float) -> float:

@@ -8,6 +8,7 @@ scaling, belong to one oil and come with a source: none has a default.
 
 from dataclasses import astuple, dataclass, field
 from enum import Enum
+from functools import lru_cache
 from itertools import pairwise
 from math import isfinite, log
 
@@ -713,7 +714,12 @@ def oil_numbers(lubricant: Lubricant) -> Array:
     Array
         constants by the columns of `oilfilm.ehl.oil._kernels`, shape (35,) [SI]
     """
-    oil = lubricant
+    return _numbers(lubricant).copy()
+
+
+@lru_cache(maxsize=256)
+def _numbers(oil: Lubricant) -> Array:
+    """The constants of `oil_numbers`."""
     temperature = UNNAMED_TEMPERATURE if oil.temperature is None else oil.temperature
     codes = (VISCOSITY_CODES[oil.viscosity_law], DENSITY_CODES[oil.density_law])
     numbers = np.zeros(_laws.SIZE)

@@ -62,12 +62,11 @@ def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
     for contact, before, film in zip(contacts, computed, operating, strict=True):
         if film is None:
             continue
-        shares = shares_behind(contact, before.flooded_central, oil.oil.layer)
-        assert film.supply.central == shares.central.value < 1.0
-        assert film.gap_fraction == pytest.approx(film.heat.central.value * shares.central.value, rel=1e-12)
-        assert film.rolling_moment == pytest.approx(
-            film.heat.moment.value * shares.rolling_moment.value * before.flooded_moment, rel=1e-12
-        )
+        shares, _ = shares_behind([contact], [before.flooded_central], np.array([[oil.oil.layer]]))
+        central, _, moment = shares[0, 0]
+        assert film.supply.central == central < 1.0
+        assert film.gap_fraction == pytest.approx(film.heat.central.value * central, rel=1e-12)
+        assert film.rolling_moment == pytest.approx(film.heat.moment.value * moment * before.flooded_moment, rel=1e-12)
         assert film.asperity_load == ROUGH.load_fraction(contact, film.central.value)
         assert film.flooded_asperity_load == ROUGH.load_fraction(contact, before.flooded_central) < film.asperity_load
         assert film.lambda_ratio == film.minimum.value / ROUGH.roughness(contact.race)

@@ -19,8 +19,11 @@ from oilfilm.ehl.closed_form.starvation import (
     rolling_moment_inlet_biboulet_houpert,
     starvation_exponent,
     starvation_factors,
+    starvation_shares,
     starved_film_factor,
 )
+
+from ...reference.ehl.starvation import shares as readable_shares
 
 SOLVES = Path(__file__).parents[3] / "tools" / "starvation" / "solves.jsonl"
 DAMPING = SOLVES.with_name("damping.jsonl")
@@ -92,6 +95,21 @@ def test_damping_of_thick_films_has_wide_bars():
     ]
     assert len(rows) > 5
     assert np.mean([abs(law.value - solved) <= law.uncertainty for law, solved in rows]) > 0.8
+
+
+@pytest.mark.parametrize("contact", [*CONTACTS, (2.0, 0.5, 0.4), (3.0, 12.0, 1.0), (10000.0, 32.0, 1.0)])
+def test_compiled_law_is_the_readable_one(contact):
+    """To round-off, of light contacts with curves that fall, too; of many contacts as of one."""
+    for ratio in (1e-3, 0.07, 0.4, 0.9, 1.3, 8.0, 200.0):
+        law = starvation_factors(*contact, ratio)
+        values = [getattr(law, name).value for name in NAMES]
+        assert values == pytest.approx(readable_shares(contact, ratio), rel=1e-12, abs=1e-12)
+        many, inside = starvation_shares(
+            np.array([contact, CONTACTS[0]]), np.full((2, 2), [ratio, 500.0]), np.full(2, 300.0)
+        )
+        own = starvation_factors(*contact, ratio, 300.0)
+        assert many[0, 0].tolist() == [getattr(own, name).value for name in NAMES[:3]]
+        assert many[:, 1].min() == 1.0 and inside[0] == law.inside
 
 
 @pytest.mark.parametrize("contact", CONTACTS)
