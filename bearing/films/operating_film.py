@@ -41,7 +41,9 @@ from .heavy_moment import elastic_moment
 from .unsolved_films import formula_films, formula_values, hertz_size, kinds_of_contacts
 
 
-def on_tracks(supply: OilAtInlets, contacts: Sequence[BearingContact]) -> OilAtInlets:
+def on_tracks(
+    supply: OilAtInlets, contacts: Sequence[BearingContact], films: Films | None = None
+) -> OilAtInlets:
     """The oil with one layer for each race: that of its heaviest contact, by the flooded film of
     the film atlas or formulas, which all balls of the track find.
 
@@ -51,6 +53,8 @@ def on_tracks(supply: OilAtInlets, contacts: Sequence[BearingContact]) -> OilAtI
         The oil.
     contacts : sequence of BearingContact
         All contacts of a bearing.
+    films : sequence of ContactFilm or None, optional
+        Their films as computed, of which those of the film atlas and formulas are taken.
 
     Returns
     -------
@@ -59,12 +63,17 @@ def on_tracks(supply: OilAtInlets, contacts: Sequence[BearingContact]) -> OilAtI
     """
     if supply.layers is not None:
         return supply
-    loaded = sorted(filter(lambda one: one.loaded, contacts), key=lambda one: one.load)
-    heaviest = {(one.row, one.race): one for one in loaded}
-    films = formula_films(list(heaviest.values()))
+    loaded = sorted(
+        (n for n, one in enumerate(contacts) if one.loaded), key=lambda n: contacts[n].load
+    )
+    heaviest = {(contacts[n].row, contacts[n].race): n for n in loaded}
+    known = films or [None] * len(contacts)
+    free = [film if film and film.field is None else None for film in known]
+    at = list(heaviest.values())
+    flooded = with_formulas([contacts[n] for n in at], [free[n] for n in at])
     layers = {
-        place: inlet_layer(contact, film.flooded_central, supply.oil, supply.balls)
-        for (place, contact), film in zip(heaviest.items(), films, strict=True)
+        place: inlet_layer(contacts[n], film.flooded_central, supply.oil, supply.balls)
+        for (place, n), film in zip(heaviest.items(), flooded, strict=True)
         if film is not None
     }
     return replace(supply, layers=layers)
@@ -271,18 +280,18 @@ def operating_films(
     tuple of ContactFilm or None
         None where there is no film.
     """
-    supply = supply and on_tracks(supply, contacts)
-    heats = film_heats(contacts, films)
+    supply = supply and on_tracks(supply, contacts, films)
     kinds = _kinds(contacts, films)
     first = {kind: n for n, kind in reversed(list(enumerate(kinds)))}
     distinct = [n for n, kind in enumerate(kinds) if films[n] is not None and first[kind] == n]
     computed = [film for n in distinct if (film := films[n]) is not None]
     given = [contacts[n] for n in distinct]
+    heats = film_heats(given, computed)
     if supply is not None:
         computed = _at_supply(computed, given, supply)
     alike = {
-        kinds[n]: _operating(film, contacts[n], heats[n], supply, asperities)
-        for n, film in zip(distinct, computed, strict=True)
+        kinds[n]: _operating(film, contacts[n], heat, supply, asperities)
+        for n, film, heat in zip(distinct, computed, heats, strict=True)
     }
     # equal balls of a load zone differ in their spins and round-off alone
     return tuple(
@@ -457,17 +466,16 @@ def _at_supply(
         if left == FLOODED and films[n].with_inlet_film_by_law:
             found[n] = _without_layer(films[n])
             continue
-        found[n] = _behind(films[n], left)
-        if layer.most > layer.thickness and contacts[n].gap is None:  # a gap decides its film
-            central = _to_most(found[n].central, most.central / left.central)
-            minimum = found[n].minimum
-            minimum = minimum and _to_most(minimum, most.minimum / left.minimum)
-            found[n] = replace(found[n], central=central, minimum=minimum)
+        # a gap decides its film
+        more = layer.most > layer.thickness and contacts[n].gap is None
+        found[n] = _behind(films[n], left, most if more else None)
     return found
 
 
-def _behind(film: ContactFilm, left: SupplyFractions) -> ContactFilm:
-    """A film with these fractions of its flooded one in place of its own."""
+def _behind(film: ContactFilm, left: SupplyFractions, most: SupplyFractions | None) -> ContactFilm:
+    """A film with these fractions of its flooded one in place of its own; and the most that the
+    oil may leave.
+    """
     before = film.supply
     fractions = (left.central / before.central, left.minimum / before.minimum)
     central = _scaled(film.central, fractions[0] * film.central.value)
@@ -478,6 +486,9 @@ def _behind(film: ContactFilm, left: SupplyFractions) -> ContactFilm:
     smallest = film.isothermal_minimum and fractions[1] * film.isothermal_minimum
     if isothermal and smallest:
         smallest = min(smallest, isothermal)
+    if most is not None:
+        central = _to_most(central, most.central / left.central)
+        minimum = minimum and _to_most(minimum, most.minimum / left.minimum)
     return replace(
         film,
         central=central,

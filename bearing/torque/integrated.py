@@ -34,7 +34,7 @@ from ..friction.balance import BalancedFriction, balance_balls, balance_driven_b
 from ..friction.cage import resisted_power
 from ..friction.contact_friction import ContactFriction
 from ..friction.film_friction import ShearedFilms, sheared_films
-from ..friction.film_nodes import film_nodes
+from ..friction.film_nodes import FilmNodes, film_nodes
 from ..friction.resistance import NO_RESISTANCE, NOTHING_RESISTED, Resistance, ResistedPower
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
@@ -280,6 +280,7 @@ def solved_shear(
     resistance: Resistance = NO_RESISTANCE,
     *,
     bound: bool = True,
+    nodes: Sequence[FilmNodes] | None = None,
 ) -> SolvedShear:
     """Torque of operating films under the hypothesis and in traction equilibrium.
 
@@ -297,16 +298,16 @@ def solved_shear(
         what holds the balls back beside the races
     bound : bool, default True
         whether the torque of flooded, isothermal films is wanted, too
+    nodes : sequence of FilmNodes or None, optional
+        of the films, and of the flooded ones, where they are computed already
 
     Returns
     -------
     SolvedShear
         torques [N m]
     """
-    whole = None
-    if bound and any(film is not None and film.rolling_fraction != 1.0 for film in films):
-        whole = [film and film.flooded() for film in films]
-    nodes = film_nodes(solution, contacts, (films, whole or ()), rheology)
+    whole = _whole(films) if bound else None
+    nodes = nodes or film_nodes(solution, contacts, (films, whole or ()), rheology)
     sheared = sheared_films(solution, contacts, films, rheology, nodes[0])
     kinematics = motion_map(solution, contacts)
     parts = partial(integrated_torque, solution, kinematics, sheared)
@@ -324,6 +325,13 @@ def solved_shear(
         flooded = _flooded_torque(solution, contacts, sheared, resistance, balance)
     tractions = _tractions(solution, contacts, films, rheology, balance)
     return replace(shear, tractions=tractions, flooded=flooded, balance=balance)
+
+
+def _whole(films: Films) -> Films | None:
+    """Flooded, isothermal films; None where they are so."""
+    if all(film is None or film.rolling_fraction == 1.0 for film in films):
+        return None
+    return [film and film.flooded() for film in films]
 
 
 def _shear(
@@ -429,9 +437,12 @@ def films_torque(
     """
     operating = bearing_films(solution, contacts, films, friction, inlet)
     resistance = friction.resistance(solution.bearing, lubricant, solution.operation.shaft_speed)
-    shear = solved_shear(solution, contacts, operating, rheology, resistance)
+    nodes = film_nodes(solution, contacts, (operating, _whole(operating) or ()), rheology)
+    state = partial(
+        solved_shear, solution, contacts, rheology=rheology, resistance=resistance, nodes=nodes
+    )
+    shear = state(films=operating)
     existing = [film for film in operating if film is not None]
-    state = partial(solved_shear, solution, contacts, rheology=rheology, resistance=resistance)
     return replace(
         shear,
         films=operating,

@@ -30,12 +30,13 @@ polyglycols, and all for perfluoropolyethers, is unverified: no source was read.
 from collections.abc import Sequence
 from dataclasses import replace
 from enum import Enum
-from functools import lru_cache
+from functools import cache, lru_cache
 from math import exp, log, log10
 from typing import NamedTuple
 
 import numpy as np
 
+from ..arrays import Array
 from .lubricant import (
     MINERAL_EXPANSION,
     HeatRanges,
@@ -289,9 +290,15 @@ def _index_bounds(hot: float) -> tuple[float, float]:
     if hot > LARGEST:
         least = 0.8353 * hot**2 + 14.67 * hot - 216.0
         return least, 0.1684 * hot**2 + 11.85 * hot - 97.0
-    y, *columns = np.log(INDEX_TABLE).T
-    least, hundred = (float(np.exp(np.interp(log(hot), y, column))) for column in columns)
+    y, *columns = _log_index_table()
+    least, hundred = (exp(np.interp(log(hot), y, column)) for column in columns)
     return least, hundred
+
+
+@cache
+def _log_index_table() -> Array:
+    """Logarithms of `INDEX_TABLE`, by its columns."""
+    return np.ascontiguousarray(np.log(INDEX_TABLE).T)
 
 
 def assumed_pressure_viscosity(viscosity: float, base_oil: BaseOil) -> tuple[float, float, float]:

@@ -122,8 +122,10 @@ class BearingResults(Results):
         if self.frozen:
             return (None,) * len(self.contacts)
         if self.supply is None or isinstance(self.supply.oil, ReplenishedInlet):
-            supply = self.supply
-            return operating_films(self.contacts, self.films, supply=supply)
+            shear = None if self.torque is None else self.torque.shear
+            if shear is not None and shear.films:  # of the same supply
+                return tuple(a and b for a, b in zip(self.films, shear.films, strict=True))
+            return operating_films(self.contacts, self.films, supply=self.supply)
         return supplied_films(self.contacts, self.films, self.supply)
 
     @cached_property
