@@ -23,7 +23,11 @@ LONGEST_TEXT = 100_000  # of a case in an address
 MOST_STATES = 200  # that can be undone
 OWN = "z="  # an address with the whole text of a case
 # keys that name files of this computer, which an address must not open
-FILES = ("measured", "load_spectrum", "form", "traction_table", "friction_table", "table")
+FILES = (
+    *("measured", "load_spectrum", "form", "traction_table", "friction_table", "table"),
+    *("frequency_response", "housing", "file"),
+)
+NO_FILES = "an address cannot name files; open the case file instead"
 REMARK = re.compile(r"#\s*(?:given; )?(.*?),\s*([-+.\deE]+) to ([-+.\deE]+)\s*$")
 VALUE = re.compile(r"""^(\s*[\w"']+\s*=\s*)("(?:[^"\\]|\\.)*"|[^#\n]*?)(\s*(?:#.*)?)$""")
 
@@ -127,7 +131,10 @@ def of_address(address: str) -> Design:
         _refuse_files(design.document)
         return design
     base, _, values = address.partition("&")
-    design = start(unquote(base))
+    name = unquote(base)
+    if name not in shipped_cases() and (name.endswith(".toml") or Path(name).exists()):
+        raise CaseError(NO_FILES)
+    design = start(name)
     for key, value in parse_qsl(values):
         try:
             design = design.with_value(key, parse_json(value, key[:60]))
@@ -155,7 +162,7 @@ def _refuse_files(document: Mapping[str, Any], known: Mapping[str, Any] | None =
     """`CaseError` where a document from an address names files that its base does not."""
     for key, value in flat(document).items():
         if set(FILES).intersection(key.split(".")) and (known or {}).get(key) != value:
-            raise CaseError(f"{key}: an address cannot name files; open the case file instead")
+            raise CaseError(f"{key}: {NO_FILES}")
 
 
 def start(name: str, operation: FirstOperation | None = None) -> Design:

@@ -81,6 +81,9 @@ def test_an_address_opens_its_design_again(design):
         ("z=not+base64", "damaged"),
         ("6306&operation.radial_load_N=%7B", "damaged"),
         ("6306&measured=%22%2Fetc%2Fpasswd%22", "cannot name files"),
+        ("6306&support.frequency_response=%22%2Fetc%2Fpasswd%22", "cannot name files"),
+        ("/etc/passwd", "cannot name files"),
+        ("..%2Fother.toml&operation.radial_load_N=3", "cannot name files"),
         ("no such bearing", "no bearing|unknown"),
     ],
 )
