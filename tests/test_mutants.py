@@ -53,6 +53,8 @@ def test_kinds(tmp_path, code, kind, changed):
         '"""Text 2.0 + a."""\n',
         "def f(a: int = 3) -> list[int]: ...\n",
         "plot(x, linewidth=2.0)\n",
+        "axes.set_xlim(-a, 2.0 * b)\n",
+        "Option = Annotated[float, f(a, b)]\n",
         "TOLERANCE = 1e-6\n",
         "t = perf_counter() - a\n",
     ],
@@ -105,3 +107,20 @@ def test_tests_are_chosen_by_lines(tmp_path):
     tests, total = Choice(tmp_path).tests("bearing/rating/life.py", line, seconds=10.0)
     assert tests == ["tests/bearing/rating/test_life.py::test_a", "tests/cases/test_far.py::test_a"]
     assert total == pytest.approx(3.0 + 0.1 + 2.0)
+
+
+def test_where_no_test_executes_a_line_those_that_name_its_function_are_chosen(tmp_path):
+    """Processes of a command are not watched, and statements of a module are executed once: words tell."""
+    for name in ("tests/bearing/rating/test_life.py", "tests/ehl/test_units.py", "tests/cases/format/test_fuzz.py"):
+        record = {"file": name, "tests": [f"{name}::test_a"], "seconds": [1.0], "total": 1.0, "failed": [], "lines": {}}
+        (tmp_path / f"{name.replace('/', '_')}.json").write_text(json.dumps(record))
+    choice = Choice(tmp_path)
+    tests, _ = choice.tests("ehl/units.py", 1, seconds=10.0)
+    assert tests == ["tests/ehl/test_units.py::test_a"]
+    path = ROOT / "bearing" / "rating" / "life.py"
+    line = next(
+        n for n, content in enumerate(path.read_text(encoding="utf-8").splitlines(), 1) if "limit / load" in content
+    )
+    assert (
+        choice.tests("bearing/rating/life.py", line, seconds=10.0)[0][0] == "tests/bearing/rating/test_life.py::test_a"
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import json
+import re
 from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
@@ -13,6 +14,8 @@ from .tree import ROOT, modules
 
 START = 1.0  # of a further file of tests: its import and fixtures [s]
 FILES = 8  # of tests for one mutant, at most
+NAMING = 5  # files of tests that are run whole, where no test is known to execute a line
+COMMON = 40  # places that name something, from which its callers are not followed
 DEEP = 6  # calls between a kernel and a function that is no kernel
 
 
@@ -22,10 +25,9 @@ class Choice:
     def __init__(self, folder: Path) -> None:
         self.records = [json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))]
         self.lines: dict[tuple[str, str], dict[int, list[int]]] = defaultdict(dict)
-        self.of_module: dict[str, dict[int, int]] = defaultdict(lambda: defaultdict(int))
+        self.words: dict[str, frozenset[str]] = {}
         for number, record in enumerate(self.records):
             for file, lines in record["lines"].items():
-                self.of_module[file][number] += len(lines)
                 for where, tests in lines.items():
                     self.lines[file, where][number] = tests
         self.named: dict[str, set[tuple[str, int]]] = defaultdict(set)
@@ -62,7 +64,7 @@ class Choice:
 
     def tests(self, file: str, line: int, seconds: float) -> tuple[list[str], float]:
         """Names of tests, those that are near the module and short first; and their time without a mutant [s]."""
-        found = self.covering(file, line) or self._nearest(file)
+        found = self.covering(file, line) or self._by_words(file, line)
         ranked = sorted((_far(self.records[number]["file"], file), self._time(number, tests), number)
                         for number, tests in found.items())  # fmt: skip
         near = [row for row in ranked if row[0] == 0] or ranked[:1]
@@ -78,10 +80,33 @@ class Choice:
             count += 1
         return chosen, total
 
-    def _nearest(self, file: str) -> dict[int, list[int]]:
-        """Files of tests that execute the most of the module, whole."""
-        most = sorted(self.of_module[file].items(), key=lambda row: -row[1])[:3]
-        return {number: [SET_UP] for number, _ in most}
+    def _by_words(self, file: str, line: int) -> dict[int, list[int]]:
+        """Files of tests, whole, that name the function of a line, or what calls it; else those that are near."""
+        where = place(ROOT / file, line)
+        names = [where[0].rpartition(".")[2]] if where else self.names_at[file, line]
+        weight = 1.0
+        points: dict[int, float] = defaultdict(float)
+        known: set[str] = set()
+        for _ in range(DEEP):
+            for number, record in enumerate(self.records):
+                points[number] += weight * sum(name in self._words(record["file"]) for name in names)
+            known |= set(names)
+            places = {use for name in names if len(self.named[name]) < COMMON for use in self.named[name]}
+            callers = {found[0].rpartition(".")[2] for at in places if (found := place(ROOT / at[0], at[1]))}
+            names = sorted(callers - known)
+            weight /= 4.0
+        for number, record in enumerate(self.records):
+            points[number] += 1.0 - _far(record["file"], file)
+        best = sorted((number for number in points if points[number] > 0.0), key=lambda n: (-points[n], n))
+        return {number: [SET_UP] for number in best[:NAMING]}
+
+    def _words(self, name: str) -> frozenset[str]:
+        """Names in a file of tests."""
+        if name not in self.words:
+            path = ROOT / name
+            text = path.read_text(encoding="utf-8") if path.exists() else ""
+            self.words[name] = frozenset(re.findall(r"\w{4,}", text))
+        return self.words[name]
 
     def _time(self, number: int, tests: list[int]) -> float:
         record = self.records[number]

@@ -1,7 +1,8 @@
 """Mutations of a module: single wrong signs, factors, exponents, arguments, axes, terms, comparisons and codes.
 
-Not mutated: docstrings, annotations, decorators, texts, looks of pictures (`LOOKS`), numbers that bound accuracy or
-effort and no result (`EFFORT`). A limit that is included or not (`<` for `<=`) is no mutation: `<` becomes `>`.
+Not mutated: docstrings, annotations and names of types, decorators, texts, looks of pictures (`LOOKS`), numbers that
+bound accuracy or effort and no result (`EFFORT`). A limit that is included or not (`<` for `<=`) is no mutation: `<`
+becomes `>`.
 """
 
 from __future__ import annotations
@@ -30,8 +31,21 @@ EFFORT = re.compile(
 )
 UNCHANGED_CALLS = (
     "warn info debug warning getLogger add_argument cast getattr Option Argument TypeVar isinstance set_title "
-    "set_xlabel set_ylabel"
+    "set_xlabel set_ylabel set_xlim set_ylim margins subplots_adjust tick_params"
 ).split()
+TYPES = {
+    "Annotated",
+    "Callable",
+    "Literal",
+    "dict",
+    "list",
+    "tuple",
+    "type",
+    "Mapping",
+    "Sequence",
+    "Iterator",
+    "Union",
+}
 CLOCKS = {"perf_counter", "monotonic", "cpu_count"}  # of how long it takes, and on what
 PATHS = re.compile(r"path|folder|directory|root|file|home|place|target|output|parent|base|cwd", re.IGNORECASE)
 # words of names that are taken for each other
@@ -135,9 +149,9 @@ def _left_alone(node: ast.AST) -> bool:
             return name == "__all__" or (name.isupper() and bool(LOOKS.search(name) or EFFORT.search(name)))
         case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name)):
             return name in UNCHANGED_CALLS
-        case ast.If(test=ast.Name(id="TYPE_CHECKING")):
-            return True
-        case ast.Assert():
+        case ast.Subscript(value=ast.Name(id=name)):
+            return name in TYPES
+        case ast.If(test=ast.Name(id="TYPE_CHECKING")) | ast.Assert():
             return True
     return False
 
