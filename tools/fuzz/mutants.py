@@ -3,6 +3,7 @@
     python tools/fuzz/mutants.py                              100 drawn by today's date
     python tools/fuzz/mutants.py --seed 20261129 --count 300  the same again, and more of them
     python tools/fuzz/mutants.py --only "rating/life.py"      of files whose name holds the text
+    python tools/fuzz/mutants.py --words                      by the files of tests that name the function; no lines
     python tools/fuzz/mutants.py --lines                      which tests execute which lines, again where tests changed
 
 Each draw is a module of the product, a kind of change that it allows and a place, each with equal chance; see
@@ -33,12 +34,14 @@ from functools import cache
 from math import sqrt
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
+from types import CodeType, FunctionType
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mutation.choice import Choice
-from mutation.lines import files_of_tests, record
+from mutation.exchange import exchanged, forget_product
+from mutation.lines import files_of_tests, import_product, record
 from mutation.mutations import Mutant, mutants
 from mutation.tree import LOST, ROOT, Fork, copy_tree, load_libraries, modules
 
@@ -92,10 +95,11 @@ class Failures:
 
 
 class Judge:
-    """A copy of the tree in which mutants are applied, one after the other."""
+    """A copy of the tree in which mutants are applied, one after the other; the product is imported before."""
 
     def __init__(self, folder: Path, choice: Choice, seconds: float) -> None:
         self.tree = copy_tree(folder)
+        import_product(self.tree)
         self.choice = choice
         self.seconds = seconds
         self.sound: dict[str, bool] = {}
@@ -111,8 +115,17 @@ class Judge:
     def _run(self, mutant: Mutant, tests: list[str], expected: float) -> tuple[str, str]:
         readers = kernels_that_read(mutant.file)
         longest = LONGEST + SLOWER * expected + (COMPILED if readers else 0.0)
-        with self._applied(mutant, readers):
-            code, failed = Fork(self.tree, ["-x", *tests], Failures, longest).result()
+        with self._applied(mutant, readers) as functions:
+
+            def plugin() -> Failures:
+                """Of the fork: with the change."""
+                for function, changed in functions:
+                    function.__code__ = changed
+                if not functions:
+                    forget_product()
+                return Failures()
+
+            code, failed = Fork(self.tree, ["-x", *tests], plugin, longest).result()
         if code == PASSED:
             return "survived", ""
         by = failed[:1] if failed else tests
@@ -134,8 +147,10 @@ class Judge:
         return all(self.sound[test] for test in tests)
 
     @contextmanager
-    def _applied(self, mutant: Mutant, readers: tuple[str, ...]) -> Iterator[None]:
-        """The tree with the mutant, and without the compiled code of kernels that read it."""
+    def _applied(self, mutant: Mutant, readers: tuple[str, ...]) -> Iterator[list[tuple[FunctionType, CodeType]]]:
+        """The tree with the mutant, and without the compiled code of kernels that read it; functions and the code that
+        it gives them, none where the product has to be imported again.
+        """
         path = self.tree / mutant.file
         original = path.with_name(f"{path.name}.original")
         with tempfile.TemporaryDirectory(prefix="kernels-") as name:
@@ -145,11 +160,12 @@ class Judge:
                 if folder.exists():
                     shutil.copytree(folder, kept / str(number))
             path.rename(original)
-            path.write_text(mutant.applied(original.read_text(encoding="utf-8")), encoding="utf-8")
+            text = original.read_text(encoding="utf-8")
+            path.write_text(mutant.applied(text), encoding="utf-8")
             if readers:
                 self._forget(readers)
             try:
-                yield
+                yield [] if readers else exchanged(mutant, text)
             finally:
                 original.replace(path)
                 for number, folder in enumerate(folders):
@@ -240,6 +256,7 @@ def main() -> int:
     parser.add_argument("--time", type=float, default=40.0, metavar="S", help="of the tests of a mutant, without it")
     parser.add_argument("--jobs", type=int, default=1, metavar="N")
     parser.add_argument("--lines", action="store_true", help="only find which tests execute which lines")
+    parser.add_argument("--words", action="store_true", help="find no lines: tests that name the function, whole files")
     parser.add_argument("--list", action="store_true", help="only print the mutants")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "build" / "mutants", metavar="DIR")
     arguments = parser.parse_args()
@@ -250,8 +267,9 @@ def main() -> int:
         return 0
     lines = arguments.output / "lines"
     child = multiprocessing.get_context("fork").Process(target=record_lines, args=(lines,))
-    child.start()
-    child.join()
+    if not arguments.words:
+        child.start()
+        child.join()
     if arguments.lines or child.exitcode:
         return child.exitcode or 0
     found = []

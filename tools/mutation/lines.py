@@ -125,10 +125,17 @@ class Recorder:
                 "failed": sorted(self.failed)}  # fmt: skip
 
 
-def _module(name: str) -> str:
+def import_name(name: str) -> str:
     """Import name of a file of the product."""
     words = name.removesuffix(".py").removesuffix("/__init__").split("/")
     return ".".join(words if words[0] == "oilfilm" else ["oilfilm", *words])
+
+
+def import_product(tree: Path) -> None:
+    """Import all modules, once for all forks."""
+    for name in modules(tree):
+        if not name.endswith("__main__.py"):
+            importlib.import_module(import_name(name))
 
 
 @cache
@@ -154,9 +161,7 @@ def digest(path: Path) -> str:
 def record(tree: Path, folder: Path, names: list[str], longest: float) -> Iterator[str]:
     """Run files of tests that are new or have changed; yields a line about each."""
     folder.mkdir(parents=True, exist_ok=True)
-    for name in modules(tree):  # once for all forks: lines of modules are executed by no test of their own
-        if not name.endswith("__main__.py"):
-            importlib.import_module(_module(name))
+    import_product(tree)  # lines of modules are executed by no test of their own
     for name in names:
         target = folder / (name.replace("/", "__") + ".json")
         fresh = digest(tree / name)
