@@ -137,5 +137,6 @@ def test_a_function_is_exchanged_where_it_stands():
         assert function(SimpleNamespace(hertz_pressure=3.0)) != before
     finally:
         function.__code__ = own
-    constant = next(one for one in mutants(path, "ehl/solution.py") if place(path, one.line) is None)
-    assert exchanged(constant, text) == []
+    path = ROOT / "bearing" / "torque" / "breakdown.py"
+    constant = next(one for one in mutants(path, "bearing/torque/breakdown.py") if place(path, one.line) is None)
+    assert exchanged(constant, path.read_text(encoding="utf-8")) == []

@@ -19,15 +19,12 @@ def exchanged(mutant: Mutant, text: str) -> list[tuple[FunctionType, CodeType]]:
     if module is None or module.__file__ is None:
         return []
     old, new = (compile(one, module.__file__, "exec") for one in (text, mutant.applied(text)))
-    before, after = dict(_codes(old)), dict(_codes(new))
-    if _own(old) != _own(new) or before.keys() != after.keys():
+    before, after = [*_codes(old)], [*_codes(new)]
+    if _own(old) != _own(new) or [one.co_qualname for one in before] != [one.co_qualname for one in after]:
         return []
-    changed = {place for place in before if _own(before[place]) != _own(after[place])}
-    return [
-        (function, after[place])
-        for function in _functions(module)
-        if (place := _place(function.__code__)) in after and _reaches(before[place], changed)
-    ]
+    pairs = {_place(one): other for one, other in zip(before, after, strict=True) if _differs(one, other)}
+    functions = ((function, pairs.get(_place(function.__code__))) for function in _functions(module))
+    return [(function, code) for function, code in functions if code is not None]
 
 
 def forget_product() -> None:
@@ -40,11 +37,11 @@ def _place(code: CodeType) -> tuple[str, int]:
     return code.co_qualname, code.co_firstlineno
 
 
-def _codes(code: CodeType) -> Iterator[tuple[tuple[str, int], CodeType]]:
-    """Codes inside of a code, at all depths, by their places."""
+def _codes(code: CodeType) -> Iterator[CodeType]:
+    """Codes inside of a code, at all depths."""
     for part in code.co_consts:
         if isinstance(part, CodeType):
-            yield _place(part), part
+            yield part
             yield from _codes(part)
 
 
@@ -54,8 +51,11 @@ def _own(code: CodeType) -> tuple[Any, ...]:
     return code.co_code, constants, code.co_names, code.co_varnames, code.co_freevars
 
 
-def _reaches(code: CodeType, changed: set[tuple[str, int]]) -> bool:
-    return _place(code) in changed or any(place in changed for place, _ in _codes(code))
+def _differs(one: CodeType, other: CodeType) -> bool:
+    """Whether two codes, or those inside of them, are different."""
+    if _own(one) != _own(other):
+        return True
+    return any(_own(a) != _own(b) for a, b in zip(_codes(one), _codes(other), strict=True))
 
 
 def _functions(module: ModuleType) -> list[FunctionType]:

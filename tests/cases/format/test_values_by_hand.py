@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 
 from oilfilm.cases.batch.sweep_file import _keys
+from oilfilm.cases.format.changes import case_path
 from oilfilm.cases.format.data_tables import _orders
 from oilfilm.cases.format.dynamics import cage_friction
 from oilfilm.cases.format.fits import NAMED_SEATS, _interference
 from oilfilm.cases.format.load_cases import _counted
-from oilfilm.cases.format.lubricant import _roelands_faults
+from oilfilm.cases.format.lubricant import YASUTOMI, _roelands_faults, free_volume_faults
 from oilfilm.cases.format.rules import nearest_name
 
 
@@ -91,3 +92,32 @@ def test_a_viscosity_below_that_of_roelands_is_refused():
     assert z == pytest.approx(0.532, abs=2e-3) and faults(20.0) == []
     assert "z = 2.66" in faults(100.0)[0]
     assert faults(100.0, pressure=19.6) == [] and len(faults(20.0, eta=1e-3)) == 1
+
+
+@pytest.mark.parametrize(
+    ("key", "path"),
+    [
+        ("operation.radial_load_N", ("operation", "radial_load_N")),
+        ("materials.steel 1.5.density_kg_m3", ("materials", "steel 1.5", "density_kg_m3")),
+        ("lubricants.iso vg 32.viscosity_mPa_s", ("lubricants", "iso vg 32", "viscosity_mPa_s")),
+        ("bearing.left.ball_diameter_mm", ("bearing", "left", "ball_diameter_mm")),
+        ("bearing.ball_diameter_mm", ("bearing", "ball_diameter_mm")),
+        ("operation.force_N.1", ("operation", "force_N", 1)),
+        ("load.0.force_N.1", ("load", 0, "force_N", 1)),
+    ],
+)
+def test_paths_of_dotted_keys(key, path):
+    assert case_path(key) == path
+
+
+def test_each_missing_constant_of_a_law_is_told_once():
+    """Of a law without any constant the ways to give them, too; of one with some only those that are missing."""
+
+    def missing(*keys):
+        given = {"viscosity_law": "yasutomi"} | dict.fromkeys(keys, 1.0)
+        values = SimpleNamespace(get=lambda *_: None, given=lambda *_: False)
+        return sorted(problem.path[-1] for problem in free_volume_faults(given, values, of_library=False))
+
+    assert missing() == ["viscosity_law"]
+    assert missing(*YASUTOMI[:3]) == sorted([*YASUTOMI[3:], "yasutomi_expansivity_exponent"])
+    assert missing(*YASUTOMI, "yasutomi_expansivity_exponent") == []
