@@ -60,6 +60,7 @@ SINGULAR = 1.0e-9  # stiffness over the largest below which a direction has none
 NEWTON_STEPS = 40
 HALVINGS = 12
 BALANCED = 1.0e-10  # force left on the ring over the largest load [-]
+UNBALANCED = 1.0e-6  # force left on a ball over its load, from which it is in no balance [-]
 LONGEST = 2.0  # step of the logarithm of a load
 LONGER = 1.5  # factor of a step that does not turn [-]
 UNFILLED = "the oil does not fill the gap between ball and race"
@@ -169,14 +170,16 @@ class _Balls:
 
     def filled(self, contacts: Sequence[BearingContact]) -> NDArray[np.bool_]:
         """Balls whose gap the films fill under next to no load at the inner race, behind the
-        layers of contacts, with the ring of the dry equilibrium.
+        layers of contacts, with the ring of the dry equilibrium; none with a gap as wide as an
+        arm, in which a ball's centre could pass that of a groove.
         """
         V = self.between(self.position(self.solution))
+        gap = self.lengths.sum() - np.hypot(*V)
         u = V * (self.lengths[1] / np.hypot(*V))
         least = np.stack([LEAST_LOAD * self.force, (1.0 + LEAST_LOAD) * self.force])
         supply = self.supply and on_tracks(self.supply, contacts)
         thickest = _films(self.contacts_at(least, u, V), supply).reshape(-1, 2)
-        return np.asarray(thickest.sum(axis=1) > self.lengths.sum() - np.hypot(*V))
+        return np.asarray((thickest.sum(axis=1) > gap) & (gap < self.lengths.min()))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -417,35 +420,43 @@ def _in_balance(balls: _Balls, springs: _Springs, q: Array, u: Array | None) -> 
     radius = balls.solution.bearing.inner_groove_radius
     couple = -radius * balls.friction[0]
 
-    def at(q: Array, u: Array | None) -> tuple[_Balance, Array, Array]:
+    def at(q: Array, u: Array | None) -> tuple[_Balance, Array, Array] | None:
         V = balls.between(q)
-        u, load, push, stiffness = _balls_in_balance(balls, springs, V, u)
+        balanced = _balls_in_balance(balls, springs, V, u)
+        if balanced is None:
+            return None
+        u, load, push, stiffness = balanced
         force = np.concatenate([-push, couple[None]])
         left = np.einsum("qfz,fz->q", gather, force) + balls.ring.load
         tangent = np.einsum("iqz,ijz,jpz->qp", movement, stiffness, movement)
         found = _Balance(q=q, V=V, u=u, load=load, force=force, tangent=tangent)
         return found, left[free], tangent[np.ix_(free, free)]
 
-    found, left, tangent = at(q, u)
+    state = at(q, u)
     for _ in range(NEWTON_STEPS):
+        if state is None:
+            return None
+        found, left, tangent = state
         if np.abs(left).max(initial=0.0) < BALANCED * found.load.max():
             return found
         step = np.zeros(5)
         step[free] = np.linalg.pinv(tangent, SINGULAR, hermitian=True) @ left
         for _ in range(HALVINGS):
-            trial, ahead, stiffer = at(found.q + step, found.u)
-            if np.linalg.norm(ahead) < np.linalg.norm(left) or ahead @ step[free] > 0.0:
+            state = at(found.q + step, found.u)
+            ahead = None if state is None else state[1]
+            if ahead is not None and (
+                np.linalg.norm(ahead) < np.linalg.norm(left) or ahead @ step[free] > 0.0
+            ):
                 break
             step *= 0.5
-        found, left, tangent = trial, ahead, stiffer
     return None
 
 
 def _balls_in_balance(
     balls: _Balls, springs: _Springs, V: Array, u: Array | None
-) -> tuple[Array, Array, Array, Array]:
+) -> tuple[Array, Array, Array, Array] | None:
     """Balls in balance at V: u (2, n) [m], loads and force on the inner ring (2, n) [N], and its
-    stiffness by V (2, 2, n) [N/m].
+    stiffness by V (2, 2, n) [N/m]; None where a ball finds none.
 
     Newton's method with the exact stiffness of the springs, whose energy is convex, begun at u or
     on the line between the grooves' centres.
@@ -468,6 +479,8 @@ def _balls_in_balance(
             if good.all():
                 break
             factor = np.where(good, factor, 0.5 * factor)
+        if (~good & (np.hypot(*ahead) > UNBALANCED * load.max(axis=0))).any():
+            return None
         u = at
         left = ahead
         both = stiffness.sum(axis=0)
