@@ -14,6 +14,7 @@ open_results - one loader for the folders of all commands
 plot_style   - common to all plots: type sizes, colours, colour maps, the part of a contact shown
 quantities   - output quantities: each is declared once: key, unit, title, getter
 report       - the HTML report of a result folder
+run_numbers  - the summary of a run, and the files that have its numbers
 run_result   - the result of `oilfilm.run`: its main numbers, its contacts as a frame, its pictures
 scene        - three-dimensional views, files for ParaView, meshes for other programs
 shaft        - results of a shaft on bearings

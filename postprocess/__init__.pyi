@@ -1,8 +1,9 @@
 from .bearing.results import BearingResults
 from .contact.summary import ContactResults
 from .open_results import open_results
+from .run_numbers import summary, write_numbers
 from .scene.scene import view
-from .writer import summary, write_extras, write_numbers, write_results
+from .writer import write_extras, write_results
 
 __all__ = [
     "BearingResults",

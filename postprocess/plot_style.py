@@ -2,7 +2,7 @@
 
 import io
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -52,65 +52,11 @@ RC: Any = {
     "contour.linewidth": 0.4,
     "figure.constrained_layout.use": True,
 }
-# ends of the part shown, in Hertz semi-axes along and across the entrainment; chosen by eye
-SHOWN_INLET = -2.5
-SHOWN_OUTLET = 1.5
-SHOWN_SIDE = 1.35
-STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
-# share of the largest pressure [-]: the shown part reaches beyond where the pressure is smaller
-QUIET_PRESSURE = 0.1
-# share of the central film [-]: a contact with a minimum nearer to it has no horseshoe
-FLAT_FILM = 0.03
 # share of the largest Hertz pressure, 1/20 of the load [-]: contacts above it rule colours and
 # window, not the balls that carry little more than their centrifugal force
 RULING_PRESSURE = 0.05 ** (1.0 / 3.0)
 TICK_GAP = 0.05  # between ticks of a logarithmic colour bar, of its length [-]
 BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale
-
-
-def film_range(central: float, minimum: float) -> tuple[float, float]:
-    """Ends of a film's colour scale in the unit of the films, as [um]; the inlet is beyond.
-
-    Chosen by eye, so that plateau and horseshoe of most contacts take most of the colours.
-
-    Parameters
-    ----------
-    central : float
-        Central film in the unit of the map.
-    minimum : float
-        Minimum film, in that unit.
-
-    Returns
-    -------
-    tuple[float, float]
-        Lower and upper end.
-    """
-    spread = central - minimum
-    if not central > 0.0:  # a failed solution
-        return 0.0, 1.0
-    if spread < FLAT_FILM * central:
-        return minimum, 1.6 * central
-    return minimum, min(central + 2.5 * spread, 2.0 * central)
-
-
-def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tuple[float, float]:
-    """Ends of the logarithmic scale that many contacts share, in the unit of films, as [um].
-
-    Parameters
-    ----------
-    central : Sequence[float]
-        Central films, all in one unit.
-    minimum : Sequence[float]
-        Minimum films, in that unit.
-
-    Returns
-    -------
-    tuple[float, float]
-        Lower and upper end.
-    """
-    low = min((h for h in minimum if h > 0.0), default=0.5)
-    high = max((h for h in central if h > 0.0), default=1.0)
-    return low, max(1.3 * high, 1.1 * low)
 
 
 def film_ticks(low: float, high: float) -> list[float]:

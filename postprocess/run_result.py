@@ -17,7 +17,8 @@ from .bearing.summary import hours
 from .contact.plots import contact_view, draw_contact
 from .contact.summary import ContactResults
 from .plot_style import figure_of
-from .writer import summary, write_results
+from .run_numbers import summary
+from .writer import write_results
 
 SELF_HEATED = "self-heated"  # of [operation] temperature
 WIDTH = 14  # of the names in the text of a result

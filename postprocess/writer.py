@@ -1,23 +1,15 @@
 """All files of a run in one folder; files for ParaView and pictures in parts for processes."""
 
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from .bearing.plots import write_bearing_plots
 from .bearing.results import BearingResults
-from .bearing.summary import bearing_summary
-from .bearing.write import write_bearing_netcdf, write_contacts_csv
 from .contact.plots import write_contact_plots
-from .contact.summary import ContactResults, contact_summary
-from .contact.write import write_contact_netcdf
-from .files import CONTACTS_FILE, SUMMARY_FILE, attempt, write_json
-from .netcdf_write import FIELDS_FILE
+from .files import attempt
 from .quantities import PARAVIEW
+from .run_numbers import RunResults, write_numbers
 from .scene.vtk import write_collection, write_ring_deformed, write_ring_stress, write_subsurface
-
-RunResults = BearingResults | ContactResults
 
 
 def write_extras(
@@ -64,71 +56,6 @@ def _write_vtk(results: RunResults, folder: Path) -> None:
         write_subsurface(results, folder)
         write_ring_stress(results, folder)
         write_ring_deformed(results, folder)
-
-
-def summary(results: RunResults) -> dict[str, Any]:
-    """Results as one JSON document in named units, the keys as published.
-
-    Parameters
-    ----------
-    results : BearingResults | ContactResults
-        Results of a bearing or of a single contact.
-
-    Returns
-    -------
-    dict
-        Plain JSON types; lengths [um] or [mm], pressures [GPa], angles [deg] as the keys say. What
-        does not apply is None with the reason under "messages"; no value is NaN or infinite.
-
-    Examples
-    --------
-    >>> import oilfilm
-    >>> results = oilfilm.run_contact(oilfilm.load_case("moes_20_10"))
-    >>> document = oilfilm.summary(results)
-    >>> document["converged"], round(document["moes_M"], 1)
-    (True, 20.0)
-    """
-    if isinstance(results, ContactResults):
-        return contact_summary(results)
-    return bearing_summary(results)
-
-
-def write_numbers(
-    results: RunResults, folder: Path, extras: Callable[[], tuple[str, ...]]
-) -> tuple[str, ...]:
-    """Write the numbers of a run: netCDF, CSV and summary.
-
-    The summary comes last: where it stands, all files are complete.
-
-    Parameters
-    ----------
-    results : BearingResults | ContactResults
-        Results of a bearing or of a single contact.
-    folder : Path
-        Folder to write into.
-    extras : Callable[[], tuple[str, ...]]
-        Waits for pictures and VTK files, and returns the messages on what failed.
-
-    Returns
-    -------
-    tuple[str, ...]
-        What `extras` returned.
-
-    Raises
-    ------
-    OSError
-        If the disk does not take the files.
-    """
-    document = summary(results)
-    if isinstance(results, ContactResults):
-        write_contact_netcdf(results, folder / FIELDS_FILE, document)
-    else:
-        write_bearing_netcdf(results, folder / FIELDS_FILE, document)
-        write_contacts_csv(document, folder / CONTACTS_FILE)
-    problems = extras()
-    document["messages"] += problems
-    write_json(document, folder / SUMMARY_FILE)
-    return problems
 
 
 def write_results(results: RunResults, directory: str | Path) -> tuple[str, ...]:

@@ -19,6 +19,7 @@ from typing import Any
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin
 from oilfilm.bearing.films.unsolved_films import too_thick
 from oilfilm.ehl.atlas.field_maps import field_maps
+from oilfilm.postprocess import summary, write_results
 from oilfilm.postprocess.bearing.results import BearingResults
 from oilfilm.postprocess.bearing.summary import electrical_values
 from oilfilm.postprocess.contact.plots import draw_contact, film_text
@@ -27,7 +28,6 @@ from oilfilm.postprocess.plot_style import png_of
 from oilfilm.postprocess.report.page import report_page
 from oilfilm.postprocess.scene.live_arrays import scene_arrays
 from oilfilm.postprocess.stiffness.results import ross_lines
-from oilfilm.postprocess.writer import summary, write_results
 
 from ..format.case import Case, case_of_document
 from ..format.rules import CaseError

@@ -109,7 +109,8 @@ def _compare_measured(
     picture = None if output is None else lock_output_file(output)
     with terminal.progress_bar(quiet=quiet) as progress:
         comparison = compare_with(source, file, progress)
-    from oilfilm.postprocess.bearing.measured import draw_measured, measured_table
+    from oilfilm.postprocess.bearing.measured import measured_table
+    from oilfilm.postprocess.bearing.plots import draw_measured
     from oilfilm.postprocess.plot_style import write_figure
 
     if as_json:

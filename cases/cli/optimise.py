@@ -110,7 +110,7 @@ def calibrate(
 
 def _write_fit(found: Calibration, file: Path | None, *, as_json: bool, quiet: bool) -> None:
     """The fit in the terminal and in a file."""
-    from oilfilm.postprocess.bearing.measured import draw_measured
+    from oilfilm.postprocess.bearing.plots import draw_measured
     from oilfilm.postprocess.plot_style import write_figure
 
     from ..runs.measured import calibration_document

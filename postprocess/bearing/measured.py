@@ -1,24 +1,20 @@
-"""Measured numbers beside computed ones: residuals, table, picture."""
+"""Measured numbers beside computed ones: residuals and table."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
 from rich.console import Group
 from rich.text import Text
 
 from oilfilm.ehl.arrays import Array
-from oilfilm.ehl.units import axis_label, unit_symbol, without_unit
+from oilfilm.ehl.units import unit_symbol, without_unit
 
 from ..files import plain_document
-from ..plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH
 from ..quantities import number, number_table
 
-ORDER = ("time_s", "inner_speed_rpm", "radial_load_N", "axial_load_N", "temperature_C")
 MOST_ROWS = 30  # in the terminal
-HEIGHT = 2.4  # of a panel [in]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -179,43 +175,3 @@ def _head(key: str) -> str:
 
 def _title(key: str) -> str:
     return f"{without_unit(key)} {unit_symbol(key)}".strip()
-
-
-def draw_measured(figure: Figure, comparison: MeasuredComparison) -> None:
-    """Measured points and the computed line of each quantity over the state that varies.
-
-    Parameters
-    ----------
-    figure : Figure
-        Empty figure to draw into.
-    comparison : MeasuredComparison
-        The comparison.
-    """
-    keys = list(comparison.measured)
-    figure.set_size_inches(0.75 * PAGE_WIDTH, 0.5 + HEIGHT * len(keys))
-    over, label = _abscissa(comparison)
-    order = np.argsort(over, kind="stable")
-    panels = np.atleast_1d(figure.subplots(len(keys), 1, sharex=True)).tolist()
-    for axes, key in zip(panels, keys, strict=True):
-        line = "-" if np.unique(over).size == over.size else "none"
-        computed = comparison.computed[key][order]
-        axes.plot(over[order], computed, "x", ls=line, color=INNER_COLOUR, ms=4, label="computed")
-        axes.plot(over, comparison.measured[key], "o", color=OUTER_COLOUR, ms=4, label="measured")
-        axes.set_ylabel(axis_label(key))
-        axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
-        axes.grid(linewidth=0.3, alpha=0.5)
-        axes.legend()
-    panels[-1].set_xlabel(label)
-
-
-def _abscissa(comparison: MeasuredComparison) -> tuple[Array, str]:
-    """The state that varies, of several the first of `ORDER`; else the number of the row."""
-    varied = [
-        key
-        for key in sorted(comparison.states, key=ORDER.index)
-        if np.ptp(comparison.states[key]) > 0.0
-    ]
-    if varied:
-        return comparison.states[varied[0]], axis_label(varied[0])
-    count = next(iter(comparison.measured.values())).size
-    return np.arange(1.0, count + 1.0), "row"

@@ -25,19 +25,29 @@ from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.bearing.torque.models import ModelTorque
 from oilfilm.ehl import ContactSolution
 from oilfilm.ehl.arrays import Array
-from oilfilm.ehl.units import from_si, value_with_error
+from oilfilm.ehl.units import axis_label, from_si, value_with_error
 
 from .. import plot_style
 from ..contact.plots import draw_contact, draw_map, film_text
-from ..contact.shown_part import ContactView, contact_view
+from ..contact.shown_part import (
+    SHOWN_INLET,
+    SHOWN_OUTLET,
+    SHOWN_SIDE,
+    ContactView,
+    common_film_range,
+    contact_view,
+)
 from ..quantities import FILMS, OTHERS, Quantity, by_key, evenly_chosen
 from .bearing_quantities import BALL_QUANTITY, DECAY_COURSE, TORQUE, TORQUE_MODELS
-from .measured import draw_measured
+from .measured import MeasuredComparison
 from .results import BearingResults, azimuths_text, distinct_contacts
 from .torque import shown_titles, shown_torques
 
 SMALLEST = 1e-15  # probability at the lower end of the axis [-]
 HEIGHT = 3.0  # [in]
+MEASURED_HEIGHT = 2.4  # of a panel [in]
+# states of measurements, the first that varies is the abscissa
+VARIED = ("time_s", "inner_speed_rpm", "radial_load_N", "axial_load_N", "temperature_C")
 COURSE = by_key(DECAY_COURSE)
 OIL = "#4c78a8"
 SLIDING = "#d67b1f"
@@ -202,9 +212,9 @@ def _ruling(views: list[ContactView]) -> list[ContactView]:
 
 def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
     """Part that all maps show: ends along the rolling direction, half width [mm]."""
-    x_in = max((-plot_style.SHOWN_INLET * v.half_x for v in views), default=1.0)
-    x_out = max((plot_style.SHOWN_OUTLET * v.half_x for v in views), default=1.0)
-    return -x_in, x_out, max((plot_style.SHOWN_SIDE * v.half_y for v in views), default=1.0)
+    x_in = max((-SHOWN_INLET * v.half_x for v in views), default=1.0)
+    x_out = max((SHOWN_OUTLET * v.half_x for v in views), default=1.0)
+    return -x_in, x_out, max((SHOWN_SIDE * v.half_y for v in views), default=1.0)
 
 
 def write_bearing_plots(
@@ -330,7 +340,7 @@ def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, floa
     shown = _ruling([v for v in views if v is not None])
     if quantity == "pressure":
         return 0.0, max(v.pressure_top for v in shown)
-    return plot_style.common_film_range([v.central for v in shown], [v.smallest for v in shown])
+    return common_film_range([v.central for v in shown], [v.smallest for v in shown])
 
 
 def _hatch_outside(axes: Axes, view: ContactView | None) -> None:
@@ -786,3 +796,46 @@ def draw_decay(figure: Figure, results: BearingResults) -> None:
 
 
 FIGURES = {FILMS: _film_figures, OTHERS: other_figures}
+
+
+def draw_measured(figure: Figure, comparison: MeasuredComparison) -> None:
+    """Measured points and the computed line of each quantity over the state that varies.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    comparison : MeasuredComparison
+        The comparison.
+    """
+    keys = list(comparison.measured)
+    figure.set_size_inches(0.75 * plot_style.PAGE_WIDTH, 0.5 + MEASURED_HEIGHT * len(keys))
+    over, label = _abscissa(comparison)
+    order = np.argsort(over, kind="stable")
+    panels = np.atleast_1d(figure.subplots(len(keys), 1, sharex=True)).tolist()
+    ours = COLOURS["inner"]
+    theirs = COLOURS["outer"]
+    for axes, key in zip(panels, keys, strict=True):
+        line = "-" if np.unique(over).size == over.size else "none"
+        computed = comparison.computed[key][order]
+        measured = comparison.measured[key]
+        axes.plot(over[order], computed, "x", ls=line, color=ours, ms=4, label="computed")
+        axes.plot(over, measured, "o", color=theirs, ms=4, label="measured")
+        axes.set_ylabel(axis_label(key))
+        axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+        axes.grid(linewidth=0.3, alpha=0.5)
+        axes.legend()
+    panels[-1].set_xlabel(label)
+
+
+def _abscissa(comparison: MeasuredComparison) -> tuple[Array, str]:
+    """The state that varies, of several the first of `VARIED`; else the number of the row."""
+    varied = [
+        key
+        for key in sorted(comparison.states, key=VARIED.index)
+        if np.ptp(comparison.states[key]) > 0.0
+    ]
+    if varied:
+        return comparison.states[varied[0]], axis_label(varied[0])
+    count = next(iter(comparison.measured.values())).size
+    return np.arange(1.0, count + 1.0), "row"

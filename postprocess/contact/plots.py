@@ -29,10 +29,11 @@ from oilfilm.ehl.units import MICROMETRE, MILLIMETRE, NANOMETRE, value_with_erro
 
 from .. import plot_style
 from ..files import write_csv
+from ..open_results import open_contact
 from ..plot_style import INNER_COLOUR as FILM_COLOUR
 from ..plot_style import OUTER_COLOUR as PRESSURE_COLOUR
-from .shown_part import ContactView, contact_view, refined, shown
-from .summary import ContactResults, open_contact, shown_nodes
+from .shown_part import ContactView, contact_view, refined, shown, shown_nodes
+from .summary import ContactResults
 
 HEIGHT = 5.9  # of the figure [in]
 LINES = 8  # contour intervals of a map

@@ -1,5 +1,6 @@
 """The part of a contact that pictures show, in its frame and in the units of its fields."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, degrees, hypot, inf, pi, sin
 from typing import Any
@@ -12,19 +13,64 @@ from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.solution import OilSupply
 from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, from_si, unit_of
 
-from ..plot_style import (
-    QUIET_PRESSURE,
-    SHOWN_INLET,
-    SHOWN_OUTLET,
-    SHOWN_SIDE,
-    STRETCHED,
-    film_range,
-)
-
 # suffix of the unit in which a variable is shown, by its name and its unit in the file
 SHOWN_UNITS = {("x", "m"): "mm", ("h", "m"): "um", ("P", "Pa"): "GPa", ("T", "K"): "C"}
 ALL = (slice(None), slice(None))  # of the nodes of a grid
 ROUND_OFF = 1e-6  # of the window: a box that ends so near does not cut it [-]
+# ends of the part shown, in Hertz semi-axes along and across the entrainment; chosen by eye
+SHOWN_INLET = -2.5
+SHOWN_OUTLET = 1.5
+SHOWN_SIDE = 1.35
+STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
+# share of the largest pressure [-]: the shown part reaches beyond where the pressure is smaller
+QUIET_PRESSURE = 0.1
+# share of the central film [-]: a contact with a minimum nearer to it has no horseshoe
+FLAT_FILM = 0.03
+
+
+def film_range(central: float, minimum: float) -> tuple[float, float]:
+    """Ends of a film's colour scale in the unit of the films, as [um]; the inlet is beyond.
+
+    Chosen by eye, so that plateau and horseshoe of most contacts take most of the colours.
+
+    Parameters
+    ----------
+    central : float
+        Central film in the unit of the map.
+    minimum : float
+        Minimum film, in that unit.
+
+    Returns
+    -------
+    tuple[float, float]
+        Lower and upper end.
+    """
+    spread = central - minimum
+    if not central > 0.0:  # a failed solution
+        return 0.0, 1.0
+    if spread < FLAT_FILM * central:
+        return minimum, 1.6 * central
+    return minimum, min(central + 2.5 * spread, 2.0 * central)
+
+
+def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tuple[float, float]:
+    """Ends of the logarithmic scale that many contacts share, in the unit of films, as [um].
+
+    Parameters
+    ----------
+    central : Sequence[float]
+        Central films, all in one unit.
+    minimum : Sequence[float]
+        Minimum films, in that unit.
+
+    Returns
+    -------
+    tuple[float, float]
+        Lower and upper end.
+    """
+    low = min((h for h in minimum if h > 0.0), default=0.5)
+    high = max((h for h in central if h > 0.0), default=1.0)
+    return low, max(1.3 * high, 1.1 * low)
 
 
 def shown(name: str, unit: str, values: Any) -> tuple[Any, str]:
@@ -456,3 +502,24 @@ def half_extents(angle: float, kappa: float) -> tuple[float, float]:
         Half extent along, and across [a].
     """
     return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))
+
+
+def shown_nodes(data: Any) -> tuple[slice, slice]:
+    """Index ranges of the nodes shown of a contact's data set.
+
+    Parameters
+    ----------
+    data : Any
+        Fields of a contact.
+
+    Returns
+    -------
+    value
+        Range along the entrainment.
+    value
+        Range across it.
+    """
+    a = float(data.attrs["semi_axis_x"])
+    kappa = float(data.attrs["semi_axis_y"]) / a
+    half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)
+    return shown_part(data["x"].values, data["y"].values, data["P"].values, a * half_x, a * half_y)

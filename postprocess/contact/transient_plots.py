@@ -15,6 +15,7 @@ from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, from_si
 from .. import plot_style
 from ..files import SUMMARY_FILE, write_csv, write_json
 from ..netcdf_write import FIELDS_FILE, DataGroup, Variables, root_attributes, write_groups
+from .shown_part import SHOWN_INLET, SHOWN_OUTLET
 from .transient_summary import TransientResults, transient_summary
 
 HEIGHT = 6.2  # [in]
@@ -95,7 +96,7 @@ def shown(solution: TransientSolution) -> Any:
         True at the nodes that are drawn, shape (nx,).
     """
     a = solution.semi_axes[0]
-    return (solution.x >= plot_style.SHOWN_INLET * a) & (solution.x <= plot_style.SHOWN_OUTLET * a)
+    return (solution.x >= SHOWN_INLET * a) & (solution.x <= SHOWN_OUTLET * a)
 
 
 def film_span(solution: TransientSolution) -> tuple[float, float]:

@@ -30,17 +30,9 @@ from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.foreign_files import parse_json
 from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
-from ..contact.summary import film_maps
-from ..open_results import open_results
-from ..plot_style import (
-    INK,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    RULING_PRESSURE,
-    colour_stops,
-    common_film_range,
-    film_ticks,
-)
+from ..contact.shown_part import common_film_range
+from ..open_results import film_maps, open_results
+from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, RULING_PRESSURE, colour_stops, film_ticks
 from ..report.html import environment
 from . import parts
 from .geometry import Placement, about_axis

@@ -20,9 +20,8 @@ from oilfilm.ehl.solid.layered import Coating, layered_mesh
 from oilfilm.ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..contact.shown_part import ALL, principal_coordinates, shown
-from ..contact.summary import film_maps, require_contacts
 from ..files import write_csv
-from ..open_results import open_results
+from ..open_results import film_maps, open_results, require_contacts
 from .geometry import Placement, contact_frame, crop_to_ball, grid_quads, place_patch
 from .vtk import ring_files
 

@@ -9,9 +9,14 @@ import xarray
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import MICROMETRE, MILLIMETRE
 
-from ..contact.shown_part import ALL, principal_coordinates, refined, shown
-from ..contact.summary import shown_nodes
-from ..plot_style import film_range
+from ..contact.shown_part import (
+    ALL,
+    film_range,
+    principal_coordinates,
+    refined,
+    shown,
+    shown_nodes,
+)
 from .geometry import Placement, contact_frame, crop_to_ball, place_patch
 from .vtk import structured_grid
 

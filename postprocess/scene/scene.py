@@ -7,9 +7,8 @@ from dataclasses import asdict, dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..contact.summary import require_contacts
 from ..dynamics.results import open_history
-from ..open_results import open_results
+from ..open_results import open_results, require_contacts
 from .render_process import (
     PATIENCE,
     RenderingError,

@@ -68,6 +68,7 @@ SMALL_MODULES: dict[str, tuple[str, ...]] = {
     ),
     "the only place of a library": ("bearing/library/media.py", "ehl/compiled.py", "ehl/solid/_kernels.py"),
     "read from everywhere": ("ehl/arrays.py", "bearing/files.py", "postprocess/writer.py"),
+    "without what draws": ("postprocess/run_numbers.py",),
     "one block of the results": ("postprocess/bearing/dry.py",),
     "one command": ("cases/cli/verify.py",),
     "formula of a page, written by a tool": ("ehl/atlas/film_formula.py",),

@@ -19,8 +19,8 @@ from oilfilm.cases import load_case, run_case
 from oilfilm.cases.format.contact import FilmSource
 from oilfilm.ehl import ContactSolution
 from oilfilm.postprocess.contact.plots import draw_map
-from oilfilm.postprocess.contact.shown_part import contact_view
-from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, REFERENCE, common_film_range, logarithmic_ticks, save
+from oilfilm.postprocess.contact.shown_part import common_film_range, contact_view
+from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, REFERENCE, logarithmic_ticks, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002_films.md"

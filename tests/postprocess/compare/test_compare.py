@@ -17,10 +17,11 @@ from oilfilm.postprocess.bearing.write import write_bearing_netcdf
 from oilfilm.postprocess.compare import compare, comparison_table, relative
 from oilfilm.postprocess.contact import plots
 from oilfilm.postprocess.contact.plots import Optics, intensity, write_interferogram, write_line_cut
-from oilfilm.postprocess.contact.summary import ContactResults, open_contact
+from oilfilm.postprocess.contact.summary import ContactResults
 from oilfilm.postprocess.contact.write import write_contact_netcdf
 from oilfilm.postprocess.files import SUMMARY_FILE, write_json
 from oilfilm.postprocess.netcdf_write import FIELDS_FILE
+from oilfilm.postprocess.open_results import open_contact
 
 
 def write_results(results, folder):

@@ -10,7 +10,7 @@ import subprocess
 import pytest
 
 from oilfilm.postprocess import open_results
-from oilfilm.postprocess.contact.summary import film_maps
+from oilfilm.postprocess.open_results import film_maps
 from oilfilm.postprocess.scene.render_process import RenderingError, require_rendering
 from oilfilm.postprocess.scene.scene import export_html
 
