@@ -141,7 +141,7 @@ def test_nothing_changes_without_light_balls_or_rotation():
     assert all(contact.race in Race and replace(contact).gap is None for contact in contacts)
 
 
-@pytest.mark.parametrize("celsius", (20.0, 40.0, 80.0))
+@pytest.mark.parametrize("celsius", [20.0, 40.0, 80.0])
 def test_a_gap_as_wide_as_an_arm_is_not_filled(celsius):
     """A ring pressed 20 um into the balls of an MR117: the others ride with ring and loads in balance."""
     solution, contacts, oil = state("MR117", 3701.0, (0.0, 819.8, 0.0), celsius, 100)
