@@ -1,12 +1,12 @@
 """A result folder as pages of a PDF, and as a workbook for spreadsheet programs."""
 
 import csv
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from io import BytesIO
 from itertools import chain
 from pathlib import Path
 from textwrap import wrap
-from typing import Any
+from typing import Any, NamedTuple
 
 import matplotlib
 import xlsxwriter
@@ -16,9 +16,11 @@ from matplotlib.image import imread
 
 from oilfilm.bearing.files import atomic_path
 from oilfilm.ehl.foreign_files import LARGEST_TEXT, read_file
-from oilfilm.ehl.units import unit_symbol, without_unit
+from oilfilm.ehl.units import unit_symbol, value_with_error, without_unit
 
 from ..batch.results import MAIN_QUANTITY, MOST_COMPONENTS, components, main_results
+from ..bearing.contact_quantities import CONTACT_QUANTITY, TERMINAL_COLUMNS
+from ..bearing.results import balls_text
 from ..files import read_summary
 from ..plot_style import INK, RC, REFERENCE
 from ..quantities import is_number, number
@@ -33,13 +35,19 @@ FORBIDDEN = str.maketrans(dict.fromkeys("[]:*?/\\", " "))  # in names of sheets
 Sheet = tuple[list[str], list[list[Any]]]  # header and rows
 PAGE = (8.27, 11.69)  # A4 [in]
 MARGIN = 0.07  # of the page's width and height [-]
-LINES = 74  # of a page of text
-WIDTH = 98  # characters of a line
-TYPE_SIZE = 7.2  # of a fixed width, so that columns stand below each other [points]
-MOST_ROWS = 2 * LINES  # of a table; the workbook and the CSV files have all
+WIDTH = 112  # characters of a line of text
+TYPE_SIZE = 8.5  # [points]
+LEADING = 1.45  # height of a line over the size of its type [-]
 PICTURES_A_PAGE = 2
-NAMES = ("ball", "race", "#")  # columns that name a row, and those before them
-FACTS = (26, 38, 22, 10)  # widths of block, quantity, value, unit [characters]
+RESULT_BLOCKS = ("ring", "clearance", "strength", "life", "dry_running", "frequencies_Hz")
+CONTACT_PLACES = {  # columns of the contacts and where they end [-]
+    "load_N": 0.33,
+    "hertz_pressure_GPa": 0.44,
+    "contact_angle_deg": 0.53,
+    "film_central_um": 0.73,
+    "film_minimum_um": 0.91,
+    "lambda_ratio": 1.0,
+}
 
 
 def write_workbook(directory: str | Path, file: str | Path) -> Path:
@@ -186,7 +194,7 @@ def _cell(text: str) -> Any:
 
 
 def write_pdf(directory: str | Path, file: str | Path) -> Path:
-    """Write main results, input, tables, messages and pictures as a PDF, made in memory.
+    """Write main results, contacts, pictures, input and notes as a PDF, made in memory.
 
     Parameters
     ----------
@@ -212,9 +220,12 @@ def write_pdf(directory: str | Path, file: str | Path) -> Path:
     with matplotlib.rc_context(RC), PdfPages(content) as pages:
         pictures = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
         figures = chain(
-            _pages(list(_headline(summary, folder.name)), LINES, _text_page),
-            _pages(pictures, PICTURES_A_PAGE, _picture_page),
-            _pages(list(_lines(summary, folder)), LINES, _text_page),
+            _text_pages(_headline(summary, folder.name)),
+            (
+                _picture_page(pictures[first : first + PICTURES_A_PAGE])
+                for first in range(0, len(pictures), PICTURES_A_PAGE)
+            ),
+            _text_pages(_further_pages(summary)),
         )
         for page, figure in enumerate(figures, 1):
             style: dict[str, Any] = {"color": REFERENCE, "ha": "right", "fontsize": 7}
@@ -225,100 +236,129 @@ def write_pdf(directory: str | Path, file: str | Path) -> Path:
     return path
 
 
-def _pages(
-    items: Sequence[Any], count: int, draw: Callable[[Sequence[Any]], Figure]
-) -> Iterator[Figure]:
-    """Pages of at most so many lines or pictures."""
-    for start in range(0, len(items), count):
-        yield draw(items[start : start + count])
+class Row(NamedTuple):
+    """Texts side by side: their places, 0 to 1, left or right of it."""
+
+    cells: Sequence[tuple[float, str, str]]  # place [-], "left" or "right", text
+    size: float = TYPE_SIZE  # [points]
+    weight: str = "normal"
+    colour: str = INK
 
 
-def _headline(summary: dict[str, Any], name: str) -> Iterator[str]:
-    """Title, state, warnings and main results, line by line."""
+def _headline(summary: dict[str, Any], name: str) -> Iterator[Row]:
+    """Title, state, warnings, main results and contacts."""
     case = summary["case"] if isinstance(summary["case"], dict) else {}
-    yield str(case.get("title") or summary.get("title") or name)
+    title = str(case.get("title") or summary.get("title") or name)
+    for line in wrap(title, WIDTH // 2):
+        yield Row([(0.0, "left", line)], 15.0, "bold")
     state = "converged" if summary["converged"] else "NOT CONVERGED"
-    yield f"oilfilm {summary['oilfilm']}, {state}"
-    yield from wrap(f"source of the input: {case['source']}", WIDTH) if case.get("source") else ()
+    about = f"oilfilm {summary['oilfilm']}, {state}"
+    about += f"; source of the input: {case['source']}" if case.get("source") else ""
+    yield from _paragraphs([about], REFERENCE)
     yield from _section("Warnings", _paragraphs(summary.get("warnings", ())))
-    yield from _section("Main results", _main_lines(summary))
+    main = list(_main_facts(summary))
+    results = {
+        key: value for key, value in summary.items() if key not in ("case", "messages", "warnings")
+    }
+    yield from _section("Main results", _facts_rows(main or _facts(results)[1]))
+    contacts = summary.get("contacts") or ()
+    if contacts and "ball" in contacts[0]:
+        yield from _section("Contacts", _contact_rows(contacts))
 
 
-def _lines(summary: dict[str, Any], folder: Path) -> Iterator[str]:
-    """All numbers and notes, line by line."""
-    for name, sheet in sheets(folder).items():
-        is_facts = sheet[0][:2] == ["block", "quantity"]
-        if name == "Messages":
-            yield from _section("Notes", _paragraphs(remarks(summary)))
-        else:
-            yield from _section(name, _fact_lines(sheet) if is_facts else _table_lines(sheet))
-
-
-def _section(title: str, lines: Sequence[str]) -> list[str]:
-    return ["", title.replace("_", " ").upper(), *lines] if lines else []
-
-
-def _paragraphs(texts: Sequence[str]) -> list[str]:
-    return [line for text in texts for line in wrap(text, WIDTH, subsequent_indent="  ")]
-
-
-def _main_lines(summary: dict[str, Any]) -> list[str]:
-    """The numbers that are looked at first."""
-    rows = []
-    for key, value in main_results(summary).items() if summary.get("kind") != "batch" else ():
+def _main_facts(summary: dict[str, Any]) -> Iterator[list[Any]]:
+    """Quantity, value with its error bar and unit of what is looked at first."""
+    found = main_results(summary) if summary.get("kind") != "batch" else {}
+    for key, value in found.items():
         quantity = MAIN_QUANTITY.get(key)
-        if quantity is not None and value is not None:
-            title, _, unit = quantity.label.partition(" [")
-            rows.append(
-                f"{title:<40} {number(value)} {unit.rstrip(']').replace('-', '')}".rstrip()
-            )
-    return rows
+        if quantity is None or value is None or "uncertainty" in key:
+            continue
+        yield ["", quantity.title, _with_error(found, key), unit_symbol(key)]
 
 
-def _fact_lines(sheet: Sheet) -> list[str]:
-    lines = []
-    for row in sheet[1]:
-        cells = [number(cell, ".6g") for cell in row]
-        text = "".join(f"{cell[: w - 1]:<{w}}" for cell, w in zip(cells, FACTS, strict=True))
-        long = len(cells[2]) >= FACTS[2]
-        lines += wrap(" ".join(cells), WIDTH, subsequent_indent="  ") if long else [text.rstrip()]
-    return lines
+def _with_error(of: dict[str, Any], key: str, style: str = ".4g") -> str:
+    """A value, of a film with its error bar."""
+    if key.startswith("film_") and of.get(key) is not None:
+        error = of.get(key.replace("_um", "_uncertainty_um")) or 0.0
+        return value_with_error(of[key], error, most=4)
+    return number(of.get(key), style)
 
 
-def _table_lines(sheet: Sheet) -> list[str]:
-    """A table in blocks of as many columns as fit a line; columns that name a row in each."""
-    header, rows = sheet
-    cells = [[number(cell, ".5g") for cell in row] for row in rows[:MOST_ROWS]]
-    widths = [max(map(len, column)) + 1 for column in zip(header, *cells, strict=True)]
-    names = 1 + max((k for k, name in enumerate(header) if name in NAMES), default=0)
-    lines: list[str] = []
-    first = names
-    while first < len(header) or not lines:
-        last = first
-        room = WIDTH - sum(widths[:names])
-        while last < len(header) and (room := room - widths[last]) >= 0:
-            last += 1
-        shown = [*range(names), *range(first, max(last, first + 1))]
-        first = max(last, first + 1)
-        for row in (header, *cells):
-            texts = (f"{row[k]:>{widths[k]}}" for k in shown if k < len(row))
-            lines.append("".join(texts)[:WIDTH])
-        lines.append("")
-    left_out = len(rows) - len(cells)
-    return [*lines, f"{left_out} more rows are in the folder"] if left_out > 0 else lines
+def _contact_rows(contacts: Sequence[dict[str, Any]]) -> Iterator[Row]:
+    """Loaded contacts, equal ones in one line."""
+    keys = [key for key in CONTACT_PLACES if any(one.get(key) is not None for one in contacts)]
+    heads = [f"{CONTACT_QUANTITY[key].symbol} {unit_symbol(key)}".strip() for key in keys]
+    equal: dict[tuple[str, ...], list[str]] = {("race", *heads): []}
+    for contact in contacts:
+        if contact["loaded"]:
+            cells = [_with_error(contact, key, TERMINAL_COLUMNS[key]) for key in keys]
+            equal.setdefault((contact["race"], *cells), []).append(str(contact["ball"]))
+    for (race, *cells), balls in equal.items():
+        places = [
+            (CONTACT_PLACES[key], "right", cell) for key, cell in zip(keys, cells, strict=True)
+        ]
+        name = balls_text(balls) if balls else "balls"
+        weight = "normal" if balls else "bold"
+        yield Row([(0.0, "left", name), (0.16, "left", race), *places], weight=weight)
 
 
-def _text_page(lines: Sequence[str]) -> Figure:
-    figure = Figure(figsize=PAGE)
-    figure.set_layout_engine("none")
-    style: dict[str, Any] = {"family": "DejaVu Sans Mono", "fontsize": TYPE_SIZE, "va": "top"}
-    step = (1.0 - 2.0 * MARGIN) / LINES
-    for k, line in enumerate(lines):
-        weight = "bold" if line.isupper() else "normal"
-        # a dollar sign would begin a formula
-        text = line.replace("$", r"\$")
-        figure.text(MARGIN, 1.0 - MARGIN - k * step, text, color=INK, weight=weight, **style)
-    return figure
+def _further_pages(summary: dict[str, Any]) -> Iterator[Row]:
+    """Blocks of results, input without the sources of its materials, and all notes."""
+    results = {key: summary[key] for key in RESULT_BLOCKS if isinstance(summary.get(key), dict)}
+    yield from _section("Further results", _facts_rows(_facts(results)[1]))
+    case = summary["case"] if isinstance(summary["case"], dict) else {}
+    blocks = dict.fromkeys(("bearing", "operation", "lubricant", *case))
+    ordered = {name: case[name] for name in blocks if name in case}
+    facts = [row for row in _facts(ordered)[1] if row[1] not in ("source", "title")]
+    yield from _section("Input", _facts_rows(facts))
+    yield from _section("Notes", _paragraphs(remarks(summary)))
+    text = "Every number is in summary.json and, by oilfilm export --format xlsx, in a workbook."
+    yield from _paragraphs([text], REFERENCE)
+
+
+def _section(title: str, rows: Iterable[Row]) -> Iterator[Row]:
+    content = list(rows)
+    if content:
+        yield Row([])
+        yield Row([(0.0, "left", title)], 10.5, "bold")
+        yield from content
+
+
+def _paragraphs(texts: Iterable[str], colour: str = INK) -> Iterator[Row]:
+    for text in texts:
+        for first, line in enumerate(wrap(text, WIDTH)):
+            yield Row([(0.015 * bool(first), "left", line)], colour=colour)
+
+
+def _facts_rows(facts: Iterable[Sequence[Any]]) -> Iterator[Row]:
+    """Block and quantity, value and unit; long values below."""
+    for block, quantity, value, unit in facts:
+        text = number(value, ".5g")
+        name = (0.0, "left", f"{block} {quantity}".strip())
+        if len(text) < WIDTH // 3:
+            yield Row([name, (0.66, "right", text), (0.675, "left", unit)])
+        else:
+            yield from _paragraphs([f"{name[2]}: {text}"])
+
+
+def _text_pages(rows: Iterable[Row]) -> Iterator[Figure]:
+    """Pages of rows one below the other."""
+    figure, place = None, 0.0
+    for row in rows:
+        height = LEADING * row.size / 72.0 / PAGE[1]
+        if figure is None or place - height < MARGIN:
+            if figure is not None:
+                yield figure
+            figure, place = Figure(figsize=PAGE), 1.0 - MARGIN
+            figure.set_layout_engine("none")
+        place -= height
+        for at, side, text in row.cells:
+            style: dict[str, Any] = {"ha": side, "fontsize": row.size, "weight": row.weight}
+            x = MARGIN + at * (1.0 - 2.0 * MARGIN)
+            # a dollar sign would begin a formula
+            figure.text(x, place, text.replace("$", r"\$"), color=row.colour, **style)
+    if figure is not None:
+        yield figure
 
 
 def _picture_page(paths: Sequence[Path]) -> Figure:

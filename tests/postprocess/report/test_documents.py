@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from oilfilm.cases.cli.main import app
 from oilfilm.postprocess.files import read_summary
-from oilfilm.postprocess.report.pdf_and_workbook import sheets, write_pdf, write_workbook
+from oilfilm.postprocess.report.pdf_and_workbook import _headline, sheets, write_pdf, write_workbook
 
 
 def test_sheets_hold_every_number_with_its_unit(bearing_folder):
@@ -40,6 +40,23 @@ def test_pdf_has_the_pictures_and_the_numbers(bearing_folder, tmp_path):
     pictures = len(list((bearing_folder / "plots").glob("*.png")))
     assert content.startswith(b"%PDF") and content.count(b"/Subtype /Image") >= pictures
     assert content.count(b"/Type /Page\n") + content.count(b"/Type /Page ") >= pictures // 2 + 2
+
+
+def test_page_one_is_what_is_looked_at_first(bearing_folder):
+    """Title, main results with error bars, every loaded contact with the number of its ball."""
+    summary = read_summary(bearing_folder)
+    rows = list(_headline(summary, "folder"))
+    texts = [[text for _, _, text in row.cells] for row in rows]
+    assert texts[0][0] in summary["case"]["title"] and rows[0].weight == "bold"
+    titles = [cells[0] for cells in texts if len(cells) == 1]
+    assert [title for title in ("Warnings", "Main results", "Contacts") if title in titles][-2:] == [
+        "Main results",
+        "Contacts",
+    ]
+    assert any(cells[0] == "minimum film" and " ± " in cells[1] for cells in texts if len(cells) == 3)
+    balls = [cells[0] for cells in texts if len(cells) > 3 and cells[1] in ("inner", "outer")]
+    assert len(balls) >= 2 and all(name.startswith("ball") for name in balls)
+    assert all(0.0 <= place <= 1.0 for row in rows for place, _, _ in row.cells)
 
 
 @pytest.mark.parametrize("kind", ["xlsx", "pdf"])
