@@ -343,13 +343,15 @@ def _facts_rows(facts: Iterable[Sequence[Any]]) -> Iterator[Row]:
 
 def _text_pages(rows: Iterable[Row]) -> Iterator[Figure]:
     """Pages of rows one below the other."""
-    figure, place = None, 0.0
+    figure = None
+    place = 0.0
     for row in rows:
         height = LEADING * row.size / 72.0 / PAGE[1]
         if figure is None or place - height < MARGIN:
             if figure is not None:
                 yield figure
-            figure, place = Figure(figsize=PAGE), 1.0 - MARGIN
+            figure = Figure(figsize=PAGE)
+            place = 1.0 - MARGIN
             figure.set_layout_engine("none")
         place -= height
         for at, side, text in row.cells:
