@@ -52,7 +52,8 @@ from .shared_tables import (
 from .sweep_file import SensitivityTable, SweepFile
 
 MOST_FAULTS = 1000  # from which on no further point is checked
-CHECKED = 1000  # points of a large sweep that are checked before anything runs
+CHECKED = 1000  # points of a sweep up to which all are checked before anything runs
+SAMPLE = 200  # of a larger one that are, beside its ends
 SEED = 70_241_903  # of their choice
 MOST_CHECKED = 100_000  # points of kinds that are checked one by one, 2 ms each
 EVERY_POINT = ("torque", "dynamics")  # kinds whose tables depend on all points: all are checked
@@ -368,7 +369,7 @@ def _checked_indices(plan: Plan, compute: str) -> Sequence[int]:
     whole = range(len(plan))
     if len(plan) <= CHECKED or compute in EVERY_POINT:
         return whole
-    chosen = {0, len(plan) - 1, *random.Random(SEED).sample(whole, CHECKED)}
+    chosen = {0, len(plan) - 1, *random.Random(SEED).sample(whole, min(SAMPLE, CHECKED))}
     start = 0
     for block, end in zip(plan.blocks, plan.ends, strict=True):
         if isinstance(block, Factorial):

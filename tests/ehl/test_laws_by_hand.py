@@ -11,7 +11,7 @@ import pytest
 from oilfilm.ehl import Lubricant
 from oilfilm.ehl.atlas import films, oils
 from oilfilm.ehl.atlas.table import BASE_ALPHA, BASE_Z, OIL_UNITS, oil_features
-from oilfilm.ehl.closed_form.starvation import _radial
+from oilfilm.ehl.closed_form._starvation_kernels import radial_sums
 from oilfilm.ehl.finite_element.reynolds import _conductance
 from oilfilm.ehl.multigrid.film_values import LOWEST_RATIO, _departure
 from oilfilm.ehl.oil.lubricant import ViscosityLaw
@@ -21,6 +21,7 @@ from oilfilm.ehl.solid.heat import SolidThermal
 from oilfilm.ehl.traction.film_quadrature import BLOCKS, _blocks
 from oilfilm.ehl.traction_table.splines import leave_one_out_error, node_values, spline_coefficients, spline_weights
 from oilfilm.ehl.transient.content import _extended
+from oilfilm.ehl.units import unit
 
 X = np.arange(9.0)
 
@@ -78,12 +79,13 @@ def test_departure_from_second_order():
 
 
 def test_kernel_of_the_starvation_law():
-    """(1 + s + s^2/3) exp(-s) with s = sqrt 5 times the distance (Matern, nu 5/2)."""
-    function = SimpleNamespace(centres=np.array([[1.0, 2.0, 3.0, 9.0]]), scales=np.array([1.0, 2.0, 0.5, 1.0]))
-    s = sqrt(5.0 * (0.25 + 1.0 + 1.0 + 4.0))
-    found = _radial(function, np.array([2.0, 4.0, 4.0]), np.array([[0.25]]))
-    assert found == pytest.approx((1.0 + s + s * s / 3.0) * exp(-s))
-    assert _radial(function, np.array([1.0, 2.0, 3.0]), np.zeros((1, 1))) == pytest.approx(1.0)
+    """Sum of w (1 + s + s^2/3) exp(-s) with s = sqrt 5 times the distance (Matern, nu 5/2)."""
+    centres, scales = np.array([[1.0, 2.0, 3.0], [2.0, 4.0, 4.0]]), np.array([1.0, 2.0, 0.5])
+    s, near = sqrt(5.0 * (0.25 + 1.0 + 1.0 + 4.0)), sqrt(5.0 * 0.5)
+    found = np.ones(1)
+    radial_sums(np.array([2.0, 4.0, 4.0]), centres, scales, np.array([[0.25], [0.5]]), np.array([3.0, -2.0]), found)
+    one, other = ((1.0 + d + d * d / 3.0) * exp(-d) for d in (s, near))
+    assert found[0] == pytest.approx(1.0 + 3.0 * one - 2.0 * other)
 
 
 def test_features_of_an_oil_are_a_second_order_expansion():
@@ -134,3 +136,12 @@ def test_blocks_are_the_same_from_either_end():
 def test_heat_of_a_solid():
     body = SolidThermal(conductivity=4.0, density=3.0, specific_heat=12.0)
     assert (body.effusivity, body.diffusivity) == (12.0, 4.0 / 36.0)
+
+
+@pytest.mark.parametrize(
+    ("key", "name"),
+    [("load_N", "N"), ("mm", ""), ("N_mm", "mm"), ("torque_N_mm", "N mm"), ("a.force_N.b", "N"), ("title", "")],
+)
+def test_a_key_ends_in_its_unit(key, name):
+    """The longest that fits; a key that is nothing but a unit is a name, and its last word the unit of two."""
+    assert (unit(key).text or "") == name

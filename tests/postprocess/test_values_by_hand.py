@@ -16,6 +16,7 @@ from oilfilm.postprocess.bearing.contact_quantities import finite_body_messages
 from oilfilm.postprocess.bearing.summary import _life_text
 from oilfilm.postprocess.bearing.torque import CHURNING_SHARE, _churning_share
 from oilfilm.postprocess.dynamics import results
+from oilfilm.postprocess.files import plain
 from oilfilm.postprocess.report.page import _rows
 from oilfilm.postprocess.report.pdf_and_workbook import _is_table
 from oilfilm.postprocess.shaft.results import _heat
@@ -128,3 +129,12 @@ def test_what_is_a_table():
     assert _rows([]) is _rows([{"a": 1}, 2]) is None
     table = _rows([{"a": 1, "b": 2}, {"a": 3}])
     assert len(table.rows) == 2 and all(len(cells) == 2 for _, cells in table.rows)
+
+
+def test_values_become_plain_json():
+    """Numbers and arrays of NumPy, also in tuples; what is not finite is null, with its path."""
+    lost = []
+    whole = {"a": np.array([1.0, np.inf]), "b": np.int64(3), "c": (1.0, float("nan")), "d": {"e": np.float64(0.5)}}
+    found = plain(whole, "", lost)
+    assert found == {"a": [1.0, None], "b": 3, "c": [1.0, None], "d": {"e": 0.5}}
+    assert type(found["b"]) is int and type(found["d"]["e"]) is float and lost == ["a[1]", "c[1]"]
