@@ -57,6 +57,7 @@ def test_kinds(tmp_path, code, kind, changed):
         "def f(a: int = 3) -> list[int]: ...\n",
         "plot(x, linewidth=2.0)\n",
         "axes.set_xlim(-a, 2.0 * b)\n",
+        "y = zip(a, b, strict=True)\n",
         "Option = Annotated[float, f(a, b)]\n",
         "TOLERANCE = 1e-6\n",
         "t = perf_counter() - a\n",

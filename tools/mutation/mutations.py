@@ -1,8 +1,8 @@
 """Mutations of a module: single wrong signs, factors, exponents, arguments, axes, terms, comparisons and codes.
 
 Not mutated: docstrings, annotations and names of types, decorators, texts, looks of pictures (`LOOKS`), numbers that
-bound accuracy or effort and no result (`EFFORT`). A limit that is included or not (`<` for `<=`) is no mutation: `<`
-becomes `>`.
+bound accuracy or effort and no result (`EFFORT`), checks of the program itself (`SAME`). A limit that is included or
+not (`<` for `<=`) is no mutation: `<` becomes `>`.
 """
 
 from __future__ import annotations
@@ -47,6 +47,8 @@ TYPES = {
     "Union",
 }
 CLOCKS = {"perf_counter", "monotonic", "cpu_count"}  # of how long it takes, and on what
+# keyword arguments that check the program itself, or say how and not what: the same result with either value
+SAME = set("strict copy ensure_ascii exist_ok parents daemon pad_edge align slots frozen kw_only".split())
 PATHS = re.compile(r"path|folder|directory|root|file|home|place|target|output|parent|base|cwd", re.IGNORECASE)
 # words of names that are taken for each other
 PAIRS = (
@@ -144,7 +146,7 @@ def _left_alone(node: ast.AST) -> bool:
         case ast.Expr(value=ast.Constant()) | ast.JoinedStr() | ast.Import() | ast.ImportFrom():
             return True
         case ast.keyword(arg=str(name)):
-            return bool(LOOKS.search(name) or EFFORT.search(name))
+            return name in SAME or bool(LOOKS.search(name) or EFFORT.search(name))
         case ast.Assign(targets=[ast.Name(id=name)]) | ast.AnnAssign(target=ast.Name(id=name)):
             return name == "__all__" or (name.isupper() and bool(LOOKS.search(name) or EFFORT.search(name)))
         case ast.Call(func=ast.Attribute(attr=name) | ast.Name(id=name)):
