@@ -1469,6 +1469,11 @@ def strength_rows(results: BearingResults) -> dict[str, str]:
             f"hoop {tension:.3g} MPa (fit {fit:.3g}, rotation {rotation:.3g}), probability of "
             f"failure {value} ({low} to {high})"
         )
+        if (gradient := ring_gradient(results.quasistatic.bearing, ring)) is not None:
+            rows[f"{ring.race.value} ring"] += (
+                f"; its track may be {gradient.warm.low:.0f} K warmer or "
+                f"{gradient.cold.low:.0f} K colder than its seat (least strength)"
+            )
     contacts = _contact_strength(results)
     if contacts is not None:
         tension = from_si("tension_GPa", contacts.edge_tension)

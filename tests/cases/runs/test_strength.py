@@ -11,7 +11,7 @@ from oilfilm.cases import load_case, run_case
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.postprocess import summary
 from oilfilm.postprocess.bearing.plots import write_bearing_plots
-from oilfilm.postprocess.bearing.summary import strength_messages
+from oilfilm.postprocess.bearing.summary import strength_messages, strength_rows
 
 STEEL = """\
 schema_version = 1
@@ -49,6 +49,7 @@ def test_rings_of_the_warm_ceramic_bearing(warm):
         assert allowed == sorted(allowed) and allowed[0] > 300.0
     power = found["torque_N_mm"]["total"] * 1e-3 * 10000.0 * 3.14159 / 30.0
     assert 0.05 < ring["friction_gradient_K"] / power < 0.5
+    assert " K colder than its seat (least strength)" in strength_rows(warm)["inner ring"]
     assert ring["friction_tension_MPa"] < 0.5 * 1.02 * ring["friction_gradient_K"]  # E alpha 1.02 MPa/K
     told = [message for message in found["messages"] if message.startswith("strength: ")]
     assert any("no standard rates ceramic rings" in message for message in told)
