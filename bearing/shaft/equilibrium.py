@@ -6,8 +6,9 @@ the displacement r of the ring against the seat:
 
     K U + sum T' f(r) = F,   K_seat w = f(r),   r = T U - w + growth,
 
-solved by Newton's method with the bearings' own tangents df/dr. Rotation about the axis is held at
-the first node: the torque that drives the shaft acts there.
+solved by Newton's method with the bearings' own tangents df/dr. The movement of the other nodes is
+counted against the first one, whose movement turns the shaft as a rigid body and leaves K U zero to
+the last digit. Rotation about the axis is held there: the torque that drives the shaft acts there.
 """
 
 from collections.abc import Sequence
@@ -67,7 +68,8 @@ class _Problem:
 
     system: ShaftSystem
     beam: Beam
-    stiffness: Array  # of shaft and elastic seats
+    motion: Array  # movement of nodes and seats by the unknowns
+    stiffness: Array  # of shaft and elastic seats, on the unknowns
     load: Array
     selectors: list[Array]  # r = selector @ unknowns + growth (5, unknowns)
     free: Array  # indices of the unknowns that are not held
@@ -146,8 +148,18 @@ def _problem(system: ShaftSystem) -> _Problem:
     shaft = beam.stiffness.shape[0]
     seats = 0 if system.housing is None else system.housing.shape[0]
     size = shaft + seats
-    stiffness = np.zeros((size, size))
-    stiffness[:shaft, :shaft] = beam.stiffness
+    # 1. the first node moves all as a rigid body, seats and the other nodes move by themselves
+    motion = np.eye(size)
+    motion[:shaft, :FREEDOMS] = np.tile(np.eye(FREEDOMS), (beam.positions.size, 1))
+    arms = beam.positions - beam.positions[0]
+    motion[1:shaft:FREEDOMS, 5] = arms
+    motion[2:shaft:FREEDOMS, 4] = -arms
+    springs = np.zeros((size, size))
+    springs[:shaft, :shaft] = system.spring_stiffness(beam)
+    # 2. stiffness without that of the rigid body, which is zero
+    stiffness = motion.T @ springs @ motion
+    bends = slice(FREEDOMS, shaft)
+    stiffness[bends, bends] += (beam.stiffness - springs[:shaft, :shaft])[bends, bends]
     if system.housing is not None:
         stiffness[shaft:, shaft:] = system.housing
     load = np.zeros(size)
@@ -161,16 +173,17 @@ def _problem(system: ShaftSystem) -> _Problem:
         if system.housing is not None:
             selector[:, seat : seat + len(RING)] = -np.eye(len(RING))
             seat += len(RING)
-        selectors.append(selector)
+        selectors.append(selector @ motion)
     free = np.setdiff1d(np.arange(size), [3])  # torsion is held at the first node
     force = float(np.abs(load).max(initial=1.0))
     arm = 0.5 * system.supports[0].bearing.pitch_diameter
     scale = np.full(size, force)
     for first in range(0, shaft, FREEDOMS):
         scale[first + 3 : first + FREEDOMS] = force * arm
+    scale[3:FREEDOMS] += force * arms[-1]  # moments of all forces about the first node
     for first in range(shaft, size, len(RING)):
         scale[first + 3 : first + len(RING)] = force * arm
-    return _Problem(system, beam, stiffness, load, selectors, free, scale)
+    return _Problem(system, beam, motion, stiffness, motion.T @ load, selectors, free, scale)
 
 
 def _check_held(problem: _Problem) -> None:
@@ -413,7 +426,7 @@ def _solution(problem: _Problem, point: _Point, iterations: int) -> ShaftSolutio
     return ShaftSolution(
         system=problem.system,
         positions=problem.beam.positions,
-        displacement=point.unknowns[:shaft].reshape(-1, FREEDOMS),
+        displacement=(problem.motion @ point.unknowns)[:shaft].reshape(-1, FREEDOMS),
         bearings=tuple(point.states),
         seats=seats,
         residual=point.size,

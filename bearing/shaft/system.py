@@ -107,11 +107,7 @@ class ShaftSystem:
         """
         beam = stepped_beam(self.sections, self.stations, longest)
         mass, gyroscopic, weight = beam.mass.copy(), beam.gyroscopic.copy(), beam.weight.copy()
-        stiffness = beam.stiffness.copy()
-        for spring in self.springs:
-            first = FREEDOMS * beam.node(spring.position)
-            places = np.arange(first, first + FREEDOMS)
-            stiffness[places, places] += spring.stiffness
+        stiffness = beam.stiffness + self.spring_stiffness(beam)
         for load in self.loads:
             first = FREEDOMS * beam.node(load.position)
             inertia = (*[load.mass] * 3, load.polar_inertia, *[load.diametral_inertia] * 2)
@@ -121,6 +117,24 @@ class ShaftSystem:
             gyroscopic[first + 5, first + 4] -= load.polar_inertia
             weight[places[:3], np.arange(3)] += load.mass
         return replace(beam, stiffness=stiffness, mass=mass, gyroscopic=gyroscopic, weight=weight)
+
+    def spring_stiffness(self, beam: Beam) -> Array:
+        """Stiffness of the springs on the nodes.
+
+        Parameters
+        ----------
+        beam : Beam
+            Of the shaft.
+
+        Returns
+        -------
+        Array
+            Shape (6 nodes, 6 nodes) [N/m], [N m/rad].
+        """
+        diagonal = np.zeros((beam.positions.size, FREEDOMS))
+        for spring in self.springs:
+            diagonal[beam.node(spring.position)] += spring.stiffness
+        return np.diag(diagonal.ravel())
 
     def load_vector(self, beam: Beam) -> Array:
         """Forces and moments on the nodes: point loads and weight.

@@ -97,23 +97,25 @@ def _series(solution: ShaftSolution) -> tuple[Array, Array]:
     return part, bearings @ part
 
 
-def support_stiffness(solution: ShaftSolution) -> list[Array]:
-    """Stiffness of each support, bearing and housing in series, the other ones at rest.
+def support_matrices(solution: ShaftSolution, films: Sequence[Array]) -> list[tuple[Array, Array]]:
+    """Stiffness and damping of each support, bearing and housing in series, the others at rest.
 
     Parameters
     ----------
     solution : ShaftSolution
         Converged equilibrium.
+    films : sequence of Array
+        Damping of each bearing, `studies.stiffness.ring_damping`.
 
     Returns
     -------
-    list of Array
-        In the order x, y, z, tilt y, tilt z, (5, 5) [N/m], [N], [N m].
+    list of (Array, Array)
+        In the order x, y, z, tilt y, tilt z, (5, 5) each [N/m], [N s/m], ...
     """
-    tangent = _series(solution)[1]
-    size = RING.size
-    rows = range(0, tangent.shape[0], size)
-    return [tangent[row : row + size, row : row + size] for row in rows]
+    part, tangent = _series(solution)
+    damping = part.T @ scipy.linalg.block_diag(*films) @ part
+    blocks = [slice(row, row + RING.size) for row in range(0, tangent.shape[0], RING.size)]
+    return [(tangent[block, block], damping[block, block]) for block in blocks]
 
 
 @one_thread

@@ -3,19 +3,19 @@
 import numpy as np
 
 from oilfilm.bearing.shaft.beam import nearest_node
-from oilfilm.bearing.shaft.vibration import support_stiffness
+from oilfilm.bearing.shaft.vibration import support_matrices
 from oilfilm.bearing.studies.stiffness import ring_damping
 from oilfilm.ehl.arrays import Array
 
-from ..stiffness.results import ross_entries
+from ..stiffness.results import ROSS_FRAME, ross_entries
 from .results import ShaftResults
 
-FRAME = np.eye(3)[[1, 2, 0]]  # x, y, z of ROSS in ours
 LINES = """\
 import ross as rs
 
 # {title}
-# z is along the shaft; x and y are y and z of the case; bearings have no tilting stiffness in ROSS
+# {frame}
+# bearings have no tilting stiffness in ROSS
 {materials}
 shaft = [
     {elements},
@@ -34,7 +34,7 @@ print(modes.wn, modes.log_dec)  # natural frequencies [rad/s], logarithmic decre
 
 def ross_rotor(results: ShaftResults) -> str:
     """Shaft, discs and bearings for ROSS: tangents of the bearings at the equilibrium, in series
-    with their housing, and the damping by their films.
+    with their housing, and the damping by their films; none along the axis where a ring floats.
 
     Parameters
     ----------
@@ -77,12 +77,14 @@ def ross_rotor(results: ShaftResults) -> str:
         for load in system.loads
         if load.mass > 0.0
     ]
-    bearings = []
-    held = zip(system.supports, support_stiffness(results.solution), results.bearings, strict=True)
-    for support, stiffness, one in held:
-        assert one is not None
-        damping = ring_damping(one.elastic, one.contacts)[0]
-        bearings.append(_bearing(nearest_node(nodes, support.position), stiffness, damping))
+    known = [one for one in results.bearings if one is not None]
+    films = [ring_damping(one.elastic, one.contacts)[0] for one in known]
+    bearings = [
+        _bearing(nearest_node(nodes, support.position), *matrices)
+        for support, matrices in zip(
+            system.supports, support_matrices(results.solution, films), strict=True
+        )
+    ]
     for spring in system.springs:
         stiffness = np.diag([spring.axial, spring.radial, spring.radial])
         bearings.append(
@@ -90,6 +92,7 @@ def ross_rotor(results: ShaftResults) -> str:
         )
     return LINES.format(
         title=results.case.get("title") or "shaft",
+        frame=ROSS_FRAME,
         speed=abs(system.speed),
         materials="\n".join(materials),
         elements=",\n    ".join(elements),
@@ -100,6 +103,6 @@ def ross_rotor(results: ShaftResults) -> str:
 
 def _bearing(node: int, stiffness: Array, damping: Array) -> str:
     """An element by matrices of x, y, z along the shaft first."""
-    entries = ross_entries(stiffness[:3, :3], damping[:3, :3], FRAME)
+    entries = ross_entries(stiffness[:3, :3], damping[:3, :3])
     words = ", ".join(f"{name}={value:.9g}" for name, value in entries.items())
     return f"rs.BearingElement({node}, {words})"

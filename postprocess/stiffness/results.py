@@ -13,19 +13,20 @@ from ..files import CsvTable, plain
 from ..netcdf_write import SPEED_COLUMN, Variables
 from ..quantities import STIFFNESS_ORDER, STIFFNESS_UNITS, Quantity, Results, rows_of
 
-# ROSS' x, y, z (z along the shaft) in ours
+# ROSS' x, y, z in ours: its z runs along the shaft, its gravity acts along -y
 ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 SPEED = Quantity("speeds_rpm", "speed of the inner ring", "speeds")
 STIFFNESS = Quantity("stiffness_N_um", "stiffness")
 TILTING_STIFFNESS = Quantity("tilting_stiffness_N_m_mrad", "tilting stiffness")
 DAMPING = "ross: damping {:g} N s/m as given"
 FILMS = "ross: damping by the films, an estimate at slow movement"
+ROSS_FRAME = "x, y, z of ROSS are -z, y, x of the case: z along the shaft, gravity along -y"
 ROSS_LINES = """\
 import numpy as np
 import ross as rs
 
-# {title}: stiffness and damping of the bearing over the speed of the rotor; ROSS has z along the
-# shaft
+# {title}: stiffness and damping of the bearing over the speed of the rotor
+# {frame}
 bearing = rs.BearingElement(
     n=0,  # node of the shaft
     {arguments},
@@ -51,10 +52,10 @@ class StiffnessResults(Results):
 def ross_table(study: StiffnessOverSpeed, damping: float | None = None) -> dict[str, Array]:
     """Arguments of the BearingElement of the rotor code ROSS 3 over speed.
 
-    ROSS 2 calls the speed `frequency`. ROSS has z along the shaft; its x and y are our -z and y (a
-    turn of the frame, right-handed in both). Its element has the 2 x 2 block of the lateral
-    directions and the axial stiffness; tilt and the coupling of axial to lateral are left out: the
-    block is the stiffness with x and the tilts fixed.
+    ROSS 2 calls the speed `frequency`. ROSS has z along the shaft and gravity along -y; its x and y
+    are our -z and y (a turn of the frame, right-handed in both). Its element has the 2 x 2 block of
+    the lateral directions and the axial stiffness; tilt and the coupling of axial to lateral are
+    left out: the block is the stiffness with x and the tilts fixed.
 
     Parameters
     ----------
@@ -81,18 +82,16 @@ def ross_table(study: StiffnessOverSpeed, damping: float | None = None) -> dict[
     if damping is not None:
         films = np.broadcast_to(damping * np.eye(3), films.shape)
     stiffness = study.matrices[kept][:, :3, :3]
-    return {"speed": study.speeds[kept]} | ross_entries(stiffness, films, ROSS_AXES)
+    return {"speed": study.speeds[kept]} | ross_entries(stiffness, films)
 
 
-def ross_entries(stiffness: Array, damping: Array, frame: Array) -> dict[str, Array]:
+def ross_entries(stiffness: Array, damping: Array) -> dict[str, Array]:
     """Stiffness and damping as ROSS' BearingElement takes them, by its names.
 
     Parameters
     ----------
     stiffness, damping : Array
         In x, y, z, shape (..., 3, 3) [N/m], [N s/m].
-    frame : Array
-        Axes of ROSS in ours (3, 3) [-].
 
     Returns
     -------
@@ -102,7 +101,7 @@ def ross_entries(stiffness: Array, damping: Array, frame: Array) -> dict[str, Ar
     places = {"xx": (0, 0), "xy": (0, 1), "yx": (1, 0), "yy": (1, 1), "zz": (2, 2)}
     table: dict[str, Array] = {}
     for letter, matrices in (("k", stiffness), ("c", damping)):
-        turned = frame @ matrices @ frame.T
+        turned = ROSS_AXES @ matrices @ ROSS_AXES.T
         table |= {letter + name: turned[..., i, j] for name, (i, j) in places.items()}
     return table
 
@@ -129,7 +128,7 @@ def ross_lines(study: StiffnessOverSpeed, damping: float | None, title: str) -> 
         for name, values in ross_table(study, damping).items()
     }
     arguments = ",\n    ".join(f"{name}=np.array([{row}])" for name, row in rows.items())
-    return ROSS_LINES.format(title=title or "bearing", arguments=arguments)
+    return ROSS_LINES.format(title=title or "bearing", frame=ROSS_FRAME, arguments=arguments)
 
 
 def stiffness_summary(results: StiffnessResults) -> dict[str, Any]:

@@ -8,9 +8,10 @@ import scipy
 from numpy.testing import assert_allclose
 
 import oilfilm
-from oilfilm.bearing import Operation, load_bearing, load_material, solve_quasistatic
+from oilfilm.bearing import Operation, QuasistaticModel, load_bearing, load_material, solve_quasistatic
 from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.films.unsolved_films import film_lag
+from oilfilm.bearing.operation import Curvature
 from oilfilm.bearing.shaft.beam import FREEDOMS, Section, stepped_beam
 from oilfilm.bearing.shaft.equilibrium import ring_part, solve_shaft
 from oilfilm.bearing.shaft.system import AxialLocation, PointLoad, ShaftSystem, Support
@@ -128,14 +129,14 @@ def test_two_supports_of_a_rigid_shaft_are_a_pair_of_rows():
         for x, sense in ((0.11, 1), (0.19, -1))
     )
     loads = (PointLoad(position=0.15, force=(300.0, 2000.0, 100.0)),)
-    solution = solve_shaft(ShaftSystem(sections=stepped(1.0e7), supports=supports, loads=loads, speed=500.0))
+    solution = solve_shaft(ShaftSystem(sections=stepped(1.0e9), supports=supports, loads=loads, speed=500.0))
     assert solution.converged, solution.message
     node = int(np.argmin(abs(solution.positions - 0.15)))
     movement = solution.displacement[node]
-    assert_allclose(movement[:3], pair.displacement, rtol=1e-5, atol=1e-12)
-    assert_allclose(movement[4:], pair.tilt, rtol=1e-5, atol=1e-12)
+    assert_allclose(movement[:3], pair.displacement, rtol=1e-9)
+    assert_allclose(movement[4:], pair.tilt, rtol=1e-9)
     rows = np.array([state.inner_load for state in solution.bearings]).ravel()
-    assert_allclose(rows, pair.inner_load, rtol=1e-5)
+    assert_allclose(rows, pair.inner_load, rtol=1e-9)
 
 
 @pytest.mark.parametrize("growth", [4.0e-6, -4.0e-6])
@@ -273,12 +274,14 @@ def test_damping_of_whirl_and_of_unbalance_are_those_of_a_rotor_on_springs():
     assert_allclose(amplitude, 1e-5 * critical / 4000.0, rtol=0.1)
 
 
-def test_stiffness_condensed_through_bearings_and_housing_is_symmetric():
-    """K_b (K_b + K_housing)^-1 K_housing of floating and fixed bearings; those of a tilted ring are so to 4e-5."""
+@pytest.mark.parametrize(("curvature", "symmetric"), [(Curvature.FREE, 1e-12), (Curvature.OPERATING, 4e-5)])
+def test_stiffness_condensed_through_bearings_and_housing_is_symmetric(curvature, symmetric):
+    """K_b (K_b + K_housing)^-1 K_housing at rest; Hertz's K that changes with the contact angle is no elastic energy."""
     housing = np.kron([[2.0, 0.5], [0.5, 1.0]], np.diag([2e8, 1e8, 1e8, 1e5, 1e5]))
     loads = (PointLoad(position=0.1, force=(400.0, 2000.0, 300.0)),)
-    solution = solve_shaft(replace(on_two(loads, housing=housing), speed=0.0))
+    supports = tuple(replace(one, model=QuasistaticModel(curvature=curvature)) for one in SUPPORTS)
+    solution = solve_shaft(replace(on_two(loads, housing=housing), supports=supports, speed=0.0))
     bearings = scipy.linalg.block_diag(*(state.stiffness for state in solution.bearings))
     free = bearings @ scipy.linalg.block_diag(*(ring_part(state) for state in solution.bearings))
     series = free @ np.linalg.solve(free + housing, housing)
-    assert_allclose(series, series.T, atol=4e-5 * abs(series).max())
+    assert_allclose(series, series.T, atol=symmetric * abs(series).max())
