@@ -86,6 +86,10 @@ class Conductance:
         """
         return Conductance(factor * self.value, factor * self.low, factor * self.high)
 
+    def exchanged(self) -> "Conductance":
+        """The conductance with the ends of its range in exchange."""
+        return Conductance(self.value, self.high, self.low)
+
     def end(self, which: int) -> float:
         """An end of the range.
 

@@ -14,6 +14,7 @@ balance of each bearing by itself. With one bearing it is that balance.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from math import pi
 
 import numpy as np
@@ -66,6 +67,10 @@ class ShaftHeat:
     bearings: tuple[SelfHeatingSolution, ...]  # each among its neighbours
     links: tuple[HeatLink, ...]
     stable: bool
+    # lowest and highest temperatures (2, bearings, nodes) of five balances: this one, and those of
+    # the paths of the bearings and of the ones between them at either end of their ranges [K]
+    node_range: Array
+    film_range: Array  # likewise of the films (2, bearings) [K]
 
     @property
     def temperatures(self) -> Array:
@@ -184,7 +189,8 @@ class _Shaft:
                 near.states[k] if near is not None and same else self._state(k, bearing, film[k])
             )
         found = tuple(states)
-        return _Point(unknowns, shaft, found, self.following(found) - unknowns)
+        residual = self.following(found, self.temperatures(found)) - unknowns
+        return _Point(unknowns, shaft, found, residual)
 
     def _system(self, clearance: Array, growth: Array) -> ShaftSystem:
         supports = tuple(
@@ -205,13 +211,18 @@ class _Shaft:
         clearance = known.bearing.diametral_clearance
         return heat_state(at, at.fixed_paths(), float(film), clearance, (known, ()))
 
-    def temperatures(self, states: Sequence[HeatState]) -> Array:
-        """Temperatures of the nodes of all bearings in one network (bearings, nodes) [K]."""
+    def temperatures(self, states: Sequence[HeatState], ends: tuple[int, int] = (0, 0)) -> Array:
+        """Temperatures of the nodes of all bearings in one network (bearings, nodes) [K], paths of
+        the bearings and those between them at ends of their ranges: -1 low, 1 high.
+        """
         sources = np.concatenate([state.sources for state in states])
-        return self.network(states).temperatures(sources).reshape(len(states), -1)
+        network = self.network(states, against=ends[0] != ends[1])
+        return network.temperatures(sources, ends[0]).reshape(len(states), -1)
 
-    def network(self, states: Sequence[HeatState]) -> HeatNetwork:
-        """The networks of the bearings as one, with the paths between them."""
+    def network(self, states: Sequence[HeatState], *, against: bool) -> HeatNetwork:
+        """The networks of the bearings as one, with the paths between them; these with the ends of
+        their ranges in exchange where they go against the others.
+        """
         paths = [
             replace(path, first=f"{path.first} {k}", second=f"{path.second} {k}")
             for k, state in enumerate(states)
@@ -221,7 +232,7 @@ class _Shaft:
             HeatPath(
                 first=f"{link.node} {link.bearings[0]}",
                 second=f"{link.node} {link.bearings[1]}",
-                conductance=link.conductance,
+                conductance=link.conductance.exchanged() if against else link.conductance,
                 description=link.description,
             )
             for link in self.links
@@ -234,9 +245,10 @@ class _Shaft:
         nodes = tuple(f"{name} {k}" for k in range(len(states)) for name in NODES)
         return HeatNetwork(paths=tuple(paths), boundaries=boundaries, nodes=nodes)
 
-    def following(self, states: Sequence[HeatState]) -> Array:
-        """Film temperatures, clearances and growths that follow from states (3, bearings)."""
-        temperatures = self.temperatures(states)
+    def following(self, states: Sequence[HeatState], temperatures: Array) -> Array:
+        """Film temperatures, clearances and growths that follow from states and temperatures of
+        the nodes (3, bearings).
+        """
         pairs = list(zip(self.problems, states, temperatures, strict=True))
         growth = self.system.axial_growth(temperatures[:, SHAFT], temperatures[:, HOUSING])
         return np.array(
@@ -321,10 +333,13 @@ def solve_shaft_heat(
         raise ValueError("; ".join(lost))
     film = [one.balance.temperature for one in own if one.balance]
     states = [one.state for one in own if one.state]
-    unknowns = whole.following(states)
+    unknowns = whole.following(states, whole.temperatures(states))
     unknowns[0] = film
-    point, matrix, converged = _newton(whole, unknowns)
+    point, matrix, nearby, converged = _newton(whole, unknowns)
+    node_range, film_range = _ranges(whole, point, nearby)
     return ShaftHeat(
+        node_range=node_range,
+        film_range=film_range,
         shaft=point.shaft,
         bearings=_among_neighbours(whole, point, models, converged=converged),
         links=whole.links,
@@ -332,9 +347,9 @@ def solve_shaft_heat(
     )
 
 
-def _newton(whole: _Shaft, unknowns: Array) -> tuple[_Point, Array, bool]:
-    """The balance near unknowns, the derivatives of the residual by them, and whether they are at
-    rest.
+def _newton(whole: _Shaft, unknowns: Array) -> tuple[_Point, Array, list[_Point], bool]:
+    """The balance near unknowns, the derivatives of the residual by them, the first point with
+    those that differ from it in one unknown each, and whether they are at rest.
     """
     count = unknowns.shape[1]
     tolerances = np.repeat([TOLERANCE, CLEARANCE_TOLERANCE, CLEARANCE_TOLERANCE], count)
@@ -344,13 +359,15 @@ def _newton(whole: _Shaft, unknowns: Array) -> tuple[_Point, Array, bool]:
     point = whole.at(unknowns, None)
     # an unknown that changes nothing but itself has the derivative -1
     matrix = -np.eye(unknowns.size)
+    nearby = [point]
     for n in np.flatnonzero(whole.active()):
         shifted = (unknowns.ravel() + steps[n] * np.eye(unknowns.size)[n]).reshape(3, -1)
-        matrix[:, n] = (whole.at(shifted, point).residual - point.residual).ravel() / steps[n]
+        nearby.append(whole.at(shifted, point))
+        matrix[:, n] = (nearby[-1].residual - point.residual).ravel() / steps[n]
     for _ in range(MOST_STEPS):
         residual = point.residual.ravel()
         if (np.abs(residual) <= tolerances).all():
-            return point, matrix, True
+            return point, matrix, nearby, True
         step = np.asarray(-np.linalg.solve(matrix, residual)).reshape(3, -1)
         step *= min(1.0, LARGEST_STEP / max(float(np.abs(step[0]).max()), 1e-30))
         after = _stepped(whole, point, step, hottest)
@@ -361,7 +378,38 @@ def _newton(whole: _Shaft, unknowns: Array) -> tuple[_Point, Array, bool]:
             break
         matrix = broyden(matrix, moved, after.residual.ravel() - residual, tuple(steps))
         point = after
-    return point, matrix, False
+    return point, matrix, nearby, False
+
+
+def _ranges(whole: _Shaft, point: _Point, nearby: Sequence[_Point]) -> tuple[Array, Array]:
+    """Lowest and highest temperatures of nodes and films at the ends of the paths' ranges, by one
+    step of Newton's method from the balance with the derivatives there.
+    """
+    nodes = [whole.temperatures(point.states)]
+    films = [point.unknowns[0]]
+    for ends in product((-1, 1), repeat=2):
+        # 1. temperatures of the nodes, and what follows from them, at each point
+        found = [whole.temperatures(one.states, ends) for one in (point, *nearby)]
+        follow = [
+            whole.following(one.states, at).ravel()
+            for one, at in zip((point, *nearby), found, strict=True)
+        ]
+        # 2. their derivatives by the unknowns that differ
+        moved = np.array([(one.unknowns - nearby[0].unknowns).ravel() for one in nearby[1:]])
+        active = moved.any(axis=0)
+        steps = moved[:, active].sum(axis=1)
+        warming = np.array([(at - found[1]).ravel() for at in found[2:]]).T / steps
+        slopes = (np.array(follow[2:]) - follow[1]).T / steps
+        # 3. the step
+        lacking = follow[0] - point.unknowns.ravel()
+        step = np.linalg.solve(np.eye(steps.size) - slopes[active], lacking[active])
+        nodes.append(found[0] + (warming @ step).reshape(found[0].shape))
+        films.append(point.unknowns[0] + step[: found[0].shape[0]])
+    low_and_high = (np.min, np.max)
+    return (
+        np.array([end(nodes, axis=0) for end in low_and_high]),
+        np.array([end(films, axis=0) for end in low_and_high]),
+    )
 
 
 def _stepped(whole: _Shaft, point: _Point, step: Array, hottest: Array) -> _Point | None:

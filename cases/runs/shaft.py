@@ -20,6 +20,7 @@ from oilfilm.bearing.shaft.vibration import (
     whirl_frequencies,
 )
 from oilfilm.bearing.studies.stiffness import ring_damping
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.units import from_si
 from oilfilm.postprocess.bearing.results import BearingResults
 from oilfilm.postprocess.shaft.results import ShaftResults, ShaftVibration
@@ -149,7 +150,19 @@ def _in_balance_of_heat(
             break
         reported = [reported_torque(one, found) for found, one in pairs]
         heat = _balance_of_heat(case.system, at, reported, heat)
-    return heat, [in_balance(found, one) for found, one in pairs]
+    return heat, [
+        _in_range(in_balance(found, one), ends)
+        for (found, one), ends in zip(pairs, heat.node_range.swapaxes(0, 1), strict=True)
+    ]
+
+
+def _in_range(results: BearingResults, ends: Array) -> BearingResults:
+    """The results with the ends of the nodes' temperatures in the one network (2, nodes) [K]."""
+    heating = results.heating
+    if heating is None or heating.stability is None:
+        return results
+    stability = replace(heating.stability, coldest=ends[0], hottest=ends[1])
+    return replace(results, heating=replace(heating, stability=stability))
 
 
 def balance_of_heat(case: ShaftCase, solution: ShaftSolution) -> ShaftHeat:

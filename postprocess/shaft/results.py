@@ -173,6 +173,8 @@ def _heat(heat: ShaftHeat) -> dict[str, Any]:
     films = [one.state.film_temperature for one in heat.bearings if one.state is not None]
     return {
         "film_C": from_si("temperature_C", np.array(films)),
+        "film_low_C": from_si("temperature_C", heat.film_range[0]),
+        "film_high_C": from_si("temperature_C", heat.film_range[1]),
         "shaft_C": from_si("temperature_C", heat.temperatures[:, NODES.index("shaft")]),
         "housing_C": from_si("temperature_C", heat.temperatures[:, NODES.index("housing")]),
         "stable": heat.stable,

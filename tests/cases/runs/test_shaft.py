@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -154,6 +155,27 @@ def test_one_bearing_on_a_shaft_has_the_balance_of_heat_of_the_bearing_alone(tmp
     assert own.balance.temperature == pytest.approx(alone.balance.temperature, abs=1e-3)
     assert own.state.temperatures == pytest.approx(alone.state.temperatures, abs=1e-3)
     assert heat.links == ()
+    ends = np.array([alone.stability.coldest, alone.stability.hottest])
+    # the change of the films' conductance is taken at the end of its range, of the bearing alone at its value
+    assert heat.node_range[:, 0] == pytest.approx(ends, abs=0.2)
+
+
+def test_the_estimate_of_the_housing_widens_the_ranges(tmp_path):
+    """Balances with a conductance at either end of the estimate lie between the coldest and the hottest."""
+    path = tmp_path / "spindle.toml"
+    supports = SUPPORT.format(60.0, "+") + SUPPORT.format(200.0, "-")
+    path.write_text(HEATED.replace("conductance_W_K = 0.5\n", "").format(supports=supports), encoding="utf-8")
+    case = load_shaft(path)
+    heat = balance_of_heat(case, solve_shaft(case.system))
+    (walls,) = [link.conductance for link in heat.links if link.node == "housing"]
+    for end in (walls.low, walls.high):
+        system = replace(case.system, housing_conductance=end)
+        other = balance_of_heat(replace(case, system=system), solve_shaft(system))
+        assert (heat.node_range[0] < other.temperatures).all()
+        assert (other.temperatures < heat.node_range[1]).all()
+    known = replace(case.system, housing_conductance=walls.value)
+    narrow = balance_of_heat(replace(case, system=known), solve_shaft(known)).node_range
+    assert (np.ptp(heat.node_range, axis=0) > np.ptp(narrow, axis=0) - 1e-6).all()
 
 
 def test_bearings_warm_each_other_and_growth_between_them_frees_the_pair(tmp_path):
