@@ -6,9 +6,9 @@ the displacement r of the ring against the seat:
 
     K U + sum T' f(r) = F,   K_seat w = f(r),   r = T U - w + growth,
 
-solved by Newton's method with the bearings' own tangents df/dr. The movement of the other nodes is
-counted against the first one, whose movement turns the shaft as a rigid body and leaves K U zero to
-the last digit. Rotation about the axis is held there: the torque that drives the shaft acts there.
+solved by Newton's method with the bearings' own tangents df/dr. The first node moves the shaft as
+a rigid body, for which K U is zero to the last digit, and the others move against it. Rotation
+about the axis is held at the first node: the torque that drives the shaft acts there.
 """
 
 from collections.abc import Sequence

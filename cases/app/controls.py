@@ -1,7 +1,7 @@
 """Controls of the live program: keys of a case with their range, unit and source."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
 from math import ceil, floor
 from typing import Any
 
@@ -10,7 +10,9 @@ from oilfilm.bearing.library.lubricants import list_lubricants
 from oilfilm.bearing.material import list_materials
 from oilfilm.ehl.units import unit_symbol
 
-from ..format.document import BearingFile
+from ..batch.keys import value_in
+from ..format.changes import case_path
+from ..format.document import BearingFile, ShaftFile
 from ..format.fields import schema_of
 from ..format.rules import CaseProblem, allowed_values, name_unit, schema_node
 from .design import Design, flat
@@ -131,6 +133,84 @@ CONTROLS = (
             section="Bearing", folded=True, always=False),
 )  # fmt: skip
 BY_KEY = {control.key: control for control in CONTROLS}
+# of each [[support]] and each [[load]] of a shaft: key and label
+OF_SUPPORT = (
+    ("bearing", "Designation"),
+    ("at_mm", "Place"),
+    ("fixed", "Fixed in the housing"),
+    ("preload_N", "Preload"),
+    ("offset_um", "Offset"),
+    ("temperature_C", "Oil temperature"),
+    ("heat_transfer_W_K", "Cooling"),
+)
+OF_LOAD = (
+    ("at_mm", "Place"),
+    *((f"force_N.{n}", f"Force along {axis}") for n, axis in enumerate("xyz")),
+    ("mass_kg", "Mass"),
+    ("unbalance_g_mm", "Unbalance"),
+)
+ALWAYS = ("bearing", "at_mm", "fixed", "force_N")  # also where a shaft's case leaves them out
+
+
+def controls_of(design: Design) -> dict[str, Control]:
+    """Controls of a design by their keys: of a bearing, or of a shaft with its supports and loads.
+
+    Parameters
+    ----------
+    design : Design
+        The design.
+
+    Returns
+    -------
+    dict[str, Control]
+        The controls.
+    """
+    if not design.is_shaft:
+        return BY_KEY
+    document = design.document
+    found = {
+        f"{table}.{number}.{name}": Control(
+            key=f"{table}.{number}.{name}",
+            label=label,
+            section=f"{word} {number + 1}",
+            span=_shaft_span(document, name, one.get(name.partition(".")[0])),
+            always=name.partition(".")[0] in ALWAYS,
+        )
+        for table, word, entries in (("load", "Load", OF_LOAD), ("support", "Bearing", OF_SUPPORT))
+        for number, one in enumerate(document.get(table, ()))
+        for name, label in entries
+    }
+    shared = {
+        key: control
+        for key, control in BY_KEY.items()
+        if control.section != "Bearing" and schema_node(schema_of(ShaftFile), case_path(key))
+    }
+    speed = replace(BY_KEY["operation.inner_speed_rpm"], label="Shaft")
+    return {speed.key: speed} | found | shared | {speed.key: speed}
+
+
+def _shaft_span(document: Mapping[str, Any], name: str, value: Any) -> Span | None:
+    """Ends of a slider of a load or a support."""
+    if name == "at_mm":
+        return 0.0, float(document["shaft"]["section"][-1]["to_mm"])
+    if name.startswith("force_N"):
+        most = _round(2.0 * max([250.0, *(abs(float(one)) for one in value or ())]))
+        return -most, most
+    number = abs(float(value)) if isinstance(value, int | float) else 0.0
+    if name == "temperature_C":
+        return -20.0, 150.0
+    if name == "offset_um":
+        return -50.0, 50.0
+    return 0.0, _round(max(2.0 * number, 10.0))
+
+
+def _node(design: Design, key: str) -> dict[str, Any]:
+    """Description of a key in the schema of the design's file."""
+    path = case_path(key)
+    schema = schema_of(ShaftFile if design.is_shaft else BearingFile)
+    if isinstance(path[-1], int):  # an entry of a vector
+        return {**schema_node(schema, path[:-1]), "type": "number"}
+    return schema_node(schema, path)
 
 
 def shown_controls(design: Design) -> list[dict[str, Any]]:
@@ -152,16 +232,16 @@ def shown_controls(design: Design) -> list[dict[str, Any]]:
     remarks = design.remarks()
     assumed = set(document.get("assumed", ()))
     found = []
-    for control in CONTROLS:
-        key = control.key
-        if not control.always and values.get(key) is None:
+    for key, control in controls_of(design).items():
+        value = value_in(document, key)
+        if not control.always and value is None:
             continue
-        node = schema_node(schema_of(BearingFile), tuple(key.split(".")))
+        node = _node(design, key)
         options = _options(key, node)
-        unit = name_unit(key)
+        last = [part for part in case_path(key) if isinstance(part, str)][-1]
         remark = remarks.get(key, "")
         mark = "assumed" if key in assumed else remark.partition(",")[0].partition(":")[0]
-        low, high = _span(control, values, ranges.get(key))
+        low, high = _span(control, value, values, ranges.get(key))
         if node.get("type") == "integer":
             low, high = floor(low), ceil(high)
         is_number = not options
@@ -170,8 +250,9 @@ def shown_controls(design: Design) -> list[dict[str, Any]]:
             "label": control.label,
             "section": control.section,
             "folded": control.folded,
-            "unit": unit_symbol(key) if unit else "",
+            "unit": unit_symbol(last) if name_unit(last) else "",
             "options": options,
+            "text": node.get("type") == "string",
             "min": low,
             "max": high,
             "step": 1 if key == "bearing.balls" else _step(high - low),
@@ -198,21 +279,29 @@ def values_of(design: Design) -> dict[str, Any]:
     dict[str, Any]
         Value by key, None where there is none.
     """
-    values = flat(design.document)
-    schema = schema_of(BearingFile)
-    return {
-        key: values.get(key, schema_node(schema, tuple(key.split("."))).get("default"))
-        for key in BY_KEY
-    }
+    document = design.document
+    found = {}
+    for key in controls_of(design):
+        value = value_in(document, key)
+        if value is None:
+            value = _node(design, key).get("default")
+        if isinstance(value, list):  # of a vector that the case leaves out
+            value = 0.0
+        found[key] = value
+    return found
 
 
-def errors_of(problems: list[CaseProblem]) -> tuple[dict[str, str], list[str]]:
+def errors_of(
+    problems: list[CaseProblem], keys: Collection[str] = BY_KEY
+) -> tuple[dict[str, str], list[str]]:
     """Messages of problems at their controls, and those of keys that have none.
 
     Parameters
     ----------
     problems : list[CaseProblem]
         What is wrong with the case.
+    keys : collection of str, default BY_KEY
+        Those of the controls.
 
     Returns
     -------
@@ -226,18 +315,20 @@ def errors_of(problems: list[CaseProblem]) -> tuple[dict[str, str], list[str]]:
     for problem in problems:
         key = ".".join(map(str, problem.path))
         text = "; ".join(part for part in (problem.finding, problem.allowed) if part)
-        if key in BY_KEY:
+        if key in keys:
             at_fields.setdefault(key, text)
         else:
             others.append(f"{key}: {text}" if key else text)
     return at_fields, others
 
 
-def typed_value(key: str, value: Any) -> Any:
+def typed_value(design: Design, key: str, value: Any) -> Any:
     """A value of a field of the page in the type of its key; text that is no number stays text.
 
     Parameters
     ----------
+    design : Design
+        The design.
     key : str
         Dotted name of a control.
     value : Any
@@ -253,15 +344,15 @@ def typed_value(key: str, value: Any) -> Any:
     ValueError
         If the page has no such control, or the text is too long.
     """
-    if key not in BY_KEY:
+    if key not in controls_of(design):
         raise ValueError(f"no control of the page: {str(key)[:60]}")
     text = str(value).strip()
     if len(text) > 60:
         raise ValueError(f"{key}: more than 60 characters")
-    node = schema_node(schema_of(BearingFile), tuple(key.split(".")))
+    node = _node(design, key)
     if not text:
         return None
-    if _options(key, node):
+    if _options(key, node) or node.get("type") == "string":
         return text
     try:
         number = float(text.replace(",", "."))
@@ -297,9 +388,8 @@ def _options(key: str, node: Mapping[str, Any]) -> list[str]:
     return [str(one) for one in node.get("enum", ())]
 
 
-def _span(control: Control, values: Mapping[str, Any], estimate: Span | None) -> Span:
+def _span(control: Control, value: Any, values: Mapping[str, Any], estimate: Span | None) -> Span:
     """Ends of a slider, so that the present value lies between them."""
-    value = values.get(control.key)
     number = float(value) if isinstance(value, int | float) else 0.0
     low, high = control.span or NO_SPAN
     if control.section == "Loads":

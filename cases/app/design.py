@@ -12,9 +12,11 @@ from urllib.parse import parse_qsl, quote, unquote
 
 from oilfilm.ehl.foreign_files import DamagedFileError, parse_json
 
-from ..format.changes import alternatives
-from ..format.document import BearingFile, check_document, parse, read_text
+from ..batch.keys import value_in
+from ..format.changes import alternatives, case_path
+from ..format.document import check_document, parse, read_text
 from ..format.rules import CaseError, CaseProblem, key_lines
+from ..format.shaft_case import any_case_of_document
 from ..format.shipped import find_case, shipped_cases
 from ..new_case import FirstOperation, case_of_designation
 
@@ -44,12 +46,23 @@ class Design:
         """Tables of the case, as in its file."""
         return parse(self.text, "case")
 
+    @property
+    def is_shaft(self) -> bool:
+        """A shaft on its bearings, not one bearing."""
+        return "shaft" in self.document
+
     def problems(self) -> list[CaseProblem]:
         """Everything that is wrong with the case, as `oilfilm validate` finds it."""
-        file, problems = check_document(self.document)
-        if file is not None and not isinstance(file, BearingFile):
-            return [CaseProblem((), "not a bearing case", "allowed: a case with [bearing]")]
-        return problems
+        document = self.document
+        if "contact" in document:
+            return [CaseProblem((), "a contact", "allowed: a case with [bearing] or [shaft]")]
+        if not self.is_shaft:
+            return check_document(document)[1]
+        try:  # its bearings are cases of their own
+            any_case_of_document(document)
+        except CaseError as error:
+            return list(error.problems) or [CaseProblem((), str(error))]
+        return []
 
     def with_value(self, key: str, value: Any) -> "Design":
         """The design with another value of a key; None takes the key out.
@@ -57,7 +70,7 @@ class Design:
         Parameters
         ----------
         key : str
-            Dotted name, as operation.radial_load_N.
+            Dotted name, as operation.radial_load_N or load.0.force_N.1.
         value : Any
             Number, text or truth value in the unit of the key.
 
@@ -67,6 +80,12 @@ class Design:
             The changed design, the value no longer among the assumed ones.
         """
         text = self.text
+        *_, last = case_path(key)
+        if isinstance(last, int):  # an entry of a vector
+            key = key.rpartition(".")[0]
+            vector = list(value_in(self.document, key) or (0.0, 0.0, 0.0))
+            vector[last] = 0.0 if value is None else value
+            value = vector
         for table, other, _ in list(alternatives(self.document, [key])):
             text = _changed(text, f"{table}.{other}", None)
         text = _changed(text, key, value)
@@ -95,7 +114,7 @@ class Design:
 
     def address(self) -> str:
         """The design as the part of an address behind `#`: its base and what differs from it."""
-        if self.base:
+        if self.base and not self.is_shaft:
             before = flat(start(self.base).document)
             now = flat(self.document)
             changed = {k: v for k, v in now.items() if before.get(k) != v and k != "assumed"}
@@ -161,7 +180,8 @@ def _unpacked(text: str) -> str:
 def _refuse_files(document: Mapping[str, Any], known: Mapping[str, Any] | None = None) -> None:
     """`CaseError` where a document from an address names files that its base does not."""
     for key, value in flat(document).items():
-        if set(FILES).intersection(key.split(".")) and (known or {}).get(key) != value:
+        named = set(FILES).intersection(key.split(".")) and not isinstance(value, int | float)
+        if named and (known or {}).get(key) != value:
             raise CaseError(f"{key}: {NO_FILES}")
 
 
@@ -222,12 +242,15 @@ def flat(document: Mapping[str, Any], before: str = "") -> dict[str, Any]:
 
 def _changed(text: str, key: str, value: Any) -> str:
     """The text with another value of a key, its line and comment kept where there is one."""
-    table, _, name = key.rpartition(".")
-    path = (*table.split("."), name) if table else (name,)
+    path = case_path(key) if "." in key else (key,)
+    name = path[-1]
+    table = key.rpartition(".")[0]
     lines = text.splitlines()
     known = key_lines(text)
     if path in known:
         at = known[path] - 1
+        while "[" in lines[at] and "]" not in lines[at]:  # a vector on several lines
+            lines[at] += lines.pop(at + 1)
         if value is None:
             del lines[at]
         else:

@@ -27,15 +27,20 @@ from oilfilm.postprocess.contact.shown_part import contact_view
 from oilfilm.postprocess.plot_style import png_of
 from oilfilm.postprocess.report.page import report_page
 from oilfilm.postprocess.scene.live_arrays import scene_arrays
+from oilfilm.postprocess.shaft.results import ShaftResults, shaft_summary
+from oilfilm.postprocess.shaft.ross import ross_rotor
+from oilfilm.postprocess.shaft.write import write_shaft
 from oilfilm.postprocess.stiffness.results import ross_lines
 
 from ..format.case import Case, case_of_document
 from ..format.rules import CaseError
+from ..format.shaft_case import ShaftCase, any_case_of_document
 from ..runs.bearing import run_case
 from ..runs.equilibrium import Equilibria
 from ..runs.processes import prepare_worker
+from ..runs.shaft import run_shaft
 from ..runs.stiffness_and_slip import run_stiffness
-from .readings import main_numbers
+from .readings import main_numbers, of_member
 
 Answer = dict[str, Any]
 ROSS_POINTS = 5
@@ -47,7 +52,8 @@ class Engine:
 
     def __init__(self) -> None:
         self.equilibria = Equilibria()
-        self.results: BearingResults | None = None
+        self.bearings: tuple[BearingResults | None, ...] = (None,)  # of the last point
+        self.results: BearingResults | None = None  # the one that is shown
         self.drawn: BearingResults | None = None  # the same with maps of its films
 
     def point(self, document: dict[str, Any]) -> Answer:
@@ -65,23 +71,36 @@ class Engine:
         """
         start = perf_counter()
         busy = process_time()
-        case = _bearing_case(live_document(document))
-        self.drawn = None
-        self.results = run_case(case, workers=1, equilibria=self.equilibria)
+        results = self._run(document)
+        self.bearings = results.bearings if isinstance(results, ShaftResults) else (results,)
         return {
-            "summary": summary(self.results),
+            "summary": _summary(results),
             "processor": process_time() - busy,
             "seconds": perf_counter() - start,
         }
 
-    def scene(self) -> Answer:
+    def _run(self, document: dict[str, Any]) -> BearingResults | ShaftResults:
+        """Results of a bearing with films of the film atlas, or of a shaft."""
+        if "shaft" in document:
+            return run_shaft(_shaft_case(document))
+        case = _bearing_case(live_document(document))
+        return run_case(case, workers=1, equilibria=self.equilibria)
+
+    def scene(self, member: int = 0) -> Answer:
         """Bodies and films of the last point, for the scene, and what its films are electrically.
+
+        Parameters
+        ----------
+        member : int, default 0
+            Number of the bearing on its shaft, from 0; it is the one of the next pictures.
 
         Returns
         -------
         dict[str, Any]
             Arrays; capacitance and breakdown voltage of `postprocess`, or the reason for none.
         """
+        self.results = self.bearings[member]
+        self.drawn = None
         results = self._with_maps()
         if results is None:
             return {}
@@ -142,21 +161,23 @@ class Engine:
             "seconds": perf_counter() - start,
         }
 
-    def numbers(self, document: dict[str, Any]) -> Answer:
+    def numbers(self, document: dict[str, Any], member: int | None = None) -> Answer:
         """Numbers of one point of a map or a curve.
 
         Parameters
         ----------
         document : dict[str, Any]
             Tables of the case.
+        member : int, optional
+            Number of a bearing on its shaft, from 0; left out, numbers of the whole shaft.
 
         Returns
         -------
         dict[str, Any]
             Main numbers, None where a point has none.
         """
-        case = _bearing_case(live_document(document))
-        return main_numbers(summary(run_case(case, workers=1, equilibria=self.equilibria)))
+        found = _summary(self._run(document))
+        return main_numbers(found if member is None else of_member(found, member))
 
     def report(self, document: dict[str, Any]) -> Answer:
         """The report of the case on one page, with its pictures.
@@ -171,14 +192,17 @@ class Engine:
         dict[str, Any]
             The page as text.
         """
-        ehl = {**live_document(document)["ehl"], "film_maps": "all", "films": "atlas"}
-        results = run_case(_bearing_case({**document, "ehl": ehl}), workers=1)
         with tempfile.TemporaryDirectory(prefix="oilfilm_app_") as folder:
-            write_results(results, folder)
+            if "shaft" in document:
+                write_shaft(run_shaft(_shaft_case(document)), Path(folder))
+            else:
+                ehl = {**live_document(document)["ehl"], "film_maps": "all", "films": "atlas"}
+                case = _bearing_case({**document, "ehl": ehl})
+                write_results(run_case(case, workers=1), folder)
             return {"text": report_page(Path(folder))}
 
     def ross(self, document: dict[str, Any]) -> Answer:
-        """Lines of Python that give the bearing to the rotor code ROSS.
+        """Lines of Python that give the bearing or the shaft to the rotor code ROSS.
 
         Parameters
         ----------
@@ -190,6 +214,8 @@ class Engine:
         dict[str, Any]
             The lines as text.
         """
+        if "shaft" in document:
+            return {"text": ross_rotor(run_shaft(_shaft_case(document)))}
         study = run_stiffness(_bearing_case(document), "case", None, ROSS_POINTS).study
         return {"text": ross_lines(study, None, document.get("title") or "bearing")}
 
@@ -217,6 +243,16 @@ def _bearing_case(document: dict[str, Any]) -> Case:
     if not isinstance(case, Case):
         raise CaseError("not a bearing case; allowed: a case with [bearing]")
     return case
+
+
+def _shaft_case(document: dict[str, Any]) -> ShaftCase:
+    case = any_case_of_document(document)
+    assert isinstance(case, ShaftCase)  # it has the table
+    return case
+
+
+def _summary(results: BearingResults | ShaftResults) -> dict[str, Any]:
+    return shaft_summary(results) if isinstance(results, ShaftResults) else summary(results)
 
 
 def _with_maps(results: BearingResults) -> BearingResults:

@@ -1,6 +1,7 @@
 """Small pictures of the live program as SVG, whose colours are those of the page's style sheet."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from html import escape
 from math import ceil, cos, floor, log10, pi, sin
 from typing import Any
@@ -44,6 +45,44 @@ def _svg(width: float, height: float, label: str, content: Sequence[str]) -> str
         f'<svg viewBox="0 0 {width:g} {height:g}" role="img" aria-label="{escape(label)}">'
         f"{''.join(content)}</svg>"
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Axes:
+    """Place of a diagram in a picture, and the ends of its axes."""
+
+    x_ends: tuple[float, float]
+    y_ends: tuple[float, float]
+    top: float = 16.0
+    bottom: float = 236.0
+    left: float = 54.0
+    right: float = 545.0
+
+    def x(self, value: float) -> float:
+        low, high = self.x_ends
+        return self.left + (self.right - self.left) * (value - low) / max(high - low, 1e-12)
+
+    def y(self, value: float) -> float:
+        low, high = self.y_ends
+        return self.bottom - (self.bottom - self.top) * (value - low) / max(high - low, 1e-12)
+
+    def grid(self, across: str, up: str) -> list[str]:
+        """Marks of both axes with their names."""
+        content = []
+        for mark in ticks(*self.y_ends):
+            content += [_line(self.left, self.y(mark), self.right, self.y(mark), "grid")]
+            content += [_text(self.left - 8, self.y(mark) + 4, mark_text(mark), "tick", "end")]
+        for mark in ticks(*self.x_ends, 6):
+            content.append(
+                _text(self.x(mark), self.bottom + 16, mark_text(mark), "tick", "middle")
+            )
+        content.append(_text(self.left, self.top - 6, up, "tick"))
+        return [*content, _text(self.right, self.bottom + 32, across, "tick", "end")]
+
+    def curve(self, points: Iterable[tuple[float, float]], kind: str) -> str:
+        """A line through points."""
+        path = "L".join(f"{self.x(a):.1f} {self.y(b):.1f}" for a, b in points)
+        return f'<path d="M{path}" class="curve {kind}"/>' if path else ""
 
 
 def number(value: float) -> str:
@@ -244,38 +283,23 @@ def torque_over_speed(
     str
         The picture.
     """
-    width = 560.0
-    left = 54.0
-    right = 545.0
-    top = 16.0
-    bottom = 236.0
     known = [(at, one) for at, one in points if one.get("torque_N_mm") is not None]
     models = {"model_skf": "skf", "model_palmgren": "palmgren"}
     tops = [one.get(key) or 0.0 for _, one in known for key in ("torque_N_mm", *models)]
     high = max([*tops, 1e-6])
     if known:  # catalogue models far above do not flatten the parts
         high = min(high, 2.5 * max(one["torque_N_mm"] or 0.0 for _, one in known))
-    marks = ticks(0.0, high)
-    high = max(high, marks[-1])
-
-    def x(value: float) -> float:
-        return left + (right - left) * value / reach
+    axes = _Axes((0.0, reach), (0.0, max(high, ticks(0.0, high)[-1])))
+    x = axes.x
 
     def y(value: float) -> float:
-        return bottom - (bottom - top) * max(value / high, 0.0)
+        return axes.y(max(value, 0.0))
 
-    content = []
-    for mark in marks:
-        content += [_line(left, y(mark), right, y(mark), "grid")]
-        content += [_text(left - 8, y(mark) + 4, mark_text(mark), "tick", "end")]
-    for mark in ticks(0.0, reach, 6):
-        content.append(_text(x(mark), bottom + 16, mark_text(mark), "tick", "middle"))
-    content.append(_text(left, 10, "torque [N mm]", "tick"))
-    content.append(_text(right, bottom + 32, "speed of the inner ring [r/min]", "tick", "end"))
+    content = axes.grid("speed of the inner ring [r/min]", "torque [N mm]")
     base = [0.0] * len(known)
     for index, (key, label) in enumerate(PARTS):
         parts = [max(one.get(f"part_{key}") or 0.0, 0.0) for _, one in known]
-        if len(known) < 2 or max(parts) < SHOWN_PART * high:
+        if len(known) < 2 or max(parts) < SHOWN_PART * axes.y_ends[1]:
             continue
         above = [b + p for b, p in zip(base, parts, strict=True)]
         forth = [f"{x(at):.1f} {y(v):.1f}" for (at, _), v in zip(known, above, strict=True)]
@@ -288,20 +312,138 @@ def torque_over_speed(
     for key, kind in models.items():
         line = [f"{x(at):.1f} {y(v):.1f}" for at, one in known if (v := one.get(key)) is not None]
         if len(line) > 1:
-            room = f"{left:g} {top:g} {right - left:g} {bottom - top:g}"
+            width, height = axes.right - axes.left, axes.bottom - axes.top
+            room = f"{axes.left:g} {axes.top:g} {width:g} {height:g}"
             x0, y0, across, up = room.split()
             content.append(
                 f'<svg x="{x0}" y="{y0}" width="{across}" height="{up}" viewBox="{room}">'
                 f'<path d="M{"L".join(line)}" class="curve {kind}"/></svg>'  # ends at the frame
             )
-    total = [f"{x(at):.1f} {y(one['torque_N_mm'] or 0.0):.1f}" for at, one in known]
-    if len(total) > 1:
-        content.append(f'<path d="M{"L".join(total)}" class="curve total"/>')
+    if len(known) > 1:
+        content.append(axes.curve(((at, one["torque_N_mm"] or 0.0) for at, one in known), "total"))
     for at, one in known:
         place = f'cx="{x(at):.1f}" cy="{y(one["torque_N_mm"] or 0.0):.1f}"'
         content.append(f'<circle {place} r="2.5" class="dot"/>')
-    content.append(_line(x(abs(speed)), top, x(abs(speed)), bottom, "cross"))
-    return _svg(width, bottom + 40, "torque over speed", content)
+    content.append(_line(x(abs(speed)), axes.top, x(abs(speed)), axes.bottom, "cross"))
+    return _svg(560, axes.bottom + 40, "torque over speed", content)
+
+
+def shaft_sketch(found: Mapping[str, Any], chosen: int) -> str:
+    """Section of a shaft with its bearings, springs and loads, its deflection below; each bearing
+    can be clicked.
+
+    Parameters
+    ----------
+    found : Mapping[str, Any]
+        Summary of a shaft.
+    chosen : int
+        Number of the bearing that is marked, from 0.
+
+    Returns
+    -------
+    str
+        The picture.
+    """
+    case, line = found["case"], found["shaft"]
+    sections = case["shaft"]["section"]
+    end = sections[-1]["to_mm"]
+    sizes = [one["case"]["bearing"] if one else {} for one in found["bearings"]]
+    widest = max(
+        *(one["outside_mm"] for one in sections),
+        *(one.get("outside_diameter_mm") or 0.0 for one in sizes),
+    )
+    bends = [(deflection[1], deflection[2]) for deflection in line["deflection_um"]]
+    low = min(0.0, *(min(one) for one in bends))
+    high = max(1e-6, *(max(one) for one in bends))
+    axes = _Axes((0.0, end), (low, high), top=226.0, bottom=356.0)
+    scale = min((axes.right - axes.left) / end, 120.0 / widest)  # the same both ways
+    across = 0.5 * (axes.left + axes.right) - 0.5 * end * scale
+    axes = _Axes(axes.x_ends, axes.y_ends, axes.top, axes.bottom, across, across + end * scale)
+    middle = 112.0
+    content = []
+
+    def box(place: float, width: float, outer: float, inner: float, kind: str, more: str) -> None:
+        """Two halves of a ring in section [mm]."""
+        high = 0.5 * (outer - inner) * scale
+        for y in (middle - 0.5 * outer * scale, middle + 0.5 * inner * scale):
+            content.append(
+                f'<rect x="{axes.x(place):.1f}" y="{y:.1f}" width="{width * scale:.1f}" '
+                f'height="{high:.1f}" class="{kind}" {more}/>'
+            )
+
+    # 1. the shaft
+    start = 0.0
+    for one in sections:
+        width = one["to_mm"] - start
+        box(start, width, one["outside_mm"], one.get("inside_mm", 0.0), "body", "")
+        start = one["to_mm"]
+    content.append(_line(axes.left - 8, middle, axes.right + 8, middle, "axis"))
+    # 2. bearings and springs
+    bottom = middle + 0.5 * widest * scale
+    for n, (support, size) in enumerate(zip(found["supports"], sizes, strict=True)):
+        width = size.get("width_mm") or 10.0
+        ends = [
+            size.get(key) or own for key, own in (("outside_diameter_mm", 40.0), ("bore_mm", 20.0))
+        ]
+        kind = "member chosen" if n == chosen else "member"
+        box(support["x_mm"] - 0.5 * width, width, *ends, kind, f'data-member="{n}"')
+        x = axes.x(support["x_mm"])
+        content.append(_text(x, bottom + 15, f"{n + 1}: {support['bearing']}", "tick", "middle"))
+        words = {"both": "fixed", "none": "floating"}.get(support["fixed"], support["fixed"])
+        content.append(_text(x, bottom + 28, words, "tick", "middle"))
+    for spring in found["springs"]:
+        x = axes.x(spring["x_mm"])
+        content.append(_line(x, middle, x, bottom, "cross"))
+        content.append(_text(x, bottom + 15, spring["name"], "tick", "middle"))
+    # 3. loads, their arrows along y or z
+    for load in case.get("load", ()):
+        _, *across_axis = load["force_N"]
+        size = sum(one**2 for one in across_axis) ** 0.5
+        x = axes.x(load["at_mm"])
+        words = f"{number(size)} N" if size else f"{load['mass_kg']:g} kg"
+        down = across_axis[0] <= 0.0
+        own = next(one["outside_mm"] for one in sections if one["to_mm"] >= load["at_mm"])
+        tip, tail = (middle - 0.5 * own * scale, 26.0) if down else (26.0, middle)
+        content.append(_line(x, tail, x, tip, "load"))
+        if size:
+            back = -7 if down else 7
+            content.append(f'<path d="M{x:.1f} {tip:.1f}l-4 {back}h8z" class="tip"/>')
+        content.append(_text(x, 14, words, "tick", "middle"))
+    # 4. the deflection
+    content += axes.grid("along the shaft [mm]", "deflection [µm]")
+    for kind, values in zip(("total", "skf"), zip(*bends, strict=True), strict=True):
+        content.append(axes.curve(zip(line["x_mm"], values, strict=True), kind))
+    return _svg(560, axes.bottom + 40, "shaft with its bearings, loads and deflection", content)
+
+
+def campbell(found: Mapping[str, Any]) -> str:
+    """Natural frequencies over the speed, with the speed of the shaft and of its design.
+
+    Parameters
+    ----------
+    found : Mapping[str, Any]
+        Summary of a shaft.
+
+    Returns
+    -------
+    str
+        The picture; empty where the shaft does not vibrate.
+    """
+    if found["campbell"] is None:
+        return ""
+    speeds = found["campbell"]["speed_rpm"]
+    lines = list(zip(*found["campbell"]["frequency_Hz"], strict=True))
+    most = max(max(line) for line in lines[:4])
+    axes = _Axes((0.0, speeds[-1]), (0.0, most))
+    content = axes.grid("speed [r/min]", "natural frequency [Hz]")
+    content += [
+        axes.curve(zip(speeds, line, strict=True), "total") for line in lines if max(line) <= most
+    ]
+    last = min(speeds[-1], 60.0 * most)
+    content.append(axes.curve(((0.0, 0.0), (last, last / 60.0)), "skf"))
+    at = axes.x(abs(found["case"]["operation"]["inner_speed_rpm"]))
+    content.append(_line(at, axes.top, at, axes.bottom, "cross"))
+    return _svg(560, axes.bottom + 40, "natural frequencies over the speed", content)
 
 
 def part_rows(found: Mapping[str, Any]) -> list[dict[str, Any]]:

@@ -1,6 +1,7 @@
 """Readings of the live program: what its pages say of a summary."""
 
 from collections.abc import Iterator, Mapping
+from math import hypot
 from typing import Any
 
 from oilfilm.postprocess.quantities import LONG_LIFE, is_number
@@ -53,6 +54,8 @@ def main_numbers(found: Summary) -> dict[str, float | None]:
     dict[str, float | None]
         Values in the unit that their name ends in; all None where the point did not converge.
     """
+    if "supports" in found:
+        return _shaft_numbers(found)
     heat = found["self_heating"] or {}
     torque = found["torque_N_mm"]
     numbers = {
@@ -71,6 +74,40 @@ def main_numbers(found: Summary) -> dict[str, float | None]:
     return numbers if found["converged"] else dict.fromkeys(numbers)
 
 
+def of_member(found: Summary, member: int) -> Summary:
+    """Summary of one bearing: of a shaft's, or the bearing itself.
+
+    Parameters
+    ----------
+    found : Mapping[str, Any]
+        Summary of a bearing or a shaft.
+    member : int
+        Number of the bearing on its shaft, from 0.
+
+    Returns
+    -------
+    Mapping[str, Any]
+        Its summary.
+    """
+    one: Summary = found["bearings"][member] if "supports" in found else found
+    return one
+
+
+def _shaft_numbers(found: Summary) -> dict[str, float | None]:
+    """The worst of the bearings, torque and life of the system."""
+    each = [main_numbers(one) for one in found["bearings"] if one is not None]
+    system = found["system"]
+    worst = {"film_um": min, "lambda": min, "pressure_GPa": max, "temperature_C": max}
+    numbers: dict[str, float | None] = {}
+    for key, end in {**worst, "static_safety": min}.items():
+        values = [value for one in each if (value := one[key]) is not None]
+        numbers[key] = end(values) if each and len(values) == len(each) else None
+    numbers["torque_N_mm"] = system["torque_N_mm"]
+    numbers["life_h"] = system["modified_reference_rating_h"]
+    numbers["basic_life_h"] = system["basic_reference_rating_h"]
+    return numbers if found["converged"] else dict.fromkeys(numbers)
+
+
 def why_not(found: Summary) -> str:
     """Reason for which a state did not converge; empty where it did.
 
@@ -86,11 +123,31 @@ def why_not(found: Summary) -> str:
     """
     if found["converged"]:
         return ""
+    if "supports" in found:
+        return str(found["messages"][0])
     if not found["equilibrium"]["converged"]:
         return f"no equilibrium of the balls: {found['equilibrium']['message']}"
     reasons = [text for text in found["messages"] if "not converged" in text or "no heat" in text]
     reason: str = (reasons or found["warnings"] or ["a part of the state did not converge"])[0]
     return reason.partition("not converged: ")[2] or reason
+
+
+def warnings(found: Summary) -> list[str]:
+    """Messages that change a decision, of a shaft with those of its bearings.
+
+    Parameters
+    ----------
+    found : Mapping[str, Any]
+        Summary of a bearing or a shaft.
+
+    Returns
+    -------
+    list[str]
+        The messages.
+    """
+    members = enumerate(found.get("bearings", ()), 1)
+    own = [f"bearing {n}: {text}" for n, one in members if one for text in one["warnings"]]
+    return [*found["warnings"], *own]
 
 
 def tiles(found: Summary) -> list[dict[str, str]]:
@@ -119,17 +176,37 @@ def tiles(found: Summary) -> list[dict[str, str]]:
         if key == "temperature_C" and value is not None:
             text = f"{value:.1f}"
         level = "warn" if key == "lambda" and value is not None and value < ASPERITIES else ""
-        line = below[key] if value is not None else ""
+        line = below[key] if value is not None or key == "life_h" else ""
         shown.append({"label": label, "value": text, "unit": unit, "line": line, "level": level})
     return shown
 
 
+def _life_line(values: Mapping[str, float | None]) -> str:
+    life, basic = values["life_h"], values["basic_life_h"]
+    lines = []
+    if life is not None:
+        years = number(min(life, LONG_LIFE) / HOURS_A_YEAR)
+        lines.append(f"{'over ' if life > LONG_LIFE else ''}{years} years")
+    return ", ".join([*lines, *([] if basic is None else [f"L10h {hours(basic)} h"])])
+
+
+def _shaft_lines(found: Summary, values: Mapping[str, float | None]) -> dict[str, str]:
+    """The bearing that has the worst value, of all of them."""
+    each = [main_numbers(one) for one in found["bearings"]]
+    lines = dict.fromkeys(QUANTITIES, "of all bearings")
+    for key in ("film_um", "lambda", "pressure_GPa", "temperature_C", "static_safety"):
+        at = [one[key] for one in each].index(values[key]) if values[key] is not None else 0
+        lines[key] = f"bearing {at + 1}, {found['supports'][at]['bearing']}"
+    lines["life_h"] = _life_line(values)
+    return lines
+
+
 def _lines_below(found: Summary, values: Mapping[str, float | None]) -> dict[str, str]:
+    if "supports" in found:
+        return _shaft_lines(found, values)
     torque = found["torque_N_mm"]["total_range"] or {}
     power = (found["power_balance"] or {}).get("shaft_W")
     thin, ratio = _least(found, "film_minimum_um"), _least(found, "lambda_ratio")
-    life = values["life_h"]
-    basic = values["basic_life_h"]
     lines = dict.fromkeys(QUANTITIES, "")
     if torque.get("low") is not None:
         lines["torque_N_mm"] = f"{number(torque['low'])} to {number(torque['high'])}"
@@ -141,10 +218,7 @@ def _lines_below(found: Summary, values: Mapping[str, float | None]) -> dict[str
     if ratio is not None:
         lines["lambda"] = _place(ratio)
     lines["pressure_GPa"] = _largest_pressure(found)[1]
-    if life is not None:
-        years = number(min(life, LONG_LIFE) / HOURS_A_YEAR)
-        lines["life_h"] = f"{'over ' if life > LONG_LIFE else ''}{years} years"
-        lines["life_h"] += f", L10h {hours(basic)} h" if basic is not None else ""
+    lines["life_h"] = _life_line(values)
     lines["static_safety"] = "C₀ over P₀"
     return lines
 
@@ -174,6 +248,61 @@ def temperature_rows(found: Summary) -> list[dict[str, str]]:
         ("Thermal reference speed", found.get("reference_speed_rpm"), "r/min"),
     ]
     return [_row(label, value, unit) for label, value, unit in rows if value is not None]
+
+
+def support_rows(found: Summary) -> list[dict[str, Any]]:
+    """Bearings of a shaft with load, tilt, film, torque, temperature and life.
+
+    Parameters
+    ----------
+    found : Mapping[str, Any]
+        Summary of a shaft.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Name and texts of each.
+    """
+    rows = []
+    pairs = zip(found["supports"], found["bearings"], strict=True)
+    for index, (support, bearing) in enumerate(pairs):
+        values = {} if bearing is None else main_numbers(bearing)
+        forces = [round(value, 3) for value in support["force_N"]]
+        keys = ("film_um", "torque_N_mm", "temperature_C")
+        texts = [*forces, hypot(*support["tilt_mrad"]), *(values.get(key) for key in keys)]
+        life = values.get("life_h") or values.get("basic_life_h")
+        cells = [*map(_shown, texts), _told("life_h", life)]
+        rows.append({"name": f"{index + 1}: {support['bearing']}", "cells": cells})
+    return rows
+
+
+def shaft_rows(found: Summary) -> list[dict[str, str]]:
+    """Numbers of a shaft beside those of its bearings.
+
+    Parameters
+    ----------
+    found : Mapping[str, Any]
+        Summary of a shaft.
+
+    Returns
+    -------
+    list[dict[str, str]]
+        Label, value and unit.
+    """
+    deflection = max(hypot(y, z) for _, y, z in found["shaft"]["deflection_um"])
+    slope = max(hypot(y, z) for _, y, z in found["shaft"]["slope_mrad"])
+    rows = [("Largest deflection", deflection, "µm"), ("Largest slope", slope, "mrad")]
+    critical = found["critical_speeds_rpm"] or ()
+    rows += [(f"Critical speed {n}", one, "r/min") for n, one in enumerate(critical[:3], 1)]
+    if found["unbalance"] is not None:
+        most = max(map(max, (found["unbalance"]["y_um"], found["unbalance"]["z_um"])))
+        rows.append(("Amplitude by unbalance", most, "µm"))
+    for spring in found["springs"]:
+        rows.append((f"Load on {spring['name']}", hypot(*spring["force_N"]), "N"))
+    for path in (found["heat"] or {}).get("paths", ()):
+        first, second = path["bearings"]
+        rows.append((f"Heat by the {path['path']}, {first} to {second}", path["heat_W"], "W"))
+    return [_row(*row) for row in rows]
 
 
 def life_rows(found: Summary) -> list[dict[str, Any]]:

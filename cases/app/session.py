@@ -1,22 +1,31 @@
 """One session of the live program: its designs, requests to the workers, state of the page."""
 
 import asyncio
-from collections.abc import Callable, Coroutine, Mapping
+from collections.abc import Callable, Coroutine, Mapping, Sequence
 from time import monotonic
 from typing import Any
 
+from oilfilm.ehl.units import unit_symbol
 from oilfilm.postprocess.scene.live import QUANTITIES as COLOURED
 from oilfilm.postprocess.scene.live import LiveScene
 
-from ..format.rules import CaseError
+from ..format.rules import CaseError, name_unit
 from ..new_case import BoundaryDimensions, FirstOperation, case_of_dimensions, checked
 from . import readings
-from .controls import BY_KEY, bearing_titles, errors_of, shown_controls, typed_value, values_of
+from .controls import (
+    BY_KEY,
+    bearing_titles,
+    controls_of,
+    errors_of,
+    shown_controls,
+    typed_value,
+    values_of,
+)
 from .design import Design, History, flat, of_address, start
-from .pictures import part_rows, polar, temperatures, torque_over_speed
+from .pictures import campbell, part_rows, polar, shaft_sketch, temperatures, torque_over_speed
 from .workers import ENDED, Answer, Field, Worker, evenly, refined_order
 
-VIEWS = ("bearing", "contact", "torque", "life", "map", "compare")
+VIEWS = ("shaft", "bearing", "contact", "torque", "life", "map", "compare")
 SIZES = (10, 20, 40)  # of maps, points each way
 SPEEDS = 9  # of the curve over the speed
 REST = 0.5  # from the last change to what is computed beside the point [s]
@@ -120,12 +129,16 @@ class Session:
             As the page sent it.
         """
         before = self.history.now
-        design = before.with_value(key, typed_value(key, value))
+        design = before.with_value(key, typed_value(before, key, value))
         if design.text == before.text:
             return
         self.history.push(design, key, monotonic())
-        marked = next((one["mark"] for one in self.state.specs if one["key"] == key), "")
-        if marked or set(flat(design.document)) != set(flat(before.document)):
+        spec = next((one for one in self.state.specs if one["key"] == key), {"mark": ""})
+        if (
+            spec["mark"]
+            or spec["text"]
+            or set(flat(design.document)) != set(flat(before.document))
+        ):
             self._show_controls()
         self.changed()
 
@@ -214,7 +227,7 @@ class Session:
             "map_running": False,
         })  # fmt: skip
         problems = design.problems()
-        state.errors, state.problems = errors_of(problems)
+        state.errors, state.problems = errors_of(problems, controls_of(design))
         if problems:
             self._wanted = None
             self._show_nothing("invalid", "the case is not valid: see the marked fields")
@@ -236,13 +249,41 @@ class Session:
                     if design is self.history.now or self._wanted is not None:
                         self._take_answer(design, answer)
                 if self._wanted is None and "summary" in answer:
-                    arrays = await self.live.ask("scene")
-                    with self.state:
-                        if design is self.history.now and "bodies" in arrays:
-                            self._show_scene(arrays)
-                            self._show_electrical(*arrays["electrical"])
+                    await self._draw_scene()
         finally:
             self._following = False
+
+    async def _draw_scene(self) -> None:
+        """Scene of the bearing that is shown, and what needs the maps of its films."""
+        design, member = self.history.now, self.state.member
+        arrays = await self.live.ask("scene", member)
+        with self.state:
+            if (design, member) == (self.history.now, self.state.member) and "bodies" in arrays:
+                self._show_scene(arrays)
+                self._show_electrical(*arrays["electrical"])
+                self.show_view()
+
+    @property
+    def shown(self) -> Mapping[str, Any] | None:
+        """Summary of the bearing that is shown."""
+        return self.found and readings.of_member(self.found, self.state.member)
+
+    def member(self, number: Any) -> None:
+        """Show another bearing of a shaft.
+
+        Parameters
+        ----------
+        number : Any
+            Its number, from 0; nothing happens without.
+        """
+        if not str(number).isdigit() or int(number) >= len(self.state.members):
+            return
+        self.state.member = int(number)
+        self.state.chosen = {"ball": 1, "race": "inner"}
+        self.state.solved = ""
+        self.show_view()
+        if self.found is not None:
+            self.begin(self._draw_scene())
 
     def _take_answer(self, design: Design, answer: Answer) -> None:
         state = self.state
@@ -263,7 +304,7 @@ class Session:
         state.status = "not converged" if why else "ready" if is_current else "computing"
         state.reason = why
         state.seconds = f"{answer['seconds']:.2f} s"
-        state.warnings = list(self.found["warnings"])
+        state.warnings = readings.warnings(self.found)
         state.messages = [one for one in self.found["messages"] if one not in state.warnings]
         if why:
             self._show_nothing("not converged", why)
@@ -290,9 +331,19 @@ class Session:
     def _show_controls(self) -> None:
         design = self.history.now
         self._revision += 1
-        self.state.specs = shown_controls(design)
-        self.state.values = {**values_of(design), "revision": self._revision}
-        self.state.bearing_name = str(design.document.get("bearing", {}).get("name", ""))
+        state = self.state
+        state.specs = shown_controls(design)
+        state.sections = list(dict.fromkeys(one["section"] for one in state.specs))
+        state.values = {**values_of(design), "revision": self._revision}
+        state.bearing_name = str(design.document.get("bearing", {}).get("name", ""))
+        supports = design.document.get("support", ()) if design.is_shaft else ()
+        state.members = [f"{n}: {one.get('bearing')}" for n, one in enumerate(supports, 1)]
+        state.member = min(state.member, max(len(state.members) - 1, 0))
+        if (state.view == "shaft") != bool(state.members):
+            state.view = "shaft" if state.members else "bearing"
+        state.map_axes = _axes(state.specs) if design.is_shaft else AXES_OF_A_BEARING
+        if state.map_y not in [one["key"] for one in state.map_axes]:
+            state.map_y = state.map_axes[0]["key"]
 
     # views
 
@@ -310,10 +361,16 @@ class Session:
 
     def show_view(self) -> None:
         """Fill the view that is open."""
-        found, state = self.found, self.state
+        found, state = self.shown, self.state
         if found is None:
             return
         ball = state.chosen["ball"]
+        state.balls = max(one["ball"] for one in found["contacts"])
+        if state.view == "shaft":
+            state.sketch = shaft_sketch(self.found, state.member)
+            state.campbell = campbell(self.found)
+            state.support_rows = readings.support_rows(self.found)
+            state.shaft_rows = readings.shaft_rows(self.found)
         if state.view == "bearing":
             state.polar_load = polar(found, "load_N", "Contact load", "N", ball)
             state.polar_film = polar(found, "film_minimum_um", "Minimum film", "µm", ball)
@@ -398,9 +455,16 @@ class Session:
 
     def _show_electrical(self, values: Mapping[str, Any] | None, lack: str) -> None:
         """Take what needs the maps of the films, which are drawn after the numbers."""
-        if self.found is not None:
-            self.found = {**self.found, "electrical": values, "electrical_lack": lack}
-            self.state.life = readings.life_rows(self.found)
+        found = self.shown
+        if found is None or self.found is None:
+            return
+        known = {**found, "electrical": values, "electrical_lack": lack}
+        if found is self.found:
+            self.found = known
+        else:
+            members = list(self.found["bearings"])
+            members[self.state.member] = known
+            self.found = {**self.found, "bearings": members}
 
     async def _draw_contact(self) -> None:
         chosen = dict(self.state.chosen)
@@ -424,12 +488,12 @@ class Session:
             self.begin(self._solve(self.history.now, dict(self.state.chosen)))
 
     async def _solve(self, design: Design, chosen: dict[str, Any]) -> None:
-        found = self.found or {}
+        found = self.shown or {}
         azimuth = next(
             (one["azimuth_deg"] for one in found["contacts"] if one["ball"] == chosen["ball"]), 0.0
         )
         # at the temperature that is shown: to find it anew would solve the films several times
-        document = at_temperature(design.document, found)
+        document = at_temperature(found["case"] if design.is_shaft else design.document, found)
         arguments = (document, chosen["ball"], chosen["race"], azimuth)
         answer = await self.solver.ask("solve", *arguments)
         state = self.state
@@ -451,7 +515,8 @@ class Session:
     async def _draw_curve(self) -> None:
         """Torque over the speed, point by point."""
         design = self.history.now
-        found = self.found
+        found = self.shown
+        member = self.state.member
         speed = float(flat(design.document).get("operation.inner_speed_rpm") or 0.0)
         if found is None or not speed:
             self.state.torque_curve = ""
@@ -459,7 +524,7 @@ class Session:
         reach = 2.0 * abs(speed)
         points: dict[float, Answer] = {abs(speed): readings.main_numbers(found)}
         await asyncio.sleep(REST)
-        if design is not self.history.now or self.state.view != "torque":
+        if (design, member, self.state.view) != (self.history.now, self.state.member, "torque"):
             return
         sign = 1.0 if speed > 0.0 else -1.0
 
@@ -473,7 +538,7 @@ class Session:
         # from the middle outwards
         speeds = [k * reach / (SPEEDS - 1) for k in (5, 3, 6, 2, 8, 1, 7)]
         tasks = [
-            (at, design.with_value("operation.inner_speed_rpm", sign * at).document)
+            (at, design.with_value("operation.inner_speed_rpm", sign * at).document, member)
             for at in (*speeds, 0.02 * reach)
         ]
         await self.field.fill(tasks, draw)
@@ -494,7 +559,11 @@ class Session:
         except (TypeError, ValueError):
             state.map_error = "the ends of both axes must be numbers"
             return
-        if size not in SIZES or any(key not in AXES for key in keys) or keys[0] == keys[1]:
+        if (
+            size not in SIZES
+            or not set(keys) <= {one["key"] for one in state.map_axes}
+            or keys[0] == keys[1]
+        ):
             state.map_error = f"two different keys, {SIZES[-1]} x {SIZES[-1]} points at most"
             return
         design = self.history.now
@@ -503,8 +572,10 @@ class Session:
         other = design.with_value(keys[0], x[-1]).with_value(keys[1], y[-1])
         problems = [*corner.problems(), *other.problems()]
         if problems:
-            found, others = errors_of(problems)
-            state.map_error = [*(f"{BY_KEY[k].label}: {v}" for k, v in found.items()), *others][0]
+            controls = controls_of(design)
+            found, others = errors_of(problems, controls)
+            errors = [f"{controls[key].label}: {text}" for key, text in found.items()]
+            state.map_error = [*errors, *others][0]
             return
         state.map_error = ""
         state.map_running = True
@@ -641,17 +712,24 @@ def python_lines(design: Design) -> str:
     """
     head = '"""Computes one design of `oilfilm app`."""\n\nimport oilfilm\n\n'
     tail = "print(r)\nprint(r.torque, r.temperature, r.film_minimum)  # SI\n"
+    if design.is_shaft:
+        return SHAFT_LINES.format(text=_quoted(design.text))
     if design.base:
         before = flat(start(design.base).document)
         now = flat(design.document)
         changed = {k: v for k, v in now.items() if before.get(k) != v and k != "assumed"}
         given = f", **{{\n{''.join(f'    {k!r}: {v!r},{chr(10)}' for k, v in changed.items())}}}"
         return f"{head}r = oilfilm.run({design.base!r}{given if changed else ''})\n{tail}"
-    text = design.text.replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
     return (
         f"{head}from oilfilm.cases.format.case import case_from_text\n\n"
-        f'CASE = """\\\n{text}"""\n\nr = oilfilm.run(case_from_text(CASE, "design"))\n{tail}'
+        f'CASE = """\\\n{_quoted(design.text)}"""\n\n'
+        f'r = oilfilm.run(case_from_text(CASE, "design"))\n{tail}'
     )
+
+
+def _quoted(text: str) -> str:
+    """A text between triple quotes."""
+    return text.replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
 
 
 def at_temperature(document: dict[str, Any], found: Mapping[str, Any]) -> dict[str, Any]:
@@ -684,6 +762,31 @@ def _models(found: Mapping[str, Any]) -> list[dict[str, str]]:
     ]
 
 
+def _axes(specs: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
+    """Keys of a shaft that a map may have on its axes."""
+    return [
+        {"key": one["key"], "label": f"{one['section']}: {one['label']}", "unit": one["unit"]}
+        for one in specs
+        if not one["options"] and not one["text"]
+    ]
+
+
+AXES_OF_A_BEARING = [
+    {"key": key, "label": BY_KEY[key].label, "unit": unit_symbol(key) if name_unit(key) else ""}
+    for key in AXES
+]
+SHAFT_LINES = '''"""Computes one design of `oilfilm app`."""
+
+from oilfilm.cases.format.shaft_case import shaft_from_text
+from oilfilm.cases.runs.shaft import run_shaft
+from oilfilm.postprocess.shaft.results import shaft_summary
+
+CASE = """\\
+{text}"""
+
+summary = shaft_summary(run_shaft(shaft_from_text(CASE, "design")))
+print(summary["system"], summary["critical_speeds_rpm"])
+'''
 EMPTY = [
     {"label": label, "unit": unit}
     for key, (label, unit) in readings.QUANTITIES.items()
@@ -692,20 +795,20 @@ EMPTY = [
 VIEW_STATE: dict[str, Any] = {
     "polar_load": "", "polar_film": "", "contact_rows": [], "contact_picture": "",
     "contact_why": "", "parts": [], "models": [], "heat": "", "heat_rows": [],
-    "torque_curve": "", "life": [], "warnings": [], "messages": [],
+    "torque_curve": "", "life": [], "warnings": [], "messages": [], "sketch": "", "campbell": "",
+    "support_rows": [], "shaft_rows": [],
 }  # fmt: skip
 
 
 def first_state() -> dict[str, Any]:
     """State of a page that shows nothing yet."""
-    axes = [{"key": key, "label": BY_KEY[key].label} for key in AXES]
     mapped = [
         {"key": key, "label": readings.QUANTITIES[key][0], "unit": readings.QUANTITIES[key][1]}
         for key in readings.MAPPED
     ]
     return {
         **VIEW_STATE,
-        "view": VIEWS[0], "dark": False, "status": "computing", "reason": "", "notice": "",
+        "view": "bearing", "dark": False, "status": "computing", "reason": "", "notice": "",
         "seconds": "", "title": "", "bearing_name": "", "bearing_error": "", "address": "",
         "specs": [], "values": {}, "errors": {}, "problems": [], "tiles": [
             {**one, "value": "\N{EN DASH}", "line": "", "level": ""} for one in EMPTY
@@ -713,7 +816,8 @@ def first_state() -> dict[str, Any]:
         "bearings": bearing_titles(), "sections": [], "can_undo": False, "can_redo": False,
         "quantity": "film", "legend": {"label": "", "unit": "", "colours": "", "ticks": []},
         "scene_note": "", "chosen": {"ball": 1, "race": "inner"}, "solving": False, "solved": "",
-        "map_axes": axes, "map_quantities": mapped, "map_x": "operation.inner_speed_rpm",
+        "members": [], "member": 0, "balls": 1, "map_axes": AXES_OF_A_BEARING,
+        "map_quantities": mapped, "map_x": "operation.inner_speed_rpm",
         "map_y": "operation.radial_load_N", "map_x_low": 500, "map_x_high": 6000,
         "map_y_low": 200, "map_y_high": 4000, "map_size": SIZES[1], "map_shown": 0,
         "map_data": {}, "map_progress": "", "map_running": False, "map_error": "",

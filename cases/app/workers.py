@@ -14,7 +14,7 @@ ENGINE = "oilfilm.cases.app.engine"  # loads what computes, which this process d
 ENDED = "ended"  # problem of a request whose worker was ended
 
 Answer = dict[str, Any]
-Task = tuple[Any, dict[str, Any]]  # name of a point and its document
+Task = tuple[Any, ...]  # name of a point, and arguments of `engine.Engine.numbers`
 
 
 def prepare() -> None:
@@ -118,7 +118,7 @@ class Field:
         Parameters
         ----------
         tasks : Iterable[tuple]
-            Name and document of each point.
+            Name and arguments of each point.
         show : Callable
             Called with the name of a point and its numbers.
 
@@ -132,8 +132,8 @@ class Field:
         waiting = iter(tasks)
 
         async def work(worker: Worker) -> None:
-            for name, document in waiting:
-                answer = await worker.ask("numbers", document)
+            for name, *arguments in waiting:
+                answer = await worker.ask("numbers", *arguments)
                 if job != self.job:
                     return
                 show(name, answer)

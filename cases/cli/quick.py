@@ -169,9 +169,10 @@ def app(
     from ..app.design import start
 
     design = start(case)
-    if "bearing" not in design.document or "shaft" in design.document:
-        finding = "a shaft" if "shaft" in design.document else "no bearing"
-        raise CaseError(f"{case}: {finding}; allowed: a case of one bearing, or a designation")
+    if not {"bearing", "shaft"}.intersection(design.document):
+        raise CaseError(
+            f"{case}: no bearing; allowed: a case of a bearing or a shaft, a designation"
+        )
     print_message("oilfilm app: starting; the address follows")
     from ..app.server import run_app
 

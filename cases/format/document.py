@@ -180,6 +180,7 @@ class ShaftFile(CaseFile):
     )
     housing: HousingTable = HousingTable()
     operation: ShaftOperationTable = ShaftOperationTable()
+    ehl: EhlTable | None = None
     bearing: dict[str, BearingTable] = described("bearings by name", {})
     model: ModelTable = ModelTable()
     surface: SurfaceTable | None = None

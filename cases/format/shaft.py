@@ -239,7 +239,10 @@ def bearing_document(document: dict[str, Any], support: dict[str, Any]) -> dict[
     if "heat_transfer_W_K" in support:
         own_transfer = {"heat_transfer_W_K": support["heat_transfer_W_K"]}
         case["friction"] = case.get("friction", {}) | own_transfer
-    case["ehl"] = {"film_maps": "none"}
+    # without [ehl]: of the film atlas and beyond it of formulas; behind layers there are neither
+    layers = "inlet_film_um" in case.get("lubricant", {})
+    unsolved = {"film_maps": "none"} | ({} if layers else {"films": "atlas"})
+    case["ehl"] = document.get("ehl", unsolved)
     if support.get("loaded_by") is not None:
         row = {"axial_position_mm": 0.0, "loaded_by": support["loaded_by"]}
         if support.get("preload_N") is not None:

@@ -73,11 +73,33 @@ def load_shaft(name_or_path: str | Path) -> ShaftCase:
         If something is wrong, with one line for every error.
     """
     path = find_case(name_or_path)
-    text = read_text(path)
-    file = validate_text(text, str(path))
+    return shaft_from_text(read_text(path), str(path))
+
+
+def shaft_from_text(text: str, name: str) -> ShaftCase:
+    """The shaft case of the text of a file.
+
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Its name in messages.
+
+    Returns
+    -------
+    ShaftCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
+    """
+    file = validate_text(text, name)
     if not isinstance(file, ShaftFile):
-        raise CaseError(f"{path}: has no table [shaft]; run it with 'oilfilm run {name_or_path}'")
-    return shaft_case(file, str(path), text)
+        raise CaseError(f"{name}: has no table [shaft]; run it with 'oilfilm run'")
+    return shaft_case(file, name, text)
 
 
 def any_case_of_document(

@@ -20,7 +20,7 @@ from oilfilm.postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasR
 from oilfilm.postprocess.contact.atlas import AtlasContactResults, AtlasRecord
 
 from ..format.case import Case, ContactCase
-from ..format.contact import FilmModel
+from ..format.contact import FilmModel, FilmSource
 from ..format.rules import CaseError
 from ..version import version
 from .equilibrium import without_traction_equilibrium
@@ -120,9 +120,13 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
 
 
 def fill_from_atlas(
-    contacts: Sequence[BearingContact], wanted: Sequence[ContactConditions | None], films: Films
+    contacts: Sequence[BearingContact],
+    wanted: Sequence[ContactConditions | None],
+    films: Films,
+    source: FilmSource,
 ) -> tuple[ContactFilm | None, ...]:
-    """Films with those of the atlas at contacts that were not to be solved.
+    """Films with those of the atlas at contacts that were not to be solved, and beyond it with
+    those of formulas where none is to be solved.
 
     Parameters
     ----------
@@ -132,12 +136,15 @@ def fill_from_atlas(
         Conditions of the contacts that are solved.
     films : Films
         Films of formulas in place of solved ones.
+    source : FilmSource
+        Of the films that the case asks for.
 
     Returns
     -------
     tuple[ContactFilm | None, ...]
         Films of formulas and of the atlas; None elsewhere.
     """
+    kinds = [FilmOrigin.ATLAS] + [FilmOrigin.FORMULA] * (source is FilmSource.ATLAS)
 
     def free(contact: BearingContact) -> bool:
         given = contact.conditions
@@ -148,7 +155,7 @@ def fill_from_atlas(
         for contact, own, film in zip(contacts, wanted, films, strict=True)
     ]
     of_atlas = [
-        film if film and (contact.gap is not None or film.origin is FilmOrigin.ATLAS) else None
+        film if film and (contact.gap is not None or film.origin in kinds) else None
         for contact, film in zip(contacts, formula_films(places), strict=True)
     ]
     return tuple(film or own for film, own in zip(films, of_atlas, strict=True))

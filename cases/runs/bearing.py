@@ -520,7 +520,7 @@ def _films(
         )
     )
     if state.converged and case.films.model is FilmModel.NEWTONIAN and case.inlet_layer is None:
-        formulas = fill_from_atlas(contacts, wanted, formulas)
+        formulas = fill_from_atlas(contacts, wanted, formulas, case.film_source)
     solved = solved_films(contacts, solutions)
     films = tuple(a or b for a, b in zip(solved, formulas, strict=True))
     return _Films(solutions, formulas, films, interrupted, messages)

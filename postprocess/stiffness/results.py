@@ -52,10 +52,10 @@ class StiffnessResults(Results):
 def ross_table(study: StiffnessOverSpeed, damping: float | None = None) -> dict[str, Array]:
     """Arguments of the BearingElement of the rotor code ROSS 3 over speed.
 
-    ROSS 2 calls the speed `frequency`. ROSS has z along the shaft and gravity along -y; its x and y
-    are our -z and y (a turn of the frame, right-handed in both). Its element has the 2 x 2 block of
-    the lateral directions and the axial stiffness; tilt and the coupling of axial to lateral are
-    left out: the block is the stiffness with x and the tilts fixed.
+    ROSS 2 calls the speed `frequency`. ROSS has z along the shaft and gravity along -y; its x and
+    y are our -z and y (a turn of the frame, right-handed in both). Its element has the 2 x 2 block
+    of the lateral directions and the axial stiffness; tilt and the coupling of axial to lateral
+    are left out: the block is the stiffness with x and the tilts fixed.
 
     Parameters
     ----------

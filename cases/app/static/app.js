@@ -84,7 +84,7 @@
           <span v-if="spec.mark" class="mark">{{ spec.mark }}</span>
           <span class="grow"></span>
           <template v-if="!spec.options.length">
-            <input class="number" :id="id" :value="shown" @change="type" inputmode="decimal" autocomplete="off"
+            <input :class="spec.text ? 'words' : 'number'" :id="id" :value="shown" @change="type" :inputmode="spec.text ? 'text' : 'decimal'" autocomplete="off" :list="spec.text ? 'bearings' : null"
               :aria-invalid="error ? 'true' : 'false'" :aria-describedby="error ? id + '-e' : null">
             <span class="unit">{{ spec.unit }}</span>
           </template>
@@ -93,7 +93,7 @@
           <option v-for="one in spec.options" :key="one" :value="one">{{ one }}</option>
           <option v-if="!spec.options.includes(shown)" :value="shown">{{ shown }}</option>
         </select>
-        <input v-else type="range" :min="spec.min" :max="spec.max" :step="spec.step" :value="inside" @input="slide"
+        <input v-else-if="!spec.text" type="range" :min="spec.min" :max="spec.max" :step="spec.step" :value="inside" @input="slide"
           :style="track" :class="{ranged: spec.range.length}" :aria-label="spec.label + ', slider'">
         <p v-if="error" class="error" role="alert" :id="id + '-e'">{{ error }}</p>
       </div>`,
@@ -129,7 +129,7 @@
     methods: {
       label(key) {
         const axis = this.axes.find((a) => a.key === key);
-        return (axis ? axis.label : key) + " [" + key.split("_").slice(1).pop().replace("rpm", "r/min") + "]";
+        return axis && axis.unit ? axis.label + " [" + axis.unit + "]" : axis ? axis.label : key;
       },
       room() {
         const w = this.$refs.box.clientWidth, h = Math.max(Math.min(w * 0.72, 560), 240);

@@ -276,7 +276,7 @@ def test_damping_of_whirl_and_of_unbalance_are_those_of_a_rotor_on_springs():
 
 @pytest.mark.parametrize(("curvature", "symmetric"), [(Curvature.FREE, 1e-12), (Curvature.OPERATING, 4e-5)])
 def test_stiffness_condensed_through_bearings_and_housing_is_symmetric(curvature, symmetric):
-    """K_b (K_b + K_housing)^-1 K_housing at rest; Hertz's K that changes with the contact angle is no elastic energy."""
+    """K_b (K_b + K_housing)^-1 K_housing at rest; a Hertz K that changes with the angle is no elastic energy."""
     housing = np.kron([[2.0, 0.5], [0.5, 1.0]], np.diag([2e8, 1e8, 1e8, 1e5, 1e5]))
     loads = (PointLoad(position=0.1, force=(400.0, 2000.0, 300.0)),)
     supports = tuple(replace(one, model=QuasistaticModel(curvature=curvature)) for one in SUPPORTS)

@@ -13,15 +13,19 @@ from aiohttp.test_utils import make_mocked_request
 from typer.testing import CliRunner
 
 from oilfilm.cases.app import design as designs
+from oilfilm.cases.app import readings, workers
 from oilfilm.cases.app import session as sessions
-from oilfilm.cases.app import workers
-from oilfilm.cases.app.controls import errors_of, shown_controls, typed_value, values_of
+from oilfilm.cases.app.controls import controls_of, errors_of, shown_controls, typed_value, values_of
 from oilfilm.cases.app.design import Design, History, of_address, start
 from oilfilm.cases.app.engine import Engine, live_document
-from oilfilm.cases.app.pictures import number, ticks
+from oilfilm.cases.app.pictures import campbell, number, shaft_sketch, ticks
 from oilfilm.cases.app.server import HOST, Gate
 from oilfilm.cases.cli.main import app
+from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.format.rules import CaseError
+from oilfilm.cases.format.shaft_case import load_shaft
+from oilfilm.cases.runs.shaft import run_shaft
+from oilfilm.postprocess.shaft.results import shaft_summary
 
 LOAD = "operation.radial_load_N"
 
@@ -136,20 +140,21 @@ def test_controls_of_any_bearing(name):
 
 
 def test_errors_stand_at_their_fields(design):
-    wrong = design.with_value(LOAD, typed_value(LOAD, "abc")).with_value("surface.ball_roughness_um", -1.0)
+    wrong = design.with_value(LOAD, typed_value(design, LOAD, "abc")).with_value("surface.ball_roughness_um", -1.0)
     at_fields, others = errors_of(wrong.problems())
     assert set(at_fields) == {LOAD, "surface.ball_roughness_um"} and not others
     assert "abc" in at_fields[LOAD] and "allowed" in at_fields[LOAD]
 
 
-def test_typed_values():
-    assert typed_value(LOAD, "1500,5") == 1500.5
-    assert typed_value("bearing.balls", "8") == 8
-    assert typed_value(LOAD, " ") is None
+def test_typed_values(design):
+    assert typed_value(design, LOAD, "1500,5") == 1500.5
+    assert typed_value(design, "bearing.balls", "8") == 8
+    assert typed_value(design, LOAD, " ") is None
+    assert typed_value(start("spindle_two_bearings"), "support.0.bearing", "6208") == "6208"
     with pytest.raises(ValueError, match="no control"):
-        typed_value("measured", "/etc/passwd")
+        typed_value(design, "measured", "/etc/passwd")
     with pytest.raises(ValueError, match="characters"):
-        typed_value(LOAD, "1" * 100)
+        typed_value(design, LOAD, "1" * 100)
 
 
 def test_live_points_are_not_solved(design):
@@ -338,8 +343,69 @@ def test_one_page_at_a_time():
     asyncio.run(main())
 
 
-@pytest.mark.parametrize(("case", "words"), [("spindle_two_bearings", "a shaft"), ("ball_on_disc", "no bearing")])
-def test_a_case_without_one_bearing_is_refused(case, words):
+def test_a_contact_is_refused():
     """Told before a page opens."""
-    found = CliRunner().invoke(app, ["app", case, "--no-browser"])
-    assert found.exit_code == 2 and f"{case}: {words}; allowed: a case of one bearing" in found.stderr
+    found = CliRunner().invoke(app, ["app", "ball_on_disc", "--no-browser"])
+    assert found.exit_code == 2 and "ball_on_disc: no bearing; allowed: a case of a bearing or a shaft" in found.stderr
+
+
+PULL = "load.0.force_N.1"
+
+
+@pytest.fixture(scope="module")
+def shaft():
+    return start("spindle_two_bearings")
+
+
+def test_a_shaft_has_controls_of_its_loads_and_supports(shaft):
+    controls = {one["key"]: one for one in shown_controls(shaft)}
+    assert (controls[PULL]["section"], controls[PULL]["unit"], controls[PULL]["min"]) == ("Load 1", "N", -2000.0)
+    assert controls["support.1.fixed"]["options"] == ["both", "left", "right", "none"]
+    assert controls["support.0.at_mm"]["max"] == 280.0
+    assert LOAD not in controls
+    values = values_of(shaft)
+    assert (values[PULL], values["load.1.force_N.2"], values["support.0.bearing"]) == (-900.0, 0.0, "6207 CN")
+    several = Design(
+        text=shaft.text.replace("force_N = [0.0, -900.0, 0.0]", "force_N = [\n  0.0,\n  -900.0,\n  0.0,\n]")
+    )
+    for one in (shaft, several):
+        changed = one.with_value(PULL, -700.0).with_value("support.1.at_mm", 250.0).with_value("load.1.force_N.2", 9.0)
+        assert not changed.problems()
+        assert changed.document["load"][0]["force_N"] == [0.0, -700.0, 0.0]
+        assert changed.document["load"][1]["force_N"] == [0.0, 0.0, 9.0]
+        assert changed.document["support"][1]["at_mm"] == 250.0
+        assert of_address(changed.address()).document == changed.document
+
+
+def test_faults_of_a_shaft_stand_at_their_controls(shaft):
+    wrong = shaft.with_value("support.1.at_mm", 999.0).with_value("support.0.bearing", "6299")
+    at_fields, others = errors_of(wrong.problems(), controls_of(wrong))
+    assert "on the shaft" in {**at_fields, "": str(others)}.get("support.1.at_mm", str(others))
+    unknown = shaft.with_value("support.0.bearing", "6299")
+    assert "support.0.bearing" in errors_of(unknown.problems(), controls_of(unknown))[0]
+    housing = Design(text=shaft.text + '[housing]\nstiffness = "/etc/passwd"\n')
+    with pytest.raises(CaseError, match="cannot name files"):
+        of_address(housing.address())
+
+
+def test_a_shaft_and_its_bearings_are_shown(shaft):
+    """Numbers are those of `oilfilm shaft`; each bearing has the views of a bearing."""
+    engine = Engine()
+    found = engine.point(shaft.document)["summary"]
+    assert found["converged"]
+    expected = shaft_summary(run_shaft(load_shaft("spindle_two_bearings")))
+    assert found["system"] == expected["system"]
+    shown = {one["label"]: one for one in readings.tiles(found)}
+    least = min(one["film_minimum_um"] for b in found["bearings"] for one in b["contacts"] if one["film_minimum_um"])
+    assert float(shown["Smallest film"]["value"]) == pytest.approx(least, rel=5e-3)
+    assert [row["name"] for row in readings.support_rows(found)] == ["1: 6207 CN", "2: 6206 CN"]
+    assert shaft_sketch(found, 1).count("<rect") == 2 * (4 + 2) and "M" in campbell(found)
+    assert engine.scene(1)["patches"] and engine.contact(1, "inner")
+    own = engine.numbers(shaft.document, 1)
+    assert own["torque_N_mm"] == pytest.approx(found["bearings"][1]["torque_N_mm"]["total"])
+    solved = case_of_document(sessions.at_temperature(found["bearings"][0]["case"], found["bearings"][0]))
+    assert solved.bearing == load_shaft("spindle_two_bearings").cases[0].bearing
+    lines = sessions.python_lines(shaft).rpartition("summary =")[0]
+    names: dict = {}
+    exec(lines + "\ncase = shaft_from_text(CASE, 'design')", names)
+    assert names["case"].document == load_shaft("spindle_two_bearings").document

@@ -271,6 +271,41 @@ def test_a_phone(browser, address):
 
 
 @pytest.mark.slow
+def test_a_shaft(browser):
+    """Deflection and bearings follow a load; a bearing of the picture is the one of the other views."""
+    with program("spindle_two_bearings", "--keep") as (_, url), opened(browser, url) as page:
+        moved(page)
+        assert page.locator(".sketch svg").count() == 1
+        before = page.inner_text(".supports")
+        picture(page, "shaft")
+        give(page, "load.0.force_N.1", -1800)
+        moved(page)
+        assert page.inner_text(".supports") != before
+        page.locator(".sketch [data-member='1']").first.click()
+        page.click("#tab-bearing")
+        assert page.locator("[aria-label='Bearing on the shaft'] option:checked").inner_text() == "2: 6206 CN"
+        page.wait_for_selector(".polar svg")
+        page.click("#tab-contact")
+        page.wait_for_selector(".picture img", timeout=PATIENCE)
+        give(page, "support.1.at_mm", 999)
+        ready(page, "invalid")
+        assert "on the shaft" in page.locator("[data-key='support.1.at_mm'] .error").inner_text()
+        give(page, "support.1.at_mm", 260)
+        moved(page)
+        with page.expect_download() as download:
+            page.click("header button:has-text('Case file')")
+        assert "at_mm = 260" in Path(download.value.path()).read_text(encoding="utf-8")
+        page.click("#tab-shaft")
+        page.set_viewport_size({"width": 390, "height": 844})
+        page.wait_for_timeout(300)
+        assert page.evaluate("document.querySelector('main').scrollWidth <= 390")
+        page.click("button:has-text('Dark')")
+        page.wait_for_timeout(500)
+        ratio, where = page.evaluate(CONTRAST)
+        assert ratio >= 4.5, where
+
+
+@pytest.mark.slow
 def test_keys_alone(page):
     """Tab reaches every control in order; arrows move sliders; Ctrl+Z undoes."""
     page.locator("#bearing").focus()
