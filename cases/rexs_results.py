@@ -180,18 +180,26 @@ def _assigned(
         components = [bearing for bearing, _ in listed if bearing.id == number]
         summaries = [summary]
     else:
-        components = [
-            bearing
-            for bearing, on in listed
-            if on is not None and on.id == number and is_ball_bearing(bearing)
-        ]
+        own = [bearing for bearing, on in listed if on is not None and on.id == number]
+        components = [one for one in own if is_ball_bearing(one)]
         summaries = summary.get("bearings", [])
+        rollers = [one for one in own if not is_ball_bearing(one)]
+        springs = summary.get("springs", [])
+        if len(rollers) == len(springs):  # none was added to the case
+            components += rollers
+            summaries = [*summaries, *(_of_spring(one, summary) for one in springs)]
     if not components or len(components) != len(summaries):
         raise CaseError(
             f"{path}: {part} {number} has {len(components)} bearings, the results "
             f"{len(summaries)}; allowed: the model that the case was imported from"
         )
     return zip(components, summaries, strict=True)
+
+
+def _of_spring(spring: dict[str, Any], summary: Any) -> dict[str, Any]:
+    """The load of a bearing that is a spring, as far as a bearing's summary has it."""
+    loads = {"force_N": spring["force_N"], "moment_N_mm": spring["moment_N_mm"][1:]}
+    return {"converged": summary["converged"], "ring": loads}
 
 
 def _order(version: str) -> tuple[int, ...]:

@@ -133,7 +133,7 @@ CONTROLS = (
             section="Bearing", folded=True, always=False),
 )  # fmt: skip
 BY_KEY = {control.key: control for control in CONTROLS}
-# of each [[support]] and each [[load]] of a shaft: key and label
+# key and label of each [[support]] and each [[load]] of a shaft
 OF_SUPPORT = (
     ("bearing", "Designation"),
     ("at_mm", "Place"),

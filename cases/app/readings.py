@@ -132,24 +132,6 @@ def why_not(found: Summary) -> str:
     return reason.partition("not converged: ")[2] or reason
 
 
-def warnings(found: Summary) -> list[str]:
-    """Messages that change a decision, of a shaft with those of its bearings.
-
-    Parameters
-    ----------
-    found : Mapping[str, Any]
-        Summary of a bearing or a shaft.
-
-    Returns
-    -------
-    list[str]
-        The messages.
-    """
-    members = enumerate(found.get("bearings", ()), 1)
-    own = [f"bearing {n}: {text}" for n, one in members if one for text in one["warnings"]]
-    return [*found["warnings"], *own]
-
-
 def tiles(found: Summary) -> list[dict[str, str]]:
     """The headline: main numbers with their unit, range or place.
 

@@ -304,7 +304,7 @@ class Session:
         state.status = "not converged" if why else "ready" if is_current else "computing"
         state.reason = why
         state.seconds = f"{answer['seconds']:.2f} s"
-        state.warnings = readings.warnings(self.found)
+        state.warnings = list(self.found["warnings"])
         state.messages = [one for one in self.found["messages"] if one not in state.warnings]
         if why:
             self._show_nothing("not converged", why)

@@ -189,9 +189,23 @@ def _support_faults(values: CaseValues) -> Iterator[CaseProblem]:
     yield from _heat_faults(values, tables)
     springs = values.get("spring")
     held = [s.get("axial_stiffness_N_um") for s in springs or () if isinstance(s, dict)]
-    if tables and not any(held) and all(table.get("fixed") == "none" for table in tables):
+    sides = {table.get("fixed", "both") for table in tables}
+    push = sum(_axial_forces(values))
+    needed = "right" if push > 0.0 else "left"
+    if tables and not any(held) and sides == {"none"}:
         finding = "no support holds the shaft along x"
         yield CaseProblem(("support",), finding, 'needed: fixed = "both" at one of them')
+    elif tables and not any(held) and push and not sides.intersection(("both", needed)):
+        finding = f"no support holds the shaft against the load of {push:g} N along x"
+        yield CaseProblem(("support",), finding, f'needed: fixed = "both" or "{needed}" at one')
+
+
+def _axial_forces(values: CaseValues) -> Iterator[float]:
+    """Forces of the loads along the shaft [N]."""
+    for load in values.get("load") or ():
+        force = load.get("force_N") if isinstance(load, dict) else None
+        if isinstance(force, list | tuple) and force and is_number(force[0]):
+            yield float(force[0])
 
 
 def _heat_faults(values: CaseValues, tables: list[dict[str, Any]]) -> Iterator[CaseProblem]:

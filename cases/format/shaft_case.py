@@ -1,5 +1,6 @@
 """A shaft case: shaft, supports and loads in SI, and a case of each bearing."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from oilfilm.bearing.shaft.system import (
     Support,
 )
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.messages import Caution
+from oilfilm.ehl.units import from_si
 
 from .case import Case, ContactCase, case_of_document
 from .data_tables import case_table
@@ -30,6 +33,8 @@ from .shipped import find_case
 
 ASYMMETRY = 1.0e-3  # of a matrix from a file, by rounding [-]
 MILLIMETRES = {"N m rad": 1.0, "N mm rad": 1.0e-3}  # lengths of a file of stiffness [m]
+MISFIT = 0.1  # of the bore, beyond which the diameter of the shaft is told [-]
+ANGULAR = 15.0  # free contact angle of bearings that are loaded from one side [deg]
 RIGID = 1.0e13  # stiffness of a direction that a housing leaves out [N/m], [N m/rad]
 
 
@@ -184,8 +189,40 @@ def shaft_case(file: ShaftFile, name: str, text: str = "") -> ShaftCase:
         documents=tuple(documents),
         names=tuple(support["bearing"] for support in document["support"]),
         document={key: value for key, value in document.items() if value != {}},
-        warnings=tuple(dict.fromkeys(note for case in cases for note in case.warnings)),
+        # the other bearings press back on rows that are preloaded one way
+        warnings=tuple(
+            dict.fromkeys(
+                note
+                for case in cases
+                for note in case.warnings
+                if not note.startswith("rows.preload")
+            )
+        )
+        + tuple(_doubts(system, tuple(cases))),
     )
+
+
+def _doubts(system: ShaftSystem, cases: tuple[Case, ...]) -> Iterator[Caution]:
+    """Bearings that do not fit their shaft, or whose direction of load is not given."""
+    for number, (support, case) in enumerate(zip(system.supports, cases, strict=True), 1):
+        table = case.file.bearing
+        bore = from_si("outside_mm", case.bearing.bore) if case.bearing.bore else None
+        near = [
+            from_si("outside_mm", section.outside_diameter)
+            for section in system.sections
+            if section.start <= support.position <= section.end
+        ]
+        if bore and all(abs(outside - bore) > MISFIT * bore for outside in near):
+            yield Caution(
+                f"bearing {number} ({table.name}): its bore is {bore:g} mm, the shaft there "
+                f"{near[0]:g} mm"
+            )
+        angle = table.free_contact_angle_deg or 0.0
+        if angle >= ANGULAR and not case.rows:
+            yield Caution(
+                f"bearing {number} ({table.name}): loaded_by is not given; it is taken to hold "
+                "the shaft both ways"
+            )
 
 
 def _at_support(

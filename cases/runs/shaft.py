@@ -21,6 +21,7 @@ from oilfilm.bearing.shaft.vibration import (
 )
 from oilfilm.bearing.studies.stiffness import ring_damping
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.units import from_si
 from oilfilm.postprocess.bearing.results import BearingResults
 from oilfilm.postprocess.shaft.results import ShaftResults, ShaftVibration
@@ -37,6 +38,8 @@ WHIRLS = 8  # frequencies in Campbell's diagram [-]
 SPEEDS = 21  # of the diagram [-]
 BEYOND = 1.3  # of operating and first critical speed, where the diagram ends [-]
 LEAST_SPEED = 100.0  # likewise for shafts at rest [rad/s]
+WRONG_SIDE = 1.0e-6  # of a bearing's load, from which a push the wrong way is told [-]
+BENT = 0.1  # deflection over the length, beyond which linear bending is wrong by 1 % [-]
 HIGHEST = 1.0e5  # of the critical speeds [rad/s]
 
 
@@ -65,7 +68,7 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
     # 2. each bearing where the shaft holds its inner ring, or all of them in balance of heat
     bearings: list[BearingResults | None] = [None] * len(case.cases)
     heat = None
-    notes = [] if solution.converged else [f"shaft: {solution.message}"]
+    notes = _doubts(case, solution) if solution.converged else [f"shaft: {solution.message}"]
     try:
         if case.self_heated and solution.converged:
             heat, warmed = _in_balance_of_heat(case, solution, lambda text: notify(1, steps, text))
@@ -100,6 +103,28 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
         messages=(*notes, *case.warnings),
         timing=timing,
     )
+
+
+def _doubts(case: ShaftCase, solution: ShaftSolution) -> list[str]:
+    """Bearings that the shaft pushes to the side from which they are not loaded, and a shaft that
+    bends too far.
+    """
+    found: list[str] = []
+    supports = zip(case.document["support"], solution.bearings, strict=True)
+    for number, (table, state) in enumerate(supports, 1):
+        push = float(state.ring_force[0])
+        side = {"+x": 1.0, "-x": -1.0}.get(table.get("loaded_by"), 0.0)
+        if side * push < -WRONG_SIDE * float(np.abs(state.ring_force).max()):
+            found.append(
+                f"bearing {number} ({table['bearing']}): the shaft pushes it by {push:.3g} N "
+                f'along x, against loaded_by = "{table["loaded_by"]}"'
+            )
+    deflection = float(np.abs(solution.displacement[:, 1:3]).max()) / np.ptp(solution.positions)
+    if deflection > BENT:
+        found.append(
+            f"shaft: it bends by {deflection:.2g} of its length, too far for the linear beam"
+        )
+    return [Caution(text) for text in found]
 
 
 def _held(case: ShaftCase, solution: ShaftSolution, index: int) -> Case:

@@ -9,6 +9,7 @@ from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.shaft.equilibrium import ShaftSolution
 from oilfilm.bearing.shaft.heat import ShaftHeat
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.units import from_si
 
 from ..bearing.results import BearingResults
@@ -109,11 +110,12 @@ def shaft_summary(results: ShaftResults) -> dict[str, Any]:
     """
     solution = results.solution
     moving = results.vibration
-    lost = [
-        f"bearing {k} ({name}): not converged"
-        for k, (name, bearing) in enumerate(zip(results.names, results.bearings, strict=True), 1)
-        if bearing is not None and not bearing.converged
-    ]
+    bearings = [None if b is None else bearing_summary(b) for b in results.bearings]
+    told: dict[str, list[str]] = {}  # warnings of the bearings, equal ones once
+    for k, (name, one) in enumerate(zip(results.names, bearings, strict=True), 1):
+        for text in [] if one is None else one["warnings"]:
+            told.setdefault(text, []).append(f"{k} ({name})")
+    warnings = [Caution(f"bearing {', '.join(who)}: {text}") for text, who in told.items()]
     shaft = {
         "x_mm": POSITION.in_unit(solution.positions),
         "deflection_um": DEFLECTION.in_unit(solution.displacement[:, :3]),
@@ -144,10 +146,10 @@ def shaft_summary(results: ShaftResults) -> dict[str, Any]:
         },
         "unbalance": _unbalance(moving),
         "heat": None if results.heat is None else _heat(results.heat),
-        "bearings": [None if b is None else bearing_summary(b) for b in results.bearings],
+        "bearings": bearings,
         "timing_s": dict(results.timing),
     }
-    return results.head(results.converged, lost) | dict(plain(document))
+    return results.head(results.converged, warnings) | dict(plain(document))
 
 
 def _support(results: ShaftResults, index: int) -> dict[str, Any]:

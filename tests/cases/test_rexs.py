@@ -225,6 +225,25 @@ def test_results_are_written_into_the_model_and_nothing_else_changes(found, tmp_
     assert first.attributes["operating_point_stiffness_dM_w_d_w_rot"] == ("1000000000.0", "N mm / rad")
 
 
+def test_a_shaft_of_ball_and_roller_bearings_takes_results_of_both(found, tmp_path):
+    """Loads of the roller bearing, which is a spring; nothing else of the model changes."""
+    source = shaft_text(found, 3).split('source = "')[1].split('"')[0]
+    folder = result_folder(tmp_path / "r", source)
+    document = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    document["springs"] = [{"name": "NUP", "force_N": [0.0, 735.0, 5884.0], "moment_N_mm": [0.0, 1.0, 2.0]}]
+    (folder / "summary.json").write_text(json.dumps(document), encoding="utf-8")
+    answer = exported(folder, tmp_path / "out.rexs")
+    assert "results of 3 bearings written" in answer.stderr
+    before, after = GEARBOX.read_bytes().splitlines(), (tmp_path / "out.rexs").read_bytes().splitlines()
+    assert [line for line in after if line in before] == before
+    model = read_rexs(tmp_path / "out.rexs")
+    changed = {n for n, one in model.components.items() if one != found.model.components[n]}
+    assert len(changed) == 3
+    roller = next(model.components[n] for n in changed if not is_ball_bearing(model.components[n]))
+    assert roller.attributes["radial_force_in_w"] == ("5.884", "kN")
+    assert roller.attributes["torque_around_the_w_axis"] == ("0.002", "N m")
+
+
 def test_results_that_are_there_are_replaced(found, tmp_path):
     source = shaft_text(found, 1).split('source = "')[1].split('"')[0]
     folder = result_folder(tmp_path / "r", source)
