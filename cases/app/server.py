@@ -44,19 +44,9 @@ IN_USE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>oilfilm<
 <p><a id="take" href="{href}">Go on in this page</a></p>
 <script>document.getElementById("take").href += location.hash</script></body></html>"""
 TRIGGERS = (
-    *(
-        "opened",
-        "set",
-        "choose",
-        "dimensions",
-        "step",
-        "view",
-        "pick",
-        "member",
-        "click",
-        "colour",
-    ),
-    *("theme", "solve", "start_map", "take_map_point", "pin", "unpin", "swap", "document"),
+    *("opened", "set", "choose", "dimensions", "step", "view", "pick", "member", "click"),
+    *("colour", "theme", "solve", "start_map", "take_map_point", "pin", "unpin", "swap"),
+    "document",
 )
 # turning by the left button, moving by the middle one, zoom by the right one and the wheel
 INTERACTOR = [

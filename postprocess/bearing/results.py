@@ -123,8 +123,10 @@ class BearingResults(Results):
             return (None,) * len(self.contacts)
         if self.supply is None or isinstance(self.supply.oil, ReplenishedInlet):
             shear = None if self.torque is None else self.torque.shear
-            if shear is not None and shear.films:  # of the same supply
-                return tuple(a and b for a, b in zip(self.films, shear.films, strict=True))
+            pairs = list(zip(self.films, shear.films if shear else (), strict=False))
+            # those of the torque are of the same supply, but maps may have been added since
+            if pairs and all(a is None or b is None or a.field is b.field for a, b in pairs):
+                return tuple(a and b for a, b in pairs)
             return operating_films(self.contacts, self.films, supply=self.supply)
         return supplied_films(self.contacts, self.films, self.supply)
 
