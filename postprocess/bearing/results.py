@@ -124,7 +124,7 @@ class BearingResults(Results):
         if self.supply is None or isinstance(self.supply.oil, ReplenishedInlet):
             shear = None if self.torque is None else self.torque.shear
             pairs = list(zip(self.films, shear.films if shear else (), strict=False))
-            # those of the torque are of the same supply, but maps may have been added since
+            # films of the torque are of the same supply, but maps may have been added since
             if pairs and all(a is None or b is None or a.field is b.field for a, b in pairs):
                 return tuple(a and b for a, b in pairs)
             return operating_films(self.contacts, self.films, supply=self.supply)
