@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from ..compiled import compiled
+from ..compiled import compiled, fused, inlined
 from ..oil._kernels import exponential_of
 
+THIRD = 1.0 / 3.0
 LEAST_RISE = 1e-6  # of ln R, ln R_min and s from node to node
 HALVINGS = 50
 LARGEST_LOG_EXPONENT = 5.0  # ln g
@@ -12,21 +13,24 @@ LARGEST_LOG_EXPONENT = 5.0  # ln g
 EXPONENT, FILM, MINIMUM, MOMENT, DAMPING = range(5)
 ROWS = 5
 
+_exponential = inlined(getattr(exponential_of, "py_func", exponential_of))
 
-@compiled
+
+@fused
 def radial_sums(contact, centres, scales, along, weights, out):
-    """Add sum_i w_i k(d_i) of one contact (3,) at nodes of ln r (m,), whose squared steps from the
-    centres (n, 3) are along (n, m).
+    """Add sum_i w_i k(d_i) of one contact (3,) at nodes of ln r (m,), five times whose squared
+    steps from the centres (n, 3) are along (n, m).
     """
     for i in range(centres.shape[0]):
         away = 0.0
         for k in range(3):
             step = (contact[k] - centres[i, k]) / scales[k]
             away += step * step
+        away *= 5.0
         weight = weights[i]
         for j in range(out.size):
-            t = np.sqrt(5.0 * (along[i, j] + away))
-            out[j] += weight * (1.0 + t * (1.0 + t / 3.0)) * exponential_of(-t)
+            t = np.sqrt(along[i, j] + away)
+            out[j] += weight * (1.0 + t * (1.0 + t * THIRD)) * _exponential(-t)
 
 
 @compiled

@@ -22,6 +22,7 @@ the limits of little and of much oil exact. A fitted curve that falls over r, wh
 light contacts alone, is replaced by its largest value so far.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from math import exp, inf, log, log1p
@@ -64,7 +65,7 @@ class Table(NamedTuple):
 
     functions: tuple[Function, ...]
     log_ratios: Array  # (m,) nodes of ln r
-    along: tuple[Array, ...]  # (n, m) squared steps of these from the centres, over the scale
+    along: tuple[Array, ...]  # (n, m) five squared steps of these from the centres, over the scale
     lower: Array  # (4,) of x
     upper: Array
     # (3,) M, Rx/Ry and alpha p_h between which contacts were solved
@@ -116,7 +117,7 @@ def table() -> Table:
     return Table(
         functions=tuple(functions),
         log_ratios=log_ratios,
-        along=tuple(step**2 for step in steps),
+        along=tuple(5.0 * step**2 for step in steps),
         lower=file["lower"],
         upper=file["upper"],
         least=file["least"],
@@ -149,15 +150,18 @@ def contact_coordinates(load: float, lubricant: float, radius_ratio: float) -> A
     return np.array([log(film), log1p(lubricant / STRETCH), log(radius_ratio)])
 
 
-def curves(contacts: Array, damping: bool) -> Curves:
+FITTED = (_kernels.EXPONENT, _kernels.MINIMUM, _kernels.MOMENT, _kernels.DAMPING)
+
+
+def curves(contacts: Array, wanted: Sequence[int] = FITTED) -> Curves:
     """The functions of contacts at the nodes of ln r.
 
     Parameters
     ----------
     contacts : Array
         Moes' M, L and Rx/Ry, shape (n, 3) [-]
-    damping : bool
-        whether that of the damping is wanted; zero where it is not
+    wanted : sequence of int
+        rows of the fitted ones that are wanted; the others are zero
 
     Returns
     -------
@@ -172,9 +176,9 @@ def curves(contacts: Array, damping: bool) -> Curves:
     x[..., 3] = tabulated.log_ratios
     terms = trend_terms(x.reshape(-1, 4))
     functions = np.zeros((len(places), _kernels.ROWS, NODES))
-    fitted = (_kernels.EXPONENT, _kernels.MINIMUM, _kernels.MOMENT, _kernels.DAMPING)
-    wanted = fitted if damping else fitted[:-1]
-    for row, f, along in zip(wanted, tabulated.functions, tabulated.along, strict=False):
+    for row, f, along in zip(FITTED, tabulated.functions, tabulated.along, strict=True):
+        if row not in wanted:
+            continue
         functions[:, row] = (terms @ f.trend).reshape(-1, NODES)
         for place, values in zip(places, functions[:, row], strict=True):
             _kernels.radial_sums(place, f.centres, f.scales, along, f.weights, values)
@@ -189,7 +193,7 @@ def curves(contacts: Array, damping: bool) -> Curves:
 @lru_cache(maxsize=1024)
 def _curves_of_one(*contact: float) -> Curves:
     """The functions of one contact by its M, L and Rx/Ry."""
-    return curves(np.array([contact]), damping=True)
+    return curves(np.array([contact]))
 
 
 def starvation_shares(
@@ -214,7 +218,7 @@ def starvation_shares(
     inside
         True of contacts among those that the law was solved for, shape (n,)
     """
-    law = curves(contacts, damping=False)
+    law = curves(contacts, FITTED[:3])
     ends = flooded_ratios[:, None]
     plain = law.shares(np.concatenate([ratios, ends], axis=1))[..., :3]
     lack = 1.0 - plain[:, -1:]
@@ -394,7 +398,8 @@ def inlet_ratio_of_moment(
     """
     if rolling_moment >= 1.0:
         return flooded_ratio
-    law = _curves_of_one(load_parameter, lubricant_parameter, radius_ratio)
+    contact = np.array([[load_parameter, lubricant_parameter, radius_ratio]])
+    law = curves(contact, (_kernels.MOMENT,))
     nodes = table().log_ratios
     end = log(flooded_ratio)
     # the table's nodes as far as they go, and beyond them to the flooded inlet
