@@ -347,8 +347,10 @@ def largest_sliding(
     slide_x = y * (curved * y - spin)
     slide_y = semi_axis_x * spin * along
     square = slide_x * slide_x + slide_y * slide_y
-    speed = np.sqrt(square.max(axis=(1, 2)))
-    return speed, ellipses[2] * np.sqrt((square * pressure * pressure).max(axis=(1, 2)))
+    product = square * (pressure * pressure)
+    count = len(square)
+    speed = np.sqrt(square.reshape(count, -1).max(axis=1))
+    return speed, ellipses[2] * np.sqrt(product.reshape(count, -1).max(axis=1))
 
 
 @cache

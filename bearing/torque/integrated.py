@@ -467,13 +467,16 @@ def _rough_ranges(
     for name, others in friction.other_asperities().items():
         changes = [0.0]
         for other in others:
-            changed = [
-                film and with_asperities(film, contact, other)
-                for contact, film in zip(contacts, films, strict=True)
+            pairs = list(zip(contacts, films, strict=True))
+            steps = [
+                abs(other.load_fraction(contact, film.central.value) - film.asperity_load)
+                for contact, film in pairs
+                if film
             ]
-            pairs = zip(films, changed, strict=True)
-            steps = [abs(a.asperity_load - b.asperity_load) for a, b in pairs if a and b]
             if max(steps, default=0.0) > SMOOTH:
+                changed = [
+                    film and with_asperities(film, contact, other) for contact, film in pairs
+                ]
                 changes.append(shear(films=changed, bound=False).torque.total - total)
         if len(changes) > 1:
             found[name] = TorqueRange(ROUGH[name], min(changes), max(changes))

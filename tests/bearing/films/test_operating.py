@@ -41,14 +41,16 @@ def test_heat_thins_film_gap_and_error_bar(contacts, computed):
     for heat, before, film in zip(heats, computed, operating, strict=True):
         if film is None:
             continue
-        assert film.heat.central == heat.central
-        assert film.heat.minimum._replace(value=heat.minimum.value) == heat.minimum
+        # equal contacts have theirs once, of fewer contacts at a time: to rounding
+        assert film.heat.central == pytest.approx(heat.central, rel=1e-11)
+        assert film.heat.minimum[1:] == pytest.approx(heat.minimum[1:], rel=1e-11)
         assert film.minimum.value == pytest.approx(film.heat.minimum.value * before.minimum.value, rel=1e-12)
         for name in ("central", "minimum"):
             cold, hot, reduction = (getattr(one, name) for one in (before, film, heat))
-            assert hot.value == min(reduction.value * cold.value, film.central.value)
-            assert hot.heat == reduction.law * cold.value
-            assert hot.oil == reduction.oil * cold.value > 0.0
+            smaller = min(reduction.value * cold.value, film.central.value)
+            assert hot.value == pytest.approx(smaller, rel=1e-11)
+            assert hot.heat == pytest.approx(reduction.law * cold.value, rel=1e-11)
+            assert hot.oil == pytest.approx(reduction.oil * cold.value, rel=1e-11) and hot.oil > 0.0
             assert hot.error == pytest.approx(hypot(hot.computed, hot.heat, hot.oil))
         assert film.gap_fraction == pytest.approx(heat.central.value, rel=1e-12)
         assert (film.isothermal_central, film.isothermal_minimum) == (before.central.value, before.minimum.value)
