@@ -16,6 +16,7 @@ from oilfilm.bearing.films.heavy_moment import elastic_moment, heavy_moment, mom
 from oilfilm.bearing.heating import heat_state
 from oilfilm.bearing.heating.friction_heat import loaded_half
 from oilfilm.bearing.invariants import _frequencies
+from oilfilm.bearing.quasistatic.solution import _cage_speed
 from oilfilm.bearing.vibration.form import rolled
 
 
@@ -121,3 +122,9 @@ def test_balls_that_insulate_have_no_breakdown(monkeypatch):
     assert found[0].breakdown_voltage is found[0].breakdown_voltage_low is found[0].breakdown_voltage_high is None
     voltages = found[1].breakdown_voltage, found[1].breakdown_voltage_low, found[1].breakdown_voltage_high
     assert voltages == (10.0, 11.0, 12.0)
+
+
+def test_the_cage_turns_with_the_loaded_balls():
+    orbit = np.array([1.0, 2.0, 4.0])
+    assert _cage_speed(orbit, np.array([0.0, 5.0, 3.0])) == 3.0
+    assert _cage_speed(orbit, np.zeros(3)) == pytest.approx(7.0 / 3.0)
