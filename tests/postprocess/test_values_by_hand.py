@@ -19,6 +19,7 @@ from oilfilm.postprocess.dynamics import results
 from oilfilm.postprocess.files import plain
 from oilfilm.postprocess.report.page import _rows
 from oilfilm.postprocess.report.pdf_and_workbook import _is_table
+from oilfilm.postprocess.scene.patch import Patch
 from oilfilm.postprocess.shaft.results import _heat
 from oilfilm.postprocess.temperatures.results import temperature_study_messages
 
@@ -138,3 +139,16 @@ def test_values_become_plain_json():
     found = plain(whole, "", lost)
     assert found == {"a": [1.0, None], "b": 3, "c": [1.0, None], "d": {"e": 0.5}}
     assert type(found["b"]) is int and type(found["d"]["e"]) is float and lost == ["a[1]", "c[1]"]
+
+
+def test_a_relief_has_its_quantity_as_height():
+    """The films' scale ends at its own top, that of pressures at the largest; both end at the height asked for."""
+    x, y = np.meshgrid([0.0, 1.0, 2.0], [5.0, 6.0], indexing="ij")
+    values = np.array([[1.0, 2.0], [0.0, 4.0], [3.0, 1.0]])
+    plane = SimpleNamespace(
+        x=x, y=y, film=values, pressure=10.0 * values, film_range=(0.0, 8.0), _grid=lambda points: points
+    )
+    for quantity, top in (("film", 8.0), ("pressure", 4.0)):
+        points = Patch.relief(plane, quantity, 0.5)
+        assert (points[..., 0] == x).all() and (points[..., 1] == y).all()
+        assert points[..., 2] == pytest.approx(0.5 * values / top)
