@@ -86,7 +86,9 @@ def shown_torques(results: BearingResults) -> dict[str, ModelTorque]:
     return {
         name: model
         for name, model in ({} if torque is None else torque.models).items()
-        if name in names and model.total is not None
+        if name in names
+        and model.total is not None
+        and not (results.frozen and name == INTEGRATED)
     }
 
 
@@ -110,7 +112,7 @@ def shown_titles(models: Mapping[str, ModelTorque]) -> list[str]:
     ]
 
 
-FROZEN = "the oil lies below its pour point and does not flow; the models go on beyond it"
+FROZEN = "the oil lies below its pour point and does not flow; formulas of others go on beyond it"
 
 
 def torque_block(results: BearingResults) -> dict[str, Any]:
@@ -143,7 +145,10 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "replenishment_factor": None if inlet is None else inlet.replenishment,
         "asperity_load_share": shear.asperity_share if shear is not None and rough else None,
         "coulomb_coefficient": None if torque is None else torque.coefficient,
-        "models": {name: _model(torque, name) for name in shown_models(results)},
+        "models": {
+            name: _model(flowing if name == INTEGRATED else torque, name)
+            for name in shown_models(results)
+        },
         "power_balance": {**values_of(shear, POWER_BALANCE), "hypothesis": hypothesis},
         "per_ball_N_mm": None
         if shear is None or flowing is None
@@ -261,6 +266,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield null(f"torque_N_mm.models.integrated.{part}", why)
     if results.frozen:
         yield null("torque_N_mm.total", FROZEN)
+        yield null("torque_N_mm.models.integrated", "there is no film")
     elif torque.total is None:
         yield null("torque_N_mm.total", "neither the integrated model nor SKF's applies")
     else:

@@ -112,7 +112,8 @@ def test_cold_oil_is_named_first(folder):
     frozen = summary(run_case(at(folder, -25.0, *GREASED_6205)))
     names = ("total", "parts", "total_range", "flooded_isothermal", "per_ball_N_mm")
     assert {frozen["torque_N_mm"][name] for name in names} == {None} and not frozen["converged"]
-    assert frozen["torque_N_mm"]["models"]["palmgren"]["total"] > 0.0
+    models = frozen["torque_N_mm"]["models"]
+    assert models["palmgren"]["total"] > 0.0 and models["integrated"]["total"] is None
     assert any("below its pour point, -19 C" in message for message in frozen["messages"])
     assert any("torque_N_mm.total: null, the oil lies below" in message for message in frozen["messages"])
     cold = summary(run_case(at(folder, -10.0, *GREASED_6205)))["messages"]
