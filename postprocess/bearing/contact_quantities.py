@@ -599,6 +599,14 @@ def heat_messages(films: Films) -> Iterator[str]:
         "(isothermal_film_..., flooded_film_... too), by a law of solved films; in the error bars "
         f"up to {100.0 * law:.2g} % of the law and {100.0 * data:.2g} % of {_oil_data(running[0])}"
     )
+    held = sum(
+        film.minimum is not None and film.minimum.value == film.central.value for film in running
+    )
+    if held:
+        yield (
+            f"contacts: minimum films at {held} contacts are held at the central ones, above "
+            "which the law of heat leaves them"
+        )
     beyond = [s for s in shares if not s.inside and s.law > OUTSIDE * s.value]
     if any(share.value < 1.0 - OUTSIDE for share in beyond):
         yield Caution(

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from oilfilm.cases import run_case
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.postprocess import summary
+from oilfilm.postprocess.bearing.contact_quantities import heat_messages
 
 CASE = """
 schema_version = 1
@@ -61,6 +64,13 @@ def test_every_film_is_printed_with_heat_and_the_isothermal_one_beside(name):
     heaviest = max(films, key=lambda contact: contact["load_N"])
     assert heaviest["inlet_heat_share"] < 0.9
     assert any("inlet shear heating (included) leaves" in message for message in found["messages"])
+
+
+def test_a_minimum_film_held_at_the_central_one_is_named():
+    films = [film for film in run_case(case_from_text(text("6010"), "6010")).operating if film is not None]
+    assert not any("held at the central" in message for message in heat_messages(films))
+    held = [replace(films[0], minimum=films[0].central), *films[1:]]
+    assert any("minimum films at 1 contacts are held at the central" in message for message in heat_messages(held))
 
 
 def test_friction_takes_the_film_with_heat():
