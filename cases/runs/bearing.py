@@ -293,8 +293,8 @@ def run_case(
         Solver of one film in place of the film model's own: a batch reads what it has solved
         before.
     on_films_solved : OnFilmsSolved | None, optional
-        Called with the results up to the films, before friction; not where the torque decides the
-        temperature, and with it the films.
+        Called with the results up to the films, before friction; where the torque decides the
+        temperature, and with it the films, in each round, of which the last one counts.
     equilibria : Equilibria | None, optional
         Equilibria solved before, of other points of a batch; that of the case is added.
 
@@ -316,13 +316,14 @@ def run_case(
     """
     notify = progress or (lambda done, total, state: None)
     equilibria = equilibria or Equilibria()
-    run = partial(_run, workers=workers, notify=notify, solve=solve, equilibria=equilibria)
+    rough = partial(_run, workers=workers, notify=notify, solve=solve, equilibria=equilibria)
+    run = partial(rough, on_films_solved=on_films_solved)
     if case.file.operation.temperature != SELF_HEATED:
-        return run(case, on_films_solved=on_films_solved)
+        return run(case)
     first = self_heated(case, judged=False, equilibria=equilibria)
     warmed = with_temperature(case, first)
     if case.films.model is FilmModel.THERMAL:
-        warmed = _by_rough_films(case, warmed, run)
+        warmed = _by_rough_films(case, warmed, rough)
     for _ in range(WARM_ROUNDS):
         at = warmed
         results = _with_all_balances(run(at), first)

@@ -47,19 +47,25 @@ class Drawing:
         self._before = set(active_children())
         self._stopped = False
         self._ahead: _Begun | None = None  # pictures of the films, before the rest is known
+        self._outdated: list[_Begun] = []  # such of rounds before
 
     def stop(self) -> None:
         """Leave out what has not been begun, when the user wants to stop."""
         self._stopped = True
 
     def films(self, results: Any) -> None:
-        """Begin the pictures that need no more than the films; `write` puts them in place.
+        """Begin the pictures that need no more than the films, in place of those of other films;
+        `write` puts them in place.
 
         Parameters
         ----------
         results : Any
             The run, whose other parts may be missing.
         """
+        if self._ahead is not None:
+            self._outdated.append(self._ahead)
+            for job in self._ahead.jobs:
+                job.cancel()
         # a process that was ended may still write to it
         place = TemporaryDirectory(ignore_cleanup_errors=True)
         self._ahead = _Begun(place, Path(place.name) / "made")
@@ -88,7 +94,7 @@ class Drawing:
             extras = partial(self._extras, begun, folder)
             return postprocess.write_numbers(results, folder, extras)
         finally:
-            self._end([job for part in begun for job in part.jobs])
+            self._end([job for part in (*begun, *self._outdated) for job in part.jobs])
             rest.place.cleanup()
             self._forget()
 
@@ -99,9 +105,10 @@ class Drawing:
 
     def _forget(self) -> None:
         """Remove what was made ahead."""
-        if self._ahead is not None:
-            self._ahead.place.cleanup()
+        for begun in (*self._outdated, *([self._ahead] if self._ahead else ())):
+            begun.place.cleanup()
         self._ahead = None
+        self._outdated = []
 
     def _begin(self, results: Any, begun: "_Begun", kinds: Sequence[str]) -> None:
         """Have the parts of these kinds made; that they cannot be begun is a problem of them."""

@@ -41,10 +41,12 @@ def contents(folder):
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-@pytest.mark.parametrize("ahead", [False, True], ids=["all at once", "pictures of films ahead"])
+@pytest.mark.parametrize("ahead", [0, 1, 2], ids=["all at once", "pictures of films ahead", "in two rounds"])
 def test_processes_write_the_files_of_one_process(results, drawing, tmp_path, ahead):
     for name in ("one", "several"):
         (tmp_path / name).mkdir()
+    if ahead == 2:  # outdated by the films of the next round
+        drawing.films(replace(results, case=results.case | {"title": "the first round"}))
     if ahead:
         drawing.films(replace(results, torque=None, strength=None))
     assert drawing.write(results, tmp_path / "several") == write_results(results, tmp_path / "one") == ()
