@@ -37,6 +37,9 @@ PAGE = (8.27, 11.69)  # A4 [in]
 MARGIN = 0.07  # of the page's width and height [-]
 WIDTH = 112  # characters of a line of text
 TYPE_SIZE = 8.5  # [points]
+SMALL = 6.5  # of tables [points]
+MOST_COLUMNS = 8  # of a table; the workbook has all
+MOST_ROWS = 60
 LEADING = 1.45  # height of a line over the size of its type [-]
 PICTURES_A_PAGE = 2
 RESULT_BLOCKS = ("ring", "clearance", "strength", "life", "dry_running", "frequencies_Hz")
@@ -225,7 +228,7 @@ def write_pdf(directory: str | Path, file: str | Path) -> Path:
                 _picture_page(pictures[first : first + PICTURES_A_PAGE])
                 for first in range(0, len(pictures), PICTURES_A_PAGE)
             ),
-            _text_pages(_further_pages(summary)),
+            _text_pages(_further_pages(summary, folder)),
         )
         for page, figure in enumerate(figures, 1):
             style: dict[str, Any] = {"color": REFERENCE, "ha": "right", "fontsize": 7}
@@ -278,10 +281,10 @@ def _main_facts(summary: dict[str, Any]) -> Iterator[list[Any]]:
 
 def _with_error(of: dict[str, Any], key: str, style: str = ".4g") -> str:
     """A value, of a film with its error bar."""
-    if key.startswith("film_") and of.get(key) is not None:
-        error = of.get(key.replace("_um", "_uncertainty_um")) or 0.0
+    error = of.get(key.replace("_um", "_uncertainty_um")) if key.endswith("_um") else None
+    if error and of.get(key) is not None:
         return value_with_error(of[key], error, most=4)
-    return number(of.get(key), style)
+    return number(of.get(key), style or ".4g")
 
 
 def _contact_rows(contacts: Sequence[dict[str, Any]]) -> Iterator[Row]:
@@ -302,10 +305,34 @@ def _contact_rows(contacts: Sequence[dict[str, Any]]) -> Iterator[Row]:
         yield Row([(0.0, "left", name), (0.16, "left", race), *places], weight=weight)
 
 
-def _further_pages(summary: dict[str, Any]) -> Iterator[Row]:
+def _table_rows(header: Sequence[str], rows: Sequence[Sequence[Any]]) -> Iterator[Row]:
+    """The first columns and rows of a table whose values differ."""
+    cells = [[number(cell, ".4g") for cell in row] for row in rows]
+    columns = zip(header, *cells, strict=False)
+    differing = [column for column in columns if len(set(column[1:])) > 1][:MOST_COLUMNS]
+    lines = list(zip(*differing, strict=True))
+    names = [column[0].rpartition(".")[2].replace("_", " ") for column in differing]
+    heads = [[*wrap(name, 16), "", ""][:2] for name in names]
+    for texts in zip(*heads, strict=True):
+        yield Row(_across(texts), SMALL, "bold")
+    for line in lines[1 : MOST_ROWS + 1]:
+        yield Row(_across([text[:16] for text in line]), SMALL)
+    if len(rows) > MOST_ROWS or len(header) > len(differing):
+        yield from _paragraphs([f"{len(rows)} rows and {len(header)} columns in all"], REFERENCE)
+
+
+def _across(texts: Sequence[str]) -> list[tuple[float, str, str]]:
+    """Texts of a line of a table, at equal distances."""
+    return [((k + 1) / MOST_COLUMNS, "right", text) for k, text in enumerate(texts)]
+
+
+def _further_pages(summary: dict[str, Any], folder: Path) -> Iterator[Row]:
     """Blocks of results, input without the sources of its materials, and all notes."""
     results = {key: summary[key] for key in RESULT_BLOCKS if isinstance(summary.get(key), dict)}
     yield from _section("Further results", _facts_rows(_facts(results)[1]))
+    for name, sheet in sheets(folder).items():
+        if "equilibrium" not in summary and name not in ("Results", "Input", "Messages"):
+            yield from _section(name.replace("_", " "), _table_rows(*sheet))
     case = summary["case"] if isinstance(summary["case"], dict) else {}
     blocks = dict.fromkeys(("bearing", "operation", "lubricant", *case))
     ordered = {name: case[name] for name in blocks if name in case}

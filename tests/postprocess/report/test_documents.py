@@ -10,7 +10,14 @@ from typer.testing import CliRunner
 
 from oilfilm.cases.cli.main import app
 from oilfilm.postprocess.files import read_summary
-from oilfilm.postprocess.report.pdf_and_workbook import _headline, sheets, write_pdf, write_workbook
+from oilfilm.postprocess.report.pdf_and_workbook import (
+    _headline,
+    _table_rows,
+    _with_error,
+    sheets,
+    write_pdf,
+    write_workbook,
+)
 
 
 def test_sheets_hold_every_number_with_its_unit(bearing_folder):
@@ -57,6 +64,22 @@ def test_page_one_is_what_is_looked_at_first(bearing_folder):
     balls = [cells[0] for cells in texts if len(cells) > 3 and cells[1] in ("inner", "outer")]
     assert len(balls) >= 2 and all(name.startswith("ball") for name in balls)
     assert all(0.0 <= place <= 1.0 for row in rows for place, _, _ in row.cells)
+
+
+def test_error_bars_are_those_of_films_in_micrometres():
+    """A temperature or a film without a unit of length has none."""
+    shaft = {"film_maximum_C": 104.7, "film_minimum_um": 0.0976, "film_central_um": 0.176}
+    shaft["film_central_uncertainty_um"] = 0.003
+    found = [_with_error(shaft, key) for key in ("film_maximum_C", "film_minimum_um", "film_central_um")]
+    assert found == ["104.7", "0.0976", "0.176 ± 0.003"]
+
+
+def test_a_table_has_the_columns_whose_values_differ():
+    rows = list(_table_rows(["point", "case.speed_rpm", "same"], [[k, 10.0 * k, 1.0] for k in range(70)]))
+    texts = [[text for _, _, text in row.cells] for row in rows]
+    assert texts[0] == ["point", "speed rpm"]
+    assert texts[2] == ["0", "0"] and len(texts) == 2 + 60 + 1
+    assert texts[-1] == ["70 rows and 3 columns in all"]
 
 
 @pytest.mark.parametrize("kind", ["xlsx", "pdf"])
