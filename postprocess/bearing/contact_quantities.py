@@ -37,6 +37,7 @@ from ..quantities import by_key, null, quantities, values_of
 from .bearing_quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
 
+RADIAL = 0.01  # axial share of a load below which Hirano's rule for thrust does not apply [-]
 NO_FILM = "no film was computed"
 HEAT_QUANTITIES = (
     *quantities(
@@ -506,7 +507,8 @@ def _gross_slip(results: BearingResults) -> Iterator[str]:
     warn where simulations slip, too.
     """
     ratios = [c.hirano_ratio for c in results.contacts if c.hirano_ratio is not None]
-    if not ratios or abs(float(results.quasistatic.ring_force[0])) == 0.0:
+    force = np.abs(results.quasistatic.ring_force)
+    if not ratios or force[0] <= RADIAL * force.max():
         return
     largest = max(ratios)
     if largest < SIMULATED_SLIP * HIRANO_LIMIT:
