@@ -462,7 +462,7 @@ def _at_supply(
     given = [contacts[n] for n in some]
     shares, inside = shares_behind(given, flooded, np.array(layers).reshape(-1, 2))
     for n, layer, own, known in zip(some, layers, shares.tolist(), inside.tolist(), strict=True):
-        left, most = (SupplyFractions(*values, inside=known) for values in own)
+        left, most = (SupplyFractions(film, least, moment, known) for film, least, moment in own)
         if left == FLOODED and films[n].with_inlet_film_by_law:
             found[n] = _without_layer(films[n])
             continue

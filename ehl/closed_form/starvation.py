@@ -187,7 +187,7 @@ def curves(contacts: Array, wanted: Sequence[int] = FITTED) -> Curves:
     pressures = [hertz_coefficients(d)[1] * l * m ** (1.0 / 3.0) for m, l, d in contacts]
     groups = np.column_stack([contacts[:, 0], contacts[:, 2], pressures])
     inside = ((tabulated.least <= groups) & (groups <= tabulated.largest)).all(axis=1)
-    return Curves(functions, places[:, 0], inside)
+    return Curves(functions, places[:, 0], np.asarray(inside))
 
 
 @lru_cache(maxsize=1024)
@@ -361,10 +361,8 @@ def starvation_factors(
     errors = _errors(float(law.log_films[0]), log(inlet_ratio))
     errors[0] *= float(plain[0])
     errors[1] *= float(plain[1])
-    factors = StarvationFactors(
-        *(ReductionFactor(float(v), error) for v, error in zip(values, errors, strict=True)),
-        inside=True,
-    )
+    central, minimum, moment, damping = map(ReductionFactor, values.tolist(), errors)
+    factors = StarvationFactors(central, minimum, moment, damping, inside=True)
     return factors if law.inside[0] else factors.outside()
 
 
