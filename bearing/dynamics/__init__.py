@@ -6,6 +6,7 @@ _implicit_kernels    - friction that a step cannot resolve, implicit in the moti
 _integration_kernels - Dormand and Prince's method of order 5(4), compiled
 _motion_kernels      - equations of motion of ring, cage and balls, compiled
 _race_kernels        - balls on races, compiled
+_sdirk_kernels       - implicit steps with blocks a ball, compiled
 _state_kernels       - places in the state vector, vectors, loads of bodies, compiled
 arrays               - arrays of the compiled equations of motion, names of their columns
 assembly             - from bearing, operation and model to the arrays of the compiled equations

@@ -35,6 +35,15 @@ class Start(Enum):
     REST = "rest"
 
 
+class Integration(Enum):
+    """Steps in time: explicit ones that resolve the vibration of balls between races, or implicit
+    ones that leave it out.
+    """
+
+    EXPLICIT = "explicit"
+    IMPLICIT = "implicit"
+
+
 class RaceStiffness(Enum):
     """Stiffness of a ball on a race: Hertz' of the grooved race, or that of spheres of Shan et al.
     (2023), whose Eq. (12) prints the outer race with the sign of the inner one.

@@ -14,7 +14,7 @@ from oilfilm.ehl.options import require_positive
 
 from ..operation import Operation
 from .arrays import OIL_VISCOSITY, PRESCRIBED_DISPLACEMENT, PRESCRIBED_RATE
-from .choices import Guidance, LoadType, NormalLaw, Start
+from .choices import Guidance, Integration, LoadType, NormalLaw, Start
 from .friction import RaceFriction
 from .support import Support
 
@@ -313,6 +313,7 @@ class DynamicsOptions:
     sample_interval: float  # between rows of the history [s]
     start: Start = Start.QUASI_STATIC
     equations: LoadType | None = None  # None: by the load (`load_type`)
+    integration: Integration = Integration.EXPLICIT
     # None: a share of the vibration of a loaded ball (`simulation.STEP_ANGLE`)
     longest_step: float | None = None  # [s]
     # tolerance of a step's error in units of contact approach and of speed in its vibration, see

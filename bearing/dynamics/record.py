@@ -27,10 +27,11 @@ class Record(NamedTuple):
 
 
 class StepControl(NamedTuple):
-    """Limits of the steps of the explicit method."""
+    """Limits of the steps."""
 
     shortest: float  # below it a step has failed [s]
     longest: float  # [s]
+    implicit: float  # longest of the implicit method [s]
     steepest: float  # stiffness Q/approach of a contact, beyond which it is shorter [N/m]
     stiff: float  # a stiff problem with shorter steps goes to LSODA [s]
     speed: float  # error of a ball's velocity that counts as one [m/s]

@@ -1,8 +1,8 @@
 """The time simulation: steps to each sample, hands records on in pieces, keeps the energies, and
 goes on from a file of its state.
 
-The two methods: compiled explicit steps, and SciPy's LSODA with the Jacobian of the compiled
-equations where friction is too steep for them.
+The methods: compiled explicit steps, implicit ones on request, and SciPy's LSODA with the Jacobian
+of the compiled equations where friction is too steep for explicit ones.
 """
 
 import json
@@ -25,7 +25,7 @@ from oilfilm.ehl.foreign_files import DAMAGE
 from ..files import write_bytes
 from ..geometry import Bearing
 from ..operation import Operation
-from . import _integration_kernels
+from . import _integration_kernels, _sdirk_kernels
 from . import arrays as places
 from ._integration_kernels import (
     COUNTERS,
@@ -41,10 +41,11 @@ from ._integration_kernels import (
     jacobian,
 )
 from ._motion_kernels import energies, solved_derivative
+from ._sdirk_kernels import Blocks
 from .arrays import EquationData, Layout
 from .assembly import assemble, reference_load, scales, vibration_frequency, with_equations
 from .bodies import symmetric_until
-from .choices import LoadType
+from .choices import Integration, LoadType
 from .initial import StartingPoint, initial_state, starting_point
 from .inputs import DynamicsModel
 from .record import (
@@ -66,6 +67,8 @@ ACCUMULATOR_TOLERANCE = 1.0e-6  # relative, of work and dissipation [-]
 # at which it took over: 50 000 in a period of a loaded ball [-]
 CRAWL = 1.0e-3
 LOOK = 10000
+# errors of a ball's velocity by the slopes of its friction that count as one
+FRICTION_ERRORS = 10.0
 
 
 def advance_explicit(
@@ -99,6 +102,87 @@ def advance_explicit(
     status, rows, state.time, state.step = _integration_kernels.advance_samples(
         state.time, y, state.step, motion.data.kernel, control, motion.scale(scale),
         stages, np.zeros(y.size), history, state.counters, record,
+    )  # fmt: skip
+    motion.finish(state, y, history)
+    return int(status), first_rows(motion.full_record(record), rows)
+
+
+def blocks_of(data: EquationData) -> Blocks:
+    """Unknown speeds by the balls and bodies they belong to, with room for slopes.
+
+    Parameters
+    ----------
+    data : EquationData
+        problem in numbers
+
+    Returns
+    -------
+    Blocks
+        places of the speeds, slopes of zero
+    """
+    c = data.constants
+    balls = c.balls
+    layout = Layout(balls)
+    unknown = data.solved[: data.mechanical]
+    speeds = unknown[unknown >= layout.positions]
+    from_first = speeds - layout.positions - places.BODIES
+    owner = np.where(from_first < 0, -1, from_first // 3 % balls)
+    alone = balls if c.symmetric_copies == 1 and c.cage_mass > 0.0 else 0
+    members = [np.flatnonzero(owner == j) for j in range(alone)]
+    size = members[0].size if alone else 0
+    bodies = np.flatnonzero(owner < 0) if alone else np.arange(speeds.size)
+    order = {int(place): k for k, place in enumerate(speeds)}
+    across = np.full((balls, 2, 2), -1)
+    for j in range(balls):
+        for k, part in enumerate((layout.ball_speed, layout.ball_turn)):
+            pair = [order.get(part.start + 3 * j + i, -1) for i in (1, 2)]
+            across[j, k] = pair if min(pair) >= 0 else -1
+    return Blocks(
+        members=np.array(members, np.int64).reshape(alone, size),
+        bodies=bodies,
+        across=across,
+        orbits=np.zeros(balls),
+        own=np.zeros((alone, size, size)),
+        onto=np.zeros((alone, bodies.size, size)),
+        back=np.zeros((alone, size, bodies.size)),
+        border=np.zeros((bodies.size, bodies.size)),
+    )
+
+
+def advance_slowly(
+    state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
+) -> tuple[int, Record]:
+    """Move a state on to the given times by implicit steps.
+
+    Parameters
+    ----------
+    state : SimulationState
+        state of the simulation, changed
+    motion : SolvedMotion
+        equations in use
+    times : Array
+        times of the samples, rising [s]
+    control : StepControl
+        limits of the steps
+    scale : Array
+        errors that count as one, shape (mechanical,) [SI]
+
+    Returns
+    -------
+    status
+        DONE or TOO_SMALL
+    record
+        the rows reached
+    """
+    y, history = motion.begin(state)
+    record = empty_record(times, motion.solved)
+    blocks = blocks_of(motion.data)
+    speeds = blocks.members.size + blocks.bodies.size
+    step = state.step if state.counters[0] else control.implicit
+    status, rows, state.time, state.step = _sdirk_kernels.advance_slowly(
+        state.time, y, step, motion.data.kernel, control.implicit,
+        FRICTION_ERRORS * control.speed, motion.scale(scale)[-speeds:].copy(), blocks, history,
+        state.counters, record,
     )  # fmt: skip
     motion.finish(state, y, history)
     return int(status), first_rows(motion.full_record(record), rows)
@@ -252,6 +336,9 @@ STEP_ANGLE = 0.8
 # without damping in any contact, energy that steps gain or lose remains: a light ring among
 # impacts kept it to 1.5e-3 in 2000 steps of 0.8, to 1.1e-4 in steps of 0.4
 UNDAMPED_ANGLE = 0.4
+# longest implicit step, and over the time in which a ball takes the place of the next
+LONGEST_IMPLICIT = 1.0e-4  # [s]
+PITCH_SHARE = 0.05  # [-]
 LAND_ADVICE = "; the film of the cage's land stiffens as its gap closes: a wider one, thinner oil"
 LINEARISED = ("linear", "pocket_films", "implicit_step")  # of the data of the equations
 FAILURES = {
@@ -365,9 +452,18 @@ class Simulation:
             shortest=SHORTEST_STEP * options.end_time,
             steepest=float(steepest),
             longest=min(options.longest_step or angle / frequency, options.sample_interval),
+            implicit=min(
+                options.longest_step or LONGEST_IMPLICIT, self._pitch_time() * PITCH_SHARE
+            ),
             stiff=STIFF_STEP * 2.0 * np.pi / frequency,
             speed=float(scale[self.layout.ball_speed][0]),
         )
+
+    def _pitch_time(self) -> float:
+        """Time in which a ball takes the place of the next at the fastest speeds [s]."""
+        rings = self.data.schedule[:, [places.INNER_SPEED, places.OUTER_SPEED]]
+        fastest = max(float(np.abs(rings).max()), 1e-9)
+        return 2.0 * np.pi / (0.5 * fastest * self.bearing.balls)
 
     def sample_times(self) -> Array:
         """Times of the samples still to come [s]."""
@@ -451,7 +547,15 @@ class Simulation:
         self._note(f"{text} at t = {self.state.time:.6g} s; the general ones went on from there")
 
     def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
-        """Explicit steps; where they are given up, at most `STRETCH` samples by LSODA."""
+        """Explicit steps; where they are given up, at most `STRETCH` samples by LSODA. Or implicit
+        ones throughout.
+        """
+        if self.model.options.integration is Integration.IMPLICIT:
+            status, record = advance_slowly(self.state, self.motion, times, *method)
+            if status != DONE:
+                self.converged = False
+                self._fail(status)
+            return record
         began, stiff = self.state.time, self.state.stiff
         saved = deepcopy(self.state) if stiff else None
         # 1. explicit steps, after LSODA too: a stiff start may be over

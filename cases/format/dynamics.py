@@ -4,7 +4,14 @@ from collections.abc import Iterator
 from math import pi
 from typing import Annotated, Any, Literal
 
-from oilfilm.bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
+from oilfilm.bearing.dynamics.choices import (
+    Guidance,
+    Integration,
+    LoadType,
+    NormalLaw,
+    RaceStiffness,
+    Start,
+)
 from oilfilm.bearing.friction.resistance import Cage
 from oilfilm.bearing.geometry import Race
 from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS
@@ -70,6 +77,11 @@ class DynamicsTable(Table):
     )
     equations: Annotated[str, OneOf("by load", LoadType)] = described(
         "the fewest that the loads allow, or those named", "by load"
+    )
+    integration: Annotated[str, OneOf(Integration)] = described(
+        "explicit steps that resolve contact vibration; implicit ones leave it and impacts out, "
+        "in some tenth of the time",
+        "explicit",
     )
     speed_table_rpm: SpeedTable | None = described(
         "[[time in s, speed of the inner ring], ...], linear between, instead of a constant speed"

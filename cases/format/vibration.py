@@ -239,6 +239,14 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
         yield CaseProblem(
             path, 'found with contact_law = "film"', "allowed: with dry or linear contacts"
         )
+    if values.get("dynamics", "integration") == "implicit":
+        given = [name for name in ("form", "support", "vibration") if values.given(name)]
+        if given:
+            yield CaseProblem(
+                ("dynamics", "integration"),
+                f'found "implicit", which leaves out vibration, beside [{given[0]}]',
+                'allowed: "explicit"',
+            )
     yield from _ball_faults(values)
 
 

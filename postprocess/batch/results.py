@@ -289,6 +289,7 @@ def _loads(summary: dict[str, Any]) -> dict[str, Any]:
     balls = summary.get("balls") or []
     races = [ball[race]["largest_load_N"] for ball in balls for race in ("inner", "outer")]
     pockets = [ball["largest_pocket_load_N"] for ball in balls]
+    pockets = [load for load in pockets if load is not None]
     return {
         "load_maximum_N": max(races, default=None),
         "pocket_load_maximum_N": max(pockets, default=None),

@@ -234,7 +234,9 @@ def write_dynamics_plots(
     """
     with open_history(directory).load() as data:
         given = {"data": data, "document": document}
-        drawings = [(name, partial(draw, **given)) for name, draw in PICTURES.items()]
+        implicit = document["case"].get("dynamics", {}).get("integration") == "implicit"
+        names = [name for name in PICTURES if not (implicit and name in OF_VIBRATION)]
+        drawings = [(name, partial(PICTURES[name], **given)) for name in names]
         return plot_style.write_figures(directory, drawings, is_interrupted)
 
 
@@ -653,6 +655,7 @@ def _start(
     return axes
 
 
+OF_VIBRATION = ("states", "spectrum")  # not of steps that leave it out
 PICTURES: dict[str, Callable[..., None]] = {
     "speeds": draw_speeds,
     "spin": draw_spin,

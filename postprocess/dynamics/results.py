@@ -11,6 +11,7 @@ from rich.console import Group
 
 from oilfilm.bearing.dynamics._integration_kernels import EVALUATIONS, REJECTED, STEPS
 from oilfilm.bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
+from oilfilm.bearing.dynamics.choices import Integration
 from oilfilm.bearing.dynamics.simulation import Simulation
 from oilfilm.bearing.dynamics.statistics import (
     FEWEST_PLACES,
@@ -117,6 +118,10 @@ PLOTTED = by_key(
 )
 HEADERS = ("ball", *STATES, "N", *STATES, "N")
 TITLE = "share of the time at the inner race, and at the outer race; largest load"
+LEFT_OUT = (
+    "dynamics: implicit steps: speeds and loads of the motion without contact vibration, impacts; "
+    "no spectrum, no contact states over time, and largest_pocket_load_N is null",
+)
 SAME = 0.01  # of the cage speed of the equilibrium, beyond which a difference is told [-]
 HELD = 0.9  # gyroscopic couple over what friction holds, above which balls slip [-]
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
@@ -198,7 +203,8 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
         "timing_s": results.timing,
     }
     messages = (
-        *_messages(numbers),
+        *(LEFT_OUT if left_out(simulation) else ()),
+        *_messages(numbers, left_out(simulation)),
         *_other_speed(simulation, numbers),
         *_start_messages(results, document),
     )
@@ -227,13 +233,14 @@ def _start_messages(results: DynamicsResults, document: dict[str, Any]) -> Itera
         )
 
 
-def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
+def _messages(numbers: SimulationStatistics | None, implicit: bool) -> Iterator[str]:
     if numbers is None:
         yield "dynamics: not converged: no sample was reached; all results are null"
         return
     if numbers.energy_error > ENERGY_LIMIT:
         error = f"{numbers.energy_error:.2g} of the work"
-        yield f"dynamics: not converged: the energies are off by {error}; lower tolerance"
+        advice = "take explicit steps" if implicit else "lower tolerance"
+        yield f"dynamics: not converged: the energies are off by {error}; {advice}"
     if numbers.steady is False:
         yield _transient(numbers)
     if numbers.table_exceeded:
@@ -355,7 +362,26 @@ def _balls(simulation: Simulation, numbers: SimulationStatistics) -> list[dict[s
         for r, race in enumerate(("inner", "outer"))
     }
     columns = {"ball": range(1, len(angles) + 1), "start_azimuth_deg": angles}
-    return rows_of(columns | races | values_of(numbers, BALLS))
+    rows = rows_of(columns | races | values_of(numbers, BALLS))
+    return (
+        [{**row, "largest_pocket_load_N": None} for row in rows] if left_out(simulation) else rows
+    )
+
+
+def left_out(simulation: Simulation) -> bool:
+    """Tell whether the steps leave out contact vibration and impacts.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        Simulation of a bearing.
+
+    Returns
+    -------
+    bool
+        True of implicit steps.
+    """
+    return simulation.model.options.integration is Integration.IMPLICIT
 
 
 def dynamics_table(document: dict[str, Any]) -> Group:

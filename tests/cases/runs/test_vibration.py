@@ -138,6 +138,7 @@ def test_files_for_ears_and_eyes(folder):
         (('kind = "pit"', 'kind = "hole"'), "kind"),
         (("loss_time_us = 2.0", "loss_time_us = 2.0\nstart_speed_rpm = 7000.0"), "below inner_speed_rpm"),
         (("[form]", '[form]\ninner_profile = "none.txt"'), "none.txt cannot be read"),
+        (("[form]", '[dynamics]\nend_time_s = 0.1\nintegration = "implicit"\n[form]'), "leaves out vibration"),
     ],
 )
 def test_what_cannot_be_computed_is_told(tmp_path, change, words):
