@@ -83,7 +83,9 @@ def test_kernel_of_the_starvation_law():
     centres, scales = np.array([[1.0, 2.0, 3.0], [2.0, 4.0, 4.0]]), np.array([1.0, 2.0, 0.5])
     s, near = sqrt(5.0 * (0.25 + 1.0 + 1.0 + 4.0)), sqrt(5.0 * 0.5)
     found = np.ones(1)
-    radial_sums(np.array([2.0, 4.0, 4.0]), centres, scales, np.array([[0.25], [0.5]]), np.array([3.0, -2.0]), found)
+    radial_sums(
+        np.array([2.0, 4.0, 4.0]), centres, scales, 5.0 * np.array([[0.25], [0.5]]), np.array([3.0, -2.0]), found
+    )
     one, other = ((1.0 + d + d * d / 3.0) * exp(-d) for d in (s, near))
     assert found[0] == pytest.approx(1.0 + 3.0 * one - 2.0 * other)
 
