@@ -14,7 +14,6 @@ balance of each bearing by itself. With one bearing it is that balance.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import product
 from math import pi
 
 import numpy as np
@@ -387,7 +386,7 @@ def _ranges(whole: _Shaft, point: _Point, nearby: Sequence[_Point]) -> tuple[Arr
     """
     nodes = [whole.temperatures(point.states)]
     films = [point.unknowns[0]]
-    for ends in product((-1, 1), repeat=2):
+    for ends in ((-1, -1), (-1, 1), (1, -1), (1, 1)):
         # 1. temperatures of the nodes, and what follows from them, at each point
         found = [whole.temperatures(one.states, ends) for one in (point, *nearby)]
         follow = [

@@ -366,7 +366,7 @@ class Session:
             return
         ball = state.chosen["ball"]
         state.balls = max(one["ball"] for one in found["contacts"])
-        if state.view == "shaft":
+        if state.view == "shaft" and self.found is not None:
             state.sketch = shaft_sketch(self.found, state.member)
             state.campbell = campbell(self.found)
             state.support_rows = readings.support_rows(self.found)
