@@ -72,7 +72,14 @@ def test_conductances_of_a_shaft_and_its_housing():
         node="shaft", bearings=(0, 1), description="", conductance=SimpleNamespace(value=2.0, low=1.0, high=5.0)
     )
     (path,) = _heat(
-        SimpleNamespace(bearings=(), temperatures=np.zeros((2, 9)), stable=True, links=[link], flows=[7.0])
+        SimpleNamespace(
+            bearings=(),
+            temperatures=np.zeros((2, 9)),
+            stable=True,
+            links=[link],
+            flows=[7.0],
+            film_range=np.zeros((2, 2)),
+        )
     )["paths"]
     numbers = ("bearings", "conductance_W_K", "conductance_low_W_K", "conductance_high_W_K", "heat_W")
     assert [path[name] for name in numbers] == [[1, 2], 2.0, 1.0, 5.0, 7.0]
