@@ -382,11 +382,10 @@ def shaft_sketch(found: Mapping[str, Any], chosen: int) -> str:
     bottom = middle + 0.5 * widest * scale
     for n, (support, size) in enumerate(zip(found["supports"], sizes, strict=True)):
         width = size.get("width_mm") or 10.0
-        ends = [
-            size.get(key) or own for key, own in (("outside_diameter_mm", 40.0), ("bore_mm", 20.0))
-        ]
+        outer = size.get("outside_diameter_mm") or 40.0
+        inner = size.get("bore_mm") or 20.0
         kind = "member chosen" if n == chosen else "member"
-        box(support["x_mm"] - 0.5 * width, width, *ends, kind, f'data-member="{n}"')
+        box(support["x_mm"] - 0.5 * width, width, outer, inner, kind, f'data-member="{n}"')
         x = axes.x(support["x_mm"])
         content.append(_text(x, bottom + 15, f"{n + 1}: {support['bearing']}", "tick", "middle"))
         words = {"both": "fixed", "none": "floating"}.get(support["fixed"], support["fixed"])
