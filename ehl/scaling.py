@@ -14,7 +14,8 @@ import numpy as np
 from .arrays import Array
 from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
-from .closed_form.starvation import StarvationFactors, inlet_ratio_of_moment, starvation_factors
+from .closed_form.starvation import inlet_ratio_of_moment, starvation_factors
+from .closed_form.starvation_factors import StarvationFactors
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
 from .oil.lubricant import (
     DOWSON_HIGGINSON_DENOMINATOR,

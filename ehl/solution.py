@@ -6,7 +6,7 @@ from typing import Any
 
 from .arrays import Array
 from .closed_form.hertz import MEAN_PRESSURE_RATIO
-from .closed_form.starvation import ReductionFactor, StarvationFactors
+from .closed_form.starvation_factors import ReductionFactor, StarvationFactors
 from .conditions import ContactConditions, MoesConditions
 from .oil.rheology import FilmState
 from .options import SolverOptions

@@ -42,7 +42,7 @@ from ..contacts.motion import BearingContacts
 from ..operation import BallKinematics
 from ..quasistatic.ring import Ring, ring_of
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import OilAtInlets
+from ..supply.inlet_oil import OilAtInlets
 from .operating_film import on_tracks, operating_films, with_formulas
 
 # load of the inner race over the centrifugal force under which it counts as none [-]

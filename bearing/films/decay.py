@@ -31,7 +31,8 @@ from oilfilm.ehl.closed_form.starvation import starvation_exponent
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import PrescribedInlet, Supply, contact_track, inlet_layer
+from ..supply.inlet_oil import PrescribedInlet, Supply
+from ..supply.supply import contact_track, inlet_layer
 from ..supply.track import Track
 from .film import Films
 from .operating_film import of_driven_balls

@@ -25,7 +25,8 @@ from oilfilm.ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import OilAtInlets, ReplenishedInlet, inlet_layer, shares_behind
+from ..supply.inlet_oil import OilAtInlets, ReplenishedInlet
+from ..supply.supply import inlet_layer, shares_behind
 from .asperities import Asperities
 from .film import (
     FLOODED,

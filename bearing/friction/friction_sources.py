@@ -23,7 +23,7 @@ from ..films.film import ContactFilm
 from ..films.operating_film import operating_films, solved_films, with_formulas
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import OilAtInlets
+from ..supply.inlet_oil import OilAtInlets
 from .contact_friction import ContactFriction, FrictionSource, Refreshed
 from .coulomb import coulomb_law
 from .film_friction import film_law

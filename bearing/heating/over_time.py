@@ -34,7 +34,7 @@ from oilfilm.ehl.oil.lubricant import Lubricant
 
 from ..geometry import Bearing
 from ..material import Material
-from ..supply.supply import cavity_volume
+from ..supply.inlet_oil import cavity_volume
 from .friction_heat import solid_thermal
 from .heat_state import HeatState, SelfHeatingProblem, heat_state
 from .network import NODES, node_values

@@ -12,7 +12,7 @@ from ..films.film import ContactFilm, Films
 from ..films.operating_film import supplied_films
 from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import ReplenishedInlet, Supply
+from ..supply.inlet_oil import ReplenishedInlet, Supply
 from .inputs import Assumption, FrictionInput, TorqueRange
 from .integrated import SolvedShear
 from .models import (

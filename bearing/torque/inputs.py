@@ -21,7 +21,14 @@ from ..friction.resistance import (
 from ..geometry import Bearing
 from ..library.plugins import library_data
 from ..rating.dry_surface import DrySurface
-from ..supply.supply import InletOil, OilAtInlets, Supply, cavity_volume, oil_fraction
+from ..supply.inlet_oil import (
+    InletOil,
+    OilAtInlets,
+    ReplenishedInlet,
+    Supply,
+    cavity_volume,
+    oil_fraction,
+)
 from . import skf
 
 
@@ -287,8 +294,9 @@ class FrictionInput:
         OilAtInlets or None
             The oil; None where it is ample.
         """
-        known = self.scarce or self.jet
-        oil = inlet.oil if known is None else known
+        oil: InletOil | None = self.scarce or self.jet
+        if oil is None and inlet.replenishment != 1.0:
+            oil = ReplenishedInlet(rolling_moment=inlet.replenishment)
         as_solved = self.solved_supply in (None, self.scarce)
         return None if oil is None else OilAtInlets(oil=oil, balls=balls, as_solved=as_solved)
 

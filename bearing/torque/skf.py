@@ -24,7 +24,6 @@ from ..geometry import Bearing
 from ..library.catalogue import friction_series
 from ..library.designation import read_designation
 from ..library.plugins import library_data
-from ..supply.supply import ReplenishedInlet
 
 SKF_DATA = "skf_friction.toml"
 # series of deep groove bearings beside those of the catalogue, longer names first
@@ -562,13 +561,6 @@ class InletFactors:
     def rolling(self) -> float:
         """Both together [-], of a moment that has no film."""
         return self.shear_heating * self.replenishment
-
-    @property
-    def oil(self) -> ReplenishedInlet | None:
-        """Oil at the inlets by the replenishment; None: as much as is stated, or ample."""
-        if self.replenishment == 1.0:
-            return None
-        return ReplenishedInlet(rolling_moment=self.replenishment)
 
 
 NO_LOSS = InletFactors()

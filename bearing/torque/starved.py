@@ -29,7 +29,7 @@ from ..films.operating_film import (
 )
 from ..friction.resistance import contact_rolling_power
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import InletOil, PrescribedInlet, Supply, cavity_volume, oil_fraction
+from ..supply.inlet_oil import InletOil, PrescribedInlet, Supply, cavity_volume, oil_fraction
 from .inputs import FrictionInput
 from .models import cage_and_drag
 from .paper_models import pure_rolling_line_torque, sliding_contacts

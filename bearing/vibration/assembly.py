@@ -33,7 +33,7 @@ from ..films.asperities import Asperities
 from ..films.operating_film import supplied_films
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.supply import OilAtInlets
+from ..supply.inlet_oil import OilAtInlets
 from .form import FormBody, SurfaceForm, heights, hollow, rolled
 from .inputs import ContactLaw, VibrationModel, WaveFilter
 

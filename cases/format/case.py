@@ -16,7 +16,7 @@ from oilfilm.bearing.material import Material
 from oilfilm.bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
 from oilfilm.bearing.rating.dry_surface import DrySurface
 from oilfilm.bearing.rating.load_rating import capacity
-from oilfilm.bearing.supply.supply import Supply
+from oilfilm.bearing.supply.inlet_oil import Supply
 from oilfilm.bearing.supply.track import TrackPasses
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import NO_LOSS, InletFactors, Lubrication, inlet_factors

@@ -16,7 +16,7 @@ from oilfilm.bearing.library.lubricants import limiting_coefficient, lubricant_d
 from oilfilm.bearing.library.plugins import matching_name
 from oilfilm.bearing.operation import BallKinematics
 from oilfilm.bearing.rating.dry_surface import DrySurface, list_dry_surfaces, load_dry_surface
-from oilfilm.bearing.supply.supply import CAPTURED, PrescribedInlet, Supply, groove_width
+from oilfilm.bearing.supply.inlet_oil import CAPTURED, PrescribedInlet, Supply, groove_width
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import Lubrication, series_of
 from oilfilm.ehl import Lubricant

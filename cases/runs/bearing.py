@@ -27,7 +27,7 @@ from oilfilm.bearing.rating.dry_running import DryRunning, dry_running
 from oilfilm.bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from oilfilm.bearing.rating.life import bearing_life, without_oil
 from oilfilm.bearing.rating.load_rating import reference_speed, static_rating
-from oilfilm.bearing.supply.supply import AMPLE, InletOil, OilAtInlets, ReplenishedInlet, Supply
+from oilfilm.bearing.supply.inlet_oil import AMPLE, InletOil, OilAtInlets, ReplenishedInlet, Supply
 from oilfilm.bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, friction_torque
 from oilfilm.bearing.torque.integrated import (
     SolvedShear,
@@ -209,7 +209,7 @@ def torque_over_supply(
         return {}
     total = _total_at(case, state, contacts, films, torque)
     found: dict[str, Any] = {}
-    if case.inlet.limit and case.inlet.oil is not None:
+    if case.inlet.limit and case.inlet.replenishment != 1.0:
         dry = max(case.inlet.extrapolated_replenishment, LEAST_SHARE)
         ends: tuple[InletOil, ...] = (ReplenishedInlet(rolling_moment=dry), AMPLE)
         found["replenishment_range"] = tuple(map(total, ends))

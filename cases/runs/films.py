@@ -20,7 +20,7 @@ from oilfilm.bearing.films.unsolved_films import (
 )
 from oilfilm.bearing.fits.ring_strength import Strength, ring_strengths, strength_map
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.bearing.supply.supply import OilAtInlets, Supply
+from oilfilm.bearing.supply.inlet_oil import OilAtInlets, Supply
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from oilfilm.ehl.atlas.field_maps import field_maps

@@ -6,4 +6,5 @@ hertz               - dry elastic contact of two quadratic surfaces, Hertz (1882
 hertz_stress        - stress below a dry elliptical contact, on its axis and off it
 thermal_reduction   - fraction of a flooded film that the heat of its inlet leaves, with its range
 starvation          - what a layer of oil at the inlet leaves of a flooded contact
+starvation_factors  - its factors with their uncertainties
 """

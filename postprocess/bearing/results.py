@@ -29,7 +29,7 @@ from oilfilm.bearing.quasistatic.solution import Frequencies, QuasistaticSolutio
 from oilfilm.bearing.rating.dry_running import DryRunning
 from oilfilm.bearing.rating.duty_cycle import DutyCycle
 from oilfilm.bearing.rating.life import LifeRating
-from oilfilm.bearing.supply.supply import ReplenishedInlet
+from oilfilm.bearing.supply.inlet_oil import ReplenishedInlet
 from oilfilm.bearing.torque.breakdown import TorqueBreakdown
 from oilfilm.bearing.torque.integrated import (
     RollingExtent,

@@ -7,7 +7,7 @@ from typing import Any
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, Films
 from oilfilm.bearing.films.operating_film import mean_fraction, of_driven_balls
 from oilfilm.bearing.operation import BallKinematics
-from oilfilm.bearing.supply.supply import ReplenishedInlet
+from oilfilm.bearing.supply.inlet_oil import ReplenishedInlet
 from oilfilm.bearing.torque.breakdown import INTEGRATED, NAMES, TorqueBreakdown
 from oilfilm.bearing.torque.inputs import TorqueRange
 from oilfilm.bearing.torque.integrated import SolvedShear

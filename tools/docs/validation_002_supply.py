@@ -33,7 +33,7 @@ from validation_002_torque import (
 from oilfilm.bearing import Race
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.operating_film import supplied_films
-from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet
+from oilfilm.bearing.supply.inlet_oil import AMPLE, OilAtInlets, PrescribedInlet
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.runs.bearing import run_case
 from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save

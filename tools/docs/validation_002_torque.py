@@ -27,7 +27,7 @@ from oilfilm.bearing.films.operating_film import (
 from oilfilm.bearing.films.unsolved_films import formula_films
 from oilfilm.bearing.heating.self_heating import SelfHeatingSolution
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
-from oilfilm.bearing.supply.supply import PrescribedInlet, Supply
+from oilfilm.bearing.supply.inlet_oil import PrescribedInlet, Supply
 from oilfilm.bearing.torque.breakdown import friction_torque
 from oilfilm.bearing.torque.integrated import bearing_films, solved_shear
 from oilfilm.cases import load_case

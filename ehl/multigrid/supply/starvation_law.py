@@ -6,7 +6,7 @@ from math import exp, hypot, inf, log
 import numpy as np
 
 from ...arrays import Array
-from ...closed_form.starvation import ReductionFactor
+from ...closed_form.starvation_factors import ReductionFactor
 from ...conditions import ContactConditions, MoesConditions
 from ...scaling import ScaledContact, contact_starvation_factors
 from ...solution import ContactSolution, FilmValue, OilSupply

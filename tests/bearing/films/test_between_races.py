@@ -14,7 +14,7 @@ from oilfilm.bearing.films.between_races import UNFILLED, equilibrium_with_films
 from oilfilm.bearing.films.operating_film import operating_films, with_formulas
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.invariants import forces_left
-from oilfilm.bearing.supply.supply import OilAtInlets, PrescribedInlet
+from oilfilm.bearing.supply.inlet_oil import OilAtInlets, PrescribedInlet
 
 RPM = np.pi / 30.0
 FITS = 1e-3  # of the film: what the rounds leave, at most 1e-4 in 150 draws

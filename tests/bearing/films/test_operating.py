@@ -11,7 +11,8 @@ from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.film import ContactFilm, FilmOrigin, FilmThickness, first_same
 from oilfilm.bearing.films.operating_film import film_heats, operating_films, solved_films, with_formulas
-from oilfilm.bearing.supply.supply import OilAtInlets, PrescribedInlet, shares_behind
+from oilfilm.bearing.supply.inlet_oil import OilAtInlets, PrescribedInlet
+from oilfilm.bearing.supply.supply import shares_behind
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)

@@ -23,7 +23,7 @@ from oilfilm.bearing.heating.heat_state import SelfHeatingProblem, film_conducta
 from oilfilm.bearing.heating.network import NODES
 from oilfilm.bearing.heating.paths import Surroundings
 from oilfilm.bearing.heating.self_heating import solve_self_heating
-from oilfilm.bearing.supply.supply import PrescribedInlet, Supply
+from oilfilm.bearing.supply.inlet_oil import PrescribedInlet, Supply
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.starved import starved_torque
 from oilfilm.ehl import SolverOptions, ViscosityLaw, solve_contact

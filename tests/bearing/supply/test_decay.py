@@ -12,7 +12,8 @@ from oilfilm.bearing import Operation, contact_conditions, solve_quasistatic
 from oilfilm.bearing.films.asperities import Asperities
 from oilfilm.bearing.films.decay import film_decay
 from oilfilm.bearing.films.operating_film import supplied_films
-from oilfilm.bearing.supply.supply import AMPLE, OilAtInlets, PrescribedInlet, Supply, groove_width, side_flow_integral
+from oilfilm.bearing.supply.inlet_oil import AMPLE, OilAtInlets, PrescribedInlet, Supply, groove_width
+from oilfilm.bearing.supply.supply import side_flow_integral
 from oilfilm.ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)

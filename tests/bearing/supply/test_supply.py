@@ -21,14 +21,8 @@ from oilfilm.bearing.films.operating_film import (
 )
 from oilfilm.bearing.films.unsolved_films import formula_values
 from oilfilm.bearing.heating.limits import HIGHEST_TEMPERATURE
-from oilfilm.bearing.supply.supply import (
-    PrescribedInlet,
-    Supply,
-    cavity_volume,
-    compression,
-    oil_fraction,
-    shares_behind,
-)
+from oilfilm.bearing.supply.inlet_oil import PrescribedInlet, Supply, cavity_volume, oil_fraction
+from oilfilm.bearing.supply.supply import compression, shares_behind
 from oilfilm.bearing.supply.track import Track
 from oilfilm.ehl import Lubricant, ViscosityLaw
 from oilfilm.ehl.closed_form.starvation import starvation_exponent, starvation_factors, starved_film_factor

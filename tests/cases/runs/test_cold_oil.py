@@ -17,7 +17,7 @@ from typer.testing import CliRunner
 
 from oilfilm.bearing import load_bearing
 from oilfilm.bearing.geometry import Race
-from oilfilm.bearing.supply.supply import ReplenishedInlet, Supply
+from oilfilm.bearing.supply.inlet_oil import ReplenishedInlet, Supply
 from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_of_document
 from oilfilm.cases.runs.bearing import run_case

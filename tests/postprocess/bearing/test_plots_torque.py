@@ -59,7 +59,7 @@ def test_figure_with_and_without_the_balls():
     torque = TorqueBreakdown(models=names, coefficient=0.05)
     azimuth = np.radians([0.0, 120.0, -120.0])
     state = SimpleNamespace(azimuth=azimuth, rows=(None,), row_of_ball=np.zeros(3, dtype=int))
-    results = SimpleNamespace(torque=torque, case={}, title="three balls", quasistatic=state)
+    results = SimpleNamespace(torque=torque, case={}, title="three balls", quasistatic=state, frozen=False)
     figure = Figure()
     draw_torque(figure, results)
     assert len(figure.axes) == 1
