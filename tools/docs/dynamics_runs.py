@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import pi
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -98,9 +99,9 @@ def changed(case: Case, load: tuple[float, float] | None = None, speed: float | 
     return replace(case, operation=operation, file=case.file.model_copy(update={"dynamics": table}))
 
 
-def run(case: Case) -> Run:
-    """Simulate a case; the last third of its history is kept."""
-    model = build_model(case, None, lambda done, total, state: None)
+def run(case: Case, tables: Path | None = None) -> Run:
+    """Simulate a case, with traction tables of a file; the last third of its history is kept."""
+    model = build_model(case, tables, lambda done, total, state: None)
     simulated = simulation(case.bearing, case.operation, model)
     running = RunningStatistics(case.bearing.balls)
     last = None

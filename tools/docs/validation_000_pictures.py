@@ -63,16 +63,15 @@ def draw_azimuth(name: str, words: str, runs: dict[float, Run], *, gaps: bool) -
 
 
 def draw_skid(points: Any, catalogue: Any, factor: float) -> None:
-    """Onset, balance, Hirano's load and the catalogue's [N] over the speed [r/min]."""
+    """Onset, Hirano's load and the catalogue's [N] over the speed [r/min]."""
     with mpl.rc_context(RC):
         figure = Figure(figsize=(0.65 * PAGE_WIDTH, 3.2))
         ax = figure.subplots()
-        n, result, balance, hirano = points.T
+        n, result, hirano = points.T
         ax.fill_between(n, result, ax.get_ylim()[0] + 1.0, color=OUTER_COLOUR, alpha=0.08, linewidth=0)
         ax.loglog(n, hirano, "^-", color=REFERENCE, markersize=4, label="Hirano, SF = 10")
         ax.loglog(n, catalogue, "-.", color="#3a7d44", label=f"catalogue, A = {factor:.0f} N (assumed)")
         ax.loglog(n, result, "o-", color=OUTER_COLOUR, markersize=4, label="onset of gross skid, simulated")
-        ax.loglog(n, balance, "--", color=INNER_COLOUR, label=r"drag = 2 $\kappa_{max} Q_i$")
         ax.text(n[-1], 0.35 * result[-1], "gross skid", ha="right", color=OUTER_COLOUR)
         ax.set(xlabel="speed of the inner ring [r/min]", ylabel="axial load [N]", ylim=(0.5 * result.min(), None))
         ax.set_xticks(n, [f"{speed:.0f}" for speed in n])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,34 +13,26 @@ from matplotlib.figure import Figure
 from oilfilm.postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
-COLOURS = (INNER_COLOUR, OUTER_COLOUR, "#3a7d44", "#7a3e9d")
+COLOURS = (INNER_COLOUR, OUTER_COLOUR, "#3a7d44", "#7a3e9d", "#b8860b", "#555555")
 TURNS = 1.5  # of the cage that are shown
 
 
-def draw_loads(
-    speeds: dict[float, dict[float, float]],
-    balance: Callable[[float], float],
-    no_slip: float,
-    plateau: dict[str, float],
-) -> None:
-    """Speed of the cage [r/min] over the load [N] by drag [N]; band: the paper's plateau."""
+def draw_loads(speeds: dict[str, dict[float, float]], no_slip: float, plateau: dict[str, float]) -> None:
+    """Speed of the cage [r/min] over the load [N] by the inputs; band: the paper's plateau."""
     middle, width = plateau["cage_speed_rpm"], plateau["cage_speed_tolerance_rpm"]
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 2.9))
         left, right = figure.subplots(1, 2)
-        for colour, (drag, of_drag) in zip(COLOURS, speeds.items(), strict=True):
+        for colour, (name, found) in zip(COLOURS, speeds.items(), strict=True):
             for ax in (left, right):
-                ax.semilogx(
-                    list(of_drag), list(of_drag.values()), "o-", color=colour, markersize=3, label=f"{drag:g} N a ball"
-                )
-            left.axvline(balance(drag), color=colour, linestyle=":", linewidth=0.9)
+                ax.semilogx(list(found), list(found.values()), "o-", color=colour, markersize=3, label=name)
         for ax in (left, right):
             ax.axhline(8000.0 * no_slip, color=REFERENCE, linewidth=0.6)
             ax.axhspan(middle - width, middle + width, color=REFERENCE, alpha=0.2, linewidth=0)
             ax.set_xlabel("radial load [N]")
-        left.set(ylabel="speed of the cage [r/min]", ylim=(0.0, 3100.0), title="dotted: drag balances friction")
+        left.set(ylabel="speed of the cage [r/min]", ylim=(0.0, 3100.0))
         right.set(ylim=(2850.0, 2960.0), title=f"grey: {middle:.0f} ± {width:.0f} r/min; line: no slip")
-        left.legend(title="drag at 8000 r/min", loc="lower right")
+        left.legend(loc="lower right")
         save(figure, IMAGES / "validation_001_loads.png")
 
 
@@ -91,8 +82,8 @@ def draw_sliding(runs: dict[str, Run]) -> None:
         save(figure, IMAGES / "validation_001_sliding.png")
 
 
-def draw_run_ups(slips: dict[str, tuple[Any, Any]], ramp: float) -> None:
-    """Slip of the cage [%] over time [s] in run-ups: speeds, loads, gaps, numbers of balls."""
+def draw_run_ups(slips: dict[str, tuple[Any, Any]]) -> None:
+    """Slip of the cage [%] over time [s] after a step of the ring's speed: speeds, loads, gaps, numbers of balls."""
     groups = {"speed, 100 N": "r/min", "load, 8000 r/min": " N", "gap between ball and race": "µm", "balls": "balls"}
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 3.8))
@@ -101,11 +92,10 @@ def draw_run_ups(slips: dict[str, tuple[Any, Any]], ramp: float) -> None:
             named = {name: value for name, value in slips.items() if mark in name}
             for colour, (name, (time, slip)) in zip(COLOURS, named.items(), strict=False):
                 ax.plot(time, 100.0 * slip, color=colour, linewidth=0.9, label=name.removeprefix("gap "))
-            ax.axvline(ramp, color=REFERENCE, linewidth=0.6, linestyle=":")
             ax.set(title=title, ylim=(-2.0, 10.0))
             ax.legend(ncols=2)
         for ax in axes[1]:
-            ax.set_xlabel("time [s]; dotted: end of the run-up")
+            ax.set_xlabel("time [s]")
         for ax in axes[:, 0]:
             ax.set_ylabel("slip of the cage [%]")
         save(figure, IMAGES / "validation_001_run_up.png")
