@@ -6,9 +6,6 @@ drawn by `validation_001_pictures.py`.
 
 from __future__ import annotations
 
-import subprocess
-import sys
-import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -32,7 +29,6 @@ CEASES = 0.01  # rise of the cage's speed that counts as none [-]
 KNEE = 70.0  # load from which the cage of the paper gains no speed [N]
 DEVIATION = 0.0424  # largest of the paper's own simulation from its test [-]
 ABOUT = 2940.0  # speed of the cage of both beyond `KNEE` [r/min]
-TABLE = "table 6304_planar --points 129 --tolerance 0.05 --loads 1,1100 --speeds 1.3,10"
 SPEEDS = (2000.0, 4000.0, 8000.0, 15000.0)
 HEAVY = (30.0, 50.0, 100.0, 1000.0)  # loads of the orbits [N]
 GAPS = (5.0, 10.0, 50.0, 100.0)  # [um]
@@ -51,7 +47,6 @@ class Variant:
 
     play: float = 0.2  # of the pockets [mm]
     density: float = AIR  # of what balls move in [kg/m^3]
-    tables: Path | None = None  # friction on solved films in place of the paper's dry one
 
 
 class Statement(NamedTuple):
@@ -88,22 +83,18 @@ def start(of: Variant, gap: float = 5.0, balls: int = 7, **changes: Any) -> Run:
     assert case.file.cage is not None
     pockets = case.file.cage.model_copy(update={"pocket_clearance_mm": of.play})
     bearing = replace(case.bearing, diametral_clearance=4.0e-6 * gap, balls=balls)
-    law = {"friction": "table", "friction_dead_band_m_s": 0.0} if of.tables else {}
-    keys = {"ball_drag_N": None, "mixture_density_kg_m3": of.density} | law
+    keys = {"ball_drag_N": None, "mixture_density_kg_m3": of.density}
     case = replace(case, bearing=bearing, file=case.file.model_copy(update={"cage": pockets}))
-    return run(changed(case, **(TIME | keys | changes)), of.tables)
+    return run(changed(case, **(TIME | keys | changes)))
 
 
 def variants() -> dict[str, Variant]:
-    """The paper's dry friction first; a sphere in pure oil, also on the films that are solved for it."""
-    tables = Path(tempfile.mkdtemp()) / "6304.zip"
-    subprocess.run([sys.executable, "-m", "oilfilm.cases.cli", *TABLE.split(), "-q", "-o", str(tables)], check=True)
+    """The paper's dry friction first, other pockets, then a sphere in pure oil."""
     return {
         "dry, 0.2 mm": Variant(),
         "0.05 mm": Variant(play=0.05),
         "0.4 mm": Variant(play=0.4),
         "balls in oil": Variant(density=OIL),
-        "solved films": Variant(density=OIL, tables=tables),
     }
 
 
@@ -390,7 +381,6 @@ def main() -> None:
     PAGE.write_text(
         TEMPLATE.read_text(encoding="utf-8").format(
             equations=shipped.simulation.equations["dynamic"],
-            table=TABLE,
             unloaded=round(7.0 * float((shipped.record.races[:, 0, :, 0] <= 0.0).mean())),
             no_slip=8000.0 * NO_SLIP,
             ceases=100.0 * CEASES,
@@ -401,7 +391,6 @@ def main() -> None:
             bars="---|" * len(every),
             statements=told([of.statements for of in every.values()]),
             energies=max(one.statistics.energy_error for of in every.values() for one in of.runs),
-            beyond=100.0 * max(one.statistics.table_exceeded or 0.0 for of in every.values() for one in of.runs),
             **stiffnesses(),
         ),
         encoding="utf-8",

@@ -23,7 +23,7 @@ def draw_loads(speeds: dict[str, dict[float, float]], no_slip: float, plateau: d
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 2.9))
         left, right = figure.subplots(1, 2)
-        for colour, (name, found) in zip(COLOURS, speeds.items(), strict=True):
+        for colour, (name, found) in zip(COLOURS, speeds.items(), strict=False):
             for ax in (left, right):
                 ax.semilogx(list(found), list(found.values()), "o-", color=colour, markersize=3, label=name)
         for ax in (left, right):
