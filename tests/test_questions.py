@@ -49,7 +49,7 @@ QUESTIONS = [
     ("breakdown voltage of its film [V]?", "motor", "electrical.breakdown_voltage_V", 5.0, 100.0),
     ("cage speed of the spindle bearing [r/min]?", "spindle", "cage_speed_rpm", 3200.0, 3800.0),
     ("contact angle of its outer race [deg]?", "spindle", "contacts.-1.contact_angle_deg", 10.0, 26.0),
-    ("torque of touching asperities of a slow 6204 [N mm]?", "slow", "torque_N_mm.parts.asperity", 1.0, 30.0),
+    ("torque of touching asperities of a slow 6204 [N mm]?", "slow", "torque_N_mm.parts.asperity", 0.05, 1.0),
     ("SKF's torque beside a full-ceramic 6208 [N mm]?", "ceramic", "torque_N_mm.models.skf.total", 100.0, 150.0),
     ("film of a point contact at M 20, L 10?", "contact", "film_central_dimensionless", 0.42, 0.44),
     ("first critical speed of the shaft [r/min]?", "shaft", "critical_speeds_rpm.0", 1.5e4, 2.5e4),

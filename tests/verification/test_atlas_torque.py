@@ -32,7 +32,7 @@ def document(name, speed, axial, radial, more, maps):
         "lubricant": {"name": "iso vg 32"},
         "operation": {"inner_speed_rpm": speed, "axial_load_N": axial, "radial_load_N": radial, "temperature_C": 60.0},
         "surface": rough,
-        "ehl": {"film_maps": maps},
+        "ehl": {"film_maps": maps, "films": "solved" if maps == "all" else "auto"},
         **more,
     }
 

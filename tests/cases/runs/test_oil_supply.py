@@ -425,15 +425,15 @@ def test_a_sweep_draws_supply_and_temperature_a_line_for_each_load_and_speed():
 
 
 @pytest.mark.slow
-def test_the_supply_does_not_cool_and_a_hundred_times_as_much_oil_does():
-    """Fig. 5 of Yao et al. (2022): at 5000 r/min under 900 N only the other oil makes the temperature fall."""
+def test_more_supply_rubs_less_and_a_hundred_times_as_much_oil_cools():
+    """Fig. 5 of Yao et al. (2022), 5000 r/min, 900 N: films fill and rub less; only the other oil cools by far."""
     alone = list(points("6208_self_heating_over_supply", radial_load_N=900.0, inner_speed_rpm=5000.0))
     cooled = list(points("6208_self_heating_with_cooling_oil"))
     first, last, cold_first, cold_last = (
         self_heated(case).balance.temperature for case in (alone[0], alone[-1], cooled[0], cooled[-1])
     )
-    assert first < last - 5.0
-    assert cold_last < cold_first < first
+    assert first - 8.0 < last < first - 3.0
+    assert cold_last < cold_first < last - 3.0
 
 
 def solved(layer, more="", points=257):
