@@ -204,10 +204,14 @@ def _shaft_span(document: Mapping[str, Any], name: str, value: Any) -> Span | No
     return 0.0, _round(max(2.0 * number, 10.0))
 
 
-def _node(design: Design, key: str) -> dict[str, Any]:
-    """Description of a key in the schema of the design's file."""
+def _schema(design: Design) -> dict[str, Any]:
+    """Schema of the design's file."""
+    return schema_of(ShaftFile if design.is_shaft else BearingFile)
+
+
+def _node(schema: dict[str, Any], key: str) -> dict[str, Any]:
+    """Description of a key in the schema of a file."""
     path = case_path(key)
-    schema = schema_of(ShaftFile if design.is_shaft else BearingFile)
     if isinstance(path[-1], int):  # an entry of a vector
         return {**schema_node(schema, path[:-1]), "type": "number"}
     return schema_node(schema, path)
@@ -231,12 +235,13 @@ def shown_controls(design: Design) -> list[dict[str, Any]]:
     ranges = design.ranges()
     remarks = design.remarks()
     assumed = set(document.get("assumed", ()))
+    schema = _schema(design)
     found = []
     for key, control in controls_of(design).items():
         value = value_in(document, key)
         if not control.always and value is None:
             continue
-        node = _node(design, key)
+        node = _node(schema, key)
         options = _options(key, node)
         last = [part for part in case_path(key) if isinstance(part, str)][-1]
         remark = remarks.get(key, "")
@@ -280,11 +285,12 @@ def values_of(design: Design) -> dict[str, Any]:
         Value by key, None where there is none.
     """
     document = design.document
+    schema = _schema(design)
     found = {}
     for key in controls_of(design):
         value = value_in(document, key)
         if value is None:
-            value = _node(design, key).get("default")
+            value = _node(schema, key).get("default")
         if isinstance(value, list):  # of a vector that the case leaves out
             value = 0.0
         found[key] = value
@@ -349,7 +355,7 @@ def typed_value(design: Design, key: str, value: Any) -> Any:
     text = str(value).strip()
     if len(text) > 60:
         raise ValueError(f"{key}: more than 60 characters")
-    node = _node(design, key)
+    node = _node(_schema(design), key)
     if not text:
         return None
     if _options(key, node) or node.get("type") == "string":

@@ -56,7 +56,7 @@ class Design:
         document = self.document
         if "contact" in document:
             return [CaseProblem((), "a contact", "allowed: a case with [bearing] or [shaft]")]
-        if not self.is_shaft:
+        if "shaft" not in document:
             return check_document(document)[1]
         try:  # its bearings are cases of their own
             any_case_of_document(document)
@@ -112,14 +112,19 @@ class Design:
                 found[".".join(map(str, path))] = comment
         return found
 
+    def changes(self) -> tuple[dict[str, Any], list[str]]:
+        """Values by key that differ from those of the base, and keys of the base that are gone."""
+        before = flat(start(self.base).document)
+        now = flat(self.document)
+        changed = {k: v for k, v in now.items() if before.get(k) != v and k != "assumed"}
+        return changed, [key for key in before if key not in now]
+
     def address(self) -> str:
         """The design as the part of an address behind `#`: its base and what differs from it."""
         if self.base and not self.is_shaft:
-            before = flat(start(self.base).document)
-            now = flat(self.document)
-            changed = {k: v for k, v in now.items() if before.get(k) != v and k != "assumed"}
-            gone = {key: None for key in before if key not in now}
-            values = "&".join(f"{k}={quote(json.dumps(v))}" for k, v in (changed | gone).items())
+            changed, gone = self.changes()
+            every = (changed | dict.fromkeys(gone)).items()
+            values = "&".join(f"{k}={quote(json.dumps(v))}" for k, v in every)
             return quote(self.base) + (f"&{values}" if values else "")
         packed = zlib.compress(self.text.encode(), 9)
         return OWN + base64.urlsafe_b64encode(packed).decode().rstrip("=")

@@ -715,9 +715,7 @@ def python_lines(design: Design) -> str:
     if design.is_shaft:
         return SHAFT_LINES.format(text=_quoted(design.text))
     if design.base:
-        before = flat(start(design.base).document)
-        now = flat(design.document)
-        changed = {k: v for k, v in now.items() if before.get(k) != v and k != "assumed"}
+        changed, _ = design.changes()
         given = f", **{{\n{''.join(f'    {k!r}: {v!r},{chr(10)}' for k, v in changed.items())}}}"
         return f"{head}r = oilfilm.run({design.base!r}{given if changed else ''})\n{tail}"
     return (

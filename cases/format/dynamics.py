@@ -80,7 +80,7 @@ class DynamicsTable(Table):
     )
     integration: Annotated[str, OneOf(Integration)] = described(
         "explicit steps that resolve contact vibration; implicit ones leave it and impacts out, "
-        "in some tenth of the time",
+        "in a tenth to a half of the time",
         "explicit",
     )
     speed_table_rpm: SpeedTable | None = described(

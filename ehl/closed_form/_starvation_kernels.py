@@ -91,8 +91,8 @@ def _beyond(factor, beyond):
 
 
 @compiled
-def _film_factor(ratio, exponent):
-    """R = r/(1 + r^g)^(1/g)."""
+def film_factor(ratio, exponent):
+    """R = r/(1 + r^g)^(1/g), Chevalier et al. (1998)."""
     if ratio > 1.0:  # the same, so that ample oil leaves exactly 1
         return (1.0 + ratio**-exponent) ** (-1.0 / exponent)
     return ratio / (1.0 + ratio**exponent) ** (1.0 / exponent)
@@ -120,7 +120,7 @@ def factors(functions, log_ratios, count, ratios, out):
                 gain += weight * (own[MINIMUM, node] - film) / -np.expm1(film)
                 moment += weight * own[MOMENT, node]
                 damping += weight * own[DAMPING, node]
-            film = _film_factor(ratios[n, k], np.exp(exponent))
+            film = film_factor(ratios[n, k], np.exp(exponent))
             beyond = at - inside
             out[n, k, 0] = film
             out[n, k, 1] = min(film * np.exp((1.0 - film) * gain), 1.0)

@@ -408,9 +408,7 @@ def starved_film_factor(inlet_ratio: float, exponent: float) -> float:
     float
         starvation factor of the central film [-]
     """
-    if inlet_ratio > 1.0:  # the same, so that ample oil leaves exactly 1
-        return float((1.0 + inlet_ratio**-exponent) ** (-1.0 / exponent))
-    return inlet_ratio / (1.0 + inlet_ratio**exponent) ** (1.0 / exponent)
+    return float(_kernels.film_factor(float(inlet_ratio), float(exponent)))
 
 
 def rolling_moment_factor_biboulet_houpert(inlet_ratio: float) -> float:

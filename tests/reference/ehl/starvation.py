@@ -3,7 +3,7 @@
 import numpy as np
 
 from oilfilm.ehl.arrays import radial, trend_terms
-from oilfilm.ehl.closed_form.starvation import contact_coordinates, starved_film_factor, table
+from oilfilm.ehl.closed_form.starvation import contact_coordinates, table
 
 LEAST_RISE = 1e-6
 
@@ -47,7 +47,7 @@ def shares(contact, ratio):
     gain = (minimum - film) / -np.expm1(film)
     at = np.log(ratio)
     g, c, s, d = (np.interp(at, nodes, values) for values in (exponent, gain, rising(moment), damping))
-    central = starved_film_factor(ratio, np.exp(g))
+    central = np.exp(min(np.log(ratio), 0.0) - np.log1p(np.exp(-np.exp(g) * abs(np.log(ratio)))) / np.exp(g))
     beyond = at - np.clip(at, nodes[0], nodes[-1])
     ends = [1.0 / (1.0 + np.exp(-s)), d]
     moment, damping = (1.0 - (1.0 - y) * np.exp(-beyond) if beyond > 0.0 else y * np.exp(beyond) for y in ends)
