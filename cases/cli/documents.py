@@ -14,6 +14,7 @@ from .output import lock_output_directory, lock_output_file
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
 Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print the files written as JSON.")]
 Contact = Annotated[
     str | None,
     typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film."),
@@ -30,8 +31,16 @@ class Axis(StrEnum):
     Y = "y"
 
 
+def _tell(files: dict[Path, str], *, as_json: bool, quiet: bool) -> None:
+    """Name the files written, each with its kind."""
+    if as_json:
+        terminal.print_json({"files": [str(file) for file in files]})
+    for file, kind in {} if as_json or quiet else files.items():
+        print_message(f"{kind} in {file}")
+
+
 @terminal.command()
-def report(directory: Directory, quiet: Errors = False) -> None:
+def report(directory: Directory, as_json: AsJson = False, quiet: Errors = False) -> None:
     """Write one self-contained HTML page of results."""
     from oilfilm.postprocess.report.page import write_report
 
@@ -40,8 +49,7 @@ def report(directory: Directory, quiet: Errors = False) -> None:
     from ..runs.output_directory import add_to_manifest
 
     add_to_manifest(directory, path.name)
-    if not quiet:
-        print_message(f"report in {path}")
+    _tell({path: "report"}, as_json=as_json, quiet=quiet)
 
 
 @terminal.command()
@@ -143,13 +151,16 @@ def cut(
         float,
         typer.Option(metavar="X", help="Where it crosses the other axis, in Hertz semi-axes."),
     ] = 0.0,
+    as_json: AsJson = False,
+    quiet: Errors = False,
 ) -> None:
     """Write film and pressure along a line through a contact as CSV."""
     from oilfilm.postprocess.contact.plots import write_line_cut
 
     with terminal.reading(directory):
         file = lock_output_file(output or Path("cut.csv"))
-        print_message(f"table in {write_line_cut(directory, file, contact, axis.value, at)}")
+        written = write_line_cut(directory, file, contact, axis.value, at)
+    _tell({written: "table"}, as_json=as_json, quiet=quiet)
 
 
 @terminal.command()
@@ -169,6 +180,8 @@ def interferogram(
     index: Annotated[
         float, typer.Option("--refractive-index", metavar="X", help="Of the oil.")
     ] = 1.5,
+    as_json: AsJson = False,
+    quiet: Errors = False,
 ) -> None:
     """Draw the film of a contact as an optical interferometer would see it."""
     from oilfilm.ehl.units import NANOMETRE
@@ -178,7 +191,8 @@ def interferogram(
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
         optics = Optics(wavelengths=lengths, refractive_index=index)
         file = lock_output_file(output or Path("interferogram.png"))
-        print_message(f"picture in {write_interferogram(directory, file, contact, optics)}")
+        written = write_interferogram(directory, file, contact, optics)
+    _tell({written: "picture"}, as_json=as_json, quiet=quiet)
 
 
 @terminal.command()
@@ -202,6 +216,8 @@ def diagram(
         list[str] | None,
         typer.Option(metavar="NAME", help="A column of batch.csv; default: film, torque, life."),
     ] = None,
+    as_json: AsJson = False,
+    quiet: Errors = False,
 ) -> None:
     """Draw numbers of a batch over its keys: film, torque and life over speed, a line per load."""
     from oilfilm.postprocess.batch.plots import write_diagram
@@ -209,10 +225,8 @@ def diagram(
 
     with terminal.reading(directory):
         file = lock_output_file(output or Path("diagram.png"))
-        results = read_batch(directory)
-        print_message(
-            f"picture in {write_diagram(results, file, tuple(over or ()), tuple(of or ()))}"
-        )
+        written = write_diagram(read_batch(directory), file, tuple(over or ()), tuple(of or ()))
+    _tell({written: "picture"}, as_json=as_json, quiet=quiet)
 
 
 @terminal.command()
@@ -237,6 +251,7 @@ def export(
         typer.Option(metavar="FILE", help="The drive in REXS; default: that of the case."),
     ] = None,
     fmi: Annotated[int, typer.Option(min=2, max=3, help="Version of FMI, for fmu.")] = 2,
+    as_json: AsJson = False,
     quiet: Errors = False,
 ) -> None:
     """Write films as meshes, numbers as a workbook or a PDF, a batch as an FMU, or results into
@@ -249,12 +264,11 @@ def export(
     with terminal.reading(directory):
         lock_output_file(file)
         files = _write_document(
-            directory, file, file_format, model=model, fmi=fmi, quiet=quiet
+            directory, file, file_format, model=model, fmi=fmi, quiet=quiet or as_json
         ) or _write_meshes(directory, file)
-    if not quiet:
-        for path in files:
-            kind = DOCUMENTS.get(file_format, "mesh" if path.suffix == file.suffix else "values")
-            print_message(f"{kind} in {path}")
+    mesh = {True: "mesh", False: "values"}
+    kinds = {path: DOCUMENTS.get(file_format, mesh[path.suffix == file.suffix]) for path in files}
+    _tell(kinds, as_json=as_json, quiet=quiet)
 
 
 def _write_document(
@@ -323,39 +337,44 @@ def view(
     exaggeration: Annotated[
         float, typer.Option(min=0.0, max=1e6, help="Factor of film height or displacement.")
     ] = 0.0,
+    as_json: AsJson = False,
+    quiet: Errors = False,
 ) -> int:
     """Look at results in three dimensions."""
     if not directory.is_dir():
         raise CaseError(
             f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"
         )
-    for file in (screenshot, html, movie):
-        if file is not None:
-            lock_output_file(file)
+    for wanted in filter(None, (screenshot, html, movie)):
+        lock_output_file(wanted)
     from oilfilm.postprocess.scene import scene
 
     factors = None if magnification is None else (magnification, magnification)
     options = scene.SceneOptions(
         quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration
     )
+    small = replace(options, size=scene.MOVIE_SIZE)
+    asked = [
+        (file, kind, draw, choice)
+        for file, kind, draw, choice in (
+            (screenshot, "picture", scene.screenshot, options),
+            (html, "page", scene.export_html, options),
+            (movie, "movie", scene.movie, small),
+        )
+        if file is not None
+    ]
+    drawn: dict[Path, str] = {}
     try:
-        with terminal.reading(directory), terminal.progress_bar(quiet=False) as progress:
-            if screenshot is not None:
-                progress(0, 1, f"drawing {screenshot}")
-                print_message(f"picture in {scene.screenshot(directory, screenshot, options)}")
-            if html is not None:
-                progress(0, 1, f"drawing {html}")
-                print_message(f"page in {scene.export_html(directory, html, options)}")
-            if movie is not None:
-                progress(0, 1, f"drawing {movie}")
-                small = replace(options, size=scene.MOVIE_SIZE)
-                print_message(f"movie in {scene.movie(directory, movie, small)}")
-        if screenshot is None and html is None and movie is None:
-            with terminal.reading(directory):
+        with terminal.reading(directory), terminal.progress_bar(quiet=quiet) as progress:
+            for file, kind, draw, choice in asked:
+                progress(0, 1, f"drawing {file}")
+                drawn[draw(directory, file, choice)] = kind
+            if not asked:
                 scene.view(directory, options)
     except CaseError:
         raise
     except scene.RenderingError as error:
         print_message(f"oilfilm: {error}")
         return terminal.FAILED
+    _tell(drawn, as_json=as_json, quiet=quiet)
     return 0

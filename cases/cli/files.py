@@ -23,6 +23,10 @@ if TYPE_CHECKING:
     from oilfilm.bearing.material import Material
 
 
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
+Silent = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
+
+
 class Listing(StrEnum):
     """Kinds of names that `oilfilm list` prints."""
 
@@ -41,7 +45,7 @@ class Listing(StrEnum):
 @command("list")
 def list_names(
     what: Annotated[Listing | None, typer.Argument(help="What to list; all if left out.")] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    as_json: AsJson = False,
 ) -> None:
     """List shipped cases, bearings, materials, oils, ..., and plug-ins."""
     names = {kind.value: listing(kind.value) for kind in (Listing if what is None else (what,))}
@@ -62,8 +66,8 @@ def validate(
     cases: Annotated[
         list[str], typer.Argument(metavar="CASE...", help="Case files or names of shipped cases.")
     ],
-    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")] = False,
+    as_json: AsJson = False,
+    quiet: Silent = False,
 ) -> int:
     """Check case and sweep files without running them."""
     report = {}
@@ -126,6 +130,8 @@ def import_drive(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", metavar="CASE", help="The new case file.")
     ] = None,
+    as_json: AsJson = False,
+    quiet: Silent = False,
 ) -> None:
     """List the shafts and bearings of a drive in REXS, or write a case of one of them."""
     from ..rexs import bearing_text, drive, listing_of, read_rexs, shaft_text
@@ -134,13 +140,16 @@ def import_drive(
     if bearing is not None and shaft is not None:
         raise CaseError("oilfilm import: --bearing and --shaft; allowed: one of them")
     if bearing is None and shaft is None:
-        for line in listing_of(model):
-            print_lines(line)
+        lines = list(listing_of(model))
+        if as_json:
+            print_json({"drive": lines})
+        else:
+            print_lines("\n".join(lines))
         return
     if output is None:
         raise CaseError("oilfilm import: -o CASE.toml is needed: the new case file")
     text = shaft_text(drive(model), shaft) if shaft else bearing_text(drive(model), bearing or 1)
-    _write_new(output if output.suffix == ".toml" else Path(f"{output}.toml"), text)
+    _write_new(str(output), text, as_json=as_json, quiet=quiet)
 
 
 @command()
@@ -189,10 +198,11 @@ def init(
     ] = None,
     density_15: Annotated[float | None, typer.Option(help="At 15 C [kg/m3].")] = None,
     base_oil: Annotated[str | None, typer.Option(help="mineral, PAO, ester, PAG or PFPE.")] = None,
+    as_json: AsJson = False,
+    quiet: Silent = False,
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
     from ..new_case import (
-        SETS_TEXT,
         BoundaryDimensions,
         FirstOperation,
         MakersNumbers,
@@ -250,10 +260,7 @@ def init(
             text = _shipped_text(template or "6208_full_ceramic")
     except ValueError as error:
         raise CaseError(f"oilfilm init: {error}") from None
-    _write_new(Path(name if name.endswith(".toml") else f"{name}.toml"), text)
-    for line in text.splitlines():
-        if line.startswith(f"# {SETS_TEXT}"):
-            print_message(f"note: {line.removeprefix('# ')}")
+    _write_new(name, text, as_json=as_json, quiet=quiet)
 
 
 def _name_and_designation(bearing: str, words: list[str]) -> tuple[str, str]:
@@ -307,8 +314,11 @@ def _shipped_text(template: str) -> str:
     return read_text(_file(template))
 
 
-def _write_new(path: Path, text: str) -> None:
-    """Write a case file that is not there yet, and say what to do with it."""
+def _write_new(name: str, text: str, *, as_json: bool, quiet: bool) -> None:
+    """Write a case file that is not there yet, and say what it sets and what to do with it."""
+    from ..new_case import SETS_TEXT
+
+    path = Path(name if name.endswith(".toml") else f"{name}.toml")
     try:
         with path.open("x", encoding="utf-8", newline="\n") as file:
             file.write(text)
@@ -317,7 +327,13 @@ def _write_new(path: Path, text: str) -> None:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise CaseError(f"{path}: cannot be written: {reason}") from None
-    print_lines(f"{path} written; change it, then: oilfilm validate {quote(str(path))}")
+    set_here = [line[2:] for line in text.splitlines() if line.startswith(f"# {SETS_TEXT}")]
+    if as_json:
+        print_json({"file": str(path), "messages": set_here})
+    elif not quiet:
+        print_lines(f"{path} written; change it, then: oilfilm validate {quote(str(path))}")
+        for line in set_here:
+            print_message(f"note: {line}")
 
 
 @command()

@@ -276,6 +276,9 @@ def test_init_writes_a_valid_case_once(tmp_path):
     assert oilfilm("init", "other", "--from", "moes_20_10").exit_code == 0
     assert "moes_M" in (tmp_path / "other.toml").read_text()
     assert oilfilm("init", "no/such/folder/case").exit_code == 2
+    silent = oilfilm("init", "silent", "--quiet")
+    assert (silent.exit_code, silent.output) == (0, "")
+    assert json.loads(oilfilm("init", "third", "--json").stdout) == {"file": "third.toml", "messages": []}
 
 
 @pytest.mark.parametrize(
@@ -662,8 +665,9 @@ def test_a_number_that_was_changed_is_told(tmp_path):
     path = tmp_path / "out" / "summary.json"
     assert oilfilm("report", "out").stderr == f"report in {Path('out/report.html')}\n"
     path.write_text(path.read_text().replace("6", "7"))
-    answer = oilfilm("report", "out")
+    answer = oilfilm("report", "out", "--json")
     assert answer.exit_code == 0
+    assert json.loads(answer.stdout) == {"files": [str(Path("out/report.html"))]}
     assert f"{Path('out/summary.json')}: changed since it was written" in answer.stderr
 
 
