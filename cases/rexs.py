@@ -10,7 +10,7 @@ import json
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from math import cos, pi, radians, tan
+from math import cos, isfinite, pi, radians, tan
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -109,12 +109,7 @@ class Component:
         if name not in self.attributes:
             return default
         value, unit = self.attributes[name]
-        try:
-            return float(value) * UNITS[unit]
-        except (TypeError, ValueError, KeyError):
-            raise CaseError(
-                f"component {self.id} ({self.type}): {name}: {value!r} {unit!r} is not understood"
-            ) from None
+        return self._read(name, [value], UNITS.get(unit))[0]
 
     def vector(self, name: str, default: tuple[float, ...]) -> Array:
         """A vector of three numbers, lengths in mm.
@@ -132,8 +127,20 @@ class Component:
             Shape (3,).
         """
         value, unit = self.attributes.get(name, (default, "none"))
-        found = np.array([float(entry) for entry in value])
-        return found * UNITS.get(unit, 1.0)
+        return np.array(self._read(name, value, UNITS.get(unit), len(default)))
+
+    def _read(self, name: str, values: Any, unit: float | None, count: int = 1) -> list[float]:
+        """Finite numbers of an attribute, times its unit."""
+        try:
+            found = [float(value) * float(unit or "unknown") for value in values]
+        except (TypeError, ValueError, OverflowError):
+            found = []
+        if len(found) != count or not all(map(isfinite, found)):
+            shown = str(self.attributes[name])[:80]
+            raise CaseError(
+                f"component {self.id} ({self.type}): {name}: {shown} is not understood"
+            )
+        return found
 
     def word(self, name: str) -> str:
         """A word; empty where the component has none.
@@ -148,10 +155,10 @@ class Component:
         str
             The word.
         """
-        return str(self.attributes.get(name, ("", ""))[0] or "")
+        return _line(self.attributes.get(name, ("", ""))[0])
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Model:
     """A drive: its components by number, and their relations."""
 
@@ -282,12 +289,22 @@ def _of_xml(data: bytes, path: Path) -> Model:
         (r.get("type", ""), {x.get("role", ""): x.get("id", "") for x in r.iter("ref")})
         for r in root.iter("relation")
     )
-    return Model(
-        file=path.as_posix(),
-        version=root.get("version", ""),
-        components=components,
-        relations=relations,
-    )
+    return _model(path, root.get("version"), components, relations)
+
+
+def _model(
+    path: Path,
+    version: Any,
+    components: dict[str, Component],
+    relations: tuple[tuple[str, dict[str, str]], ...],
+) -> Model:
+    """A model that has components, among them all that its relations name."""
+    if not components:
+        raise CaseError(f"{path}: a REXS model without components")
+    for number in (one for _, roles in relations for one in roles.values()):
+        if number not in components:
+            raise CaseError(f"{path}: a relation names component {number}, which is not there")
+    return Model(path.as_posix(), _line(version), components, relations)
 
 
 def _xml_value(node: ElementTree.Element) -> Any:
@@ -317,21 +334,21 @@ def _of_json(data: bytes, path: Path) -> Model:
         raise CaseError(str(error)) from None
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
         raise CaseError(f"{path}: not a REXS model in JSON: {type(error).__name__}") from None
-    return Model(
-        file=path.as_posix(),
-        version=str(root.get("version", "")),
-        components=components,
-        relations=relations,
-    )
+    return _model(path, root.get("version"), components, relations)
 
 
 def _component(node: Any, attributes: dict[str, tuple[Any, str]]) -> Component:
     return Component(
-        id=str(node.get("id", "")),
-        type=str(node.get("type", "")),
-        name=str(node.get("name") or ""),
-        attributes=attributes,
+        id=_line(node.get("id")),
+        type=_line(node.get("type")),
+        name=_line(node.get("name")),
+        attributes={str(name): (value, str(unit)) for name, (value, unit) in attributes.items()},
     )
+
+
+def _line(value: Any) -> str:
+    """A word of a model on one line, as comments and lists have it."""
+    return " ".join(str("" if value is None else value).split())
 
 
 def bearings(model: Model) -> list[tuple[Component, Component | None]]:
@@ -607,7 +624,11 @@ def _oil_lines(model: Model) -> tuple[list[str], str]:
     for oil in model.of_type("lubricant"):
         values = {key: oil.attributes.get(name) for key, name in OIL.items()}
         if values["kinematic_viscosity_40C_mm2_s"] and values["kinematic_viscosity_100C_mm2_s"]:
-            numbers = {key: float(v[0]) * DENSITY.get(v[1], 1.0) for key, v in values.items() if v}
+            numbers = {
+                key: oil._read(OIL[key], [v[0]], DENSITY.get(v[1], 1.0))[0]
+                for key, v in values.items()
+                if v
+            }
             lines = [f"{key} = {value:.8g}" for key, value in numbers.items()]
             return [f"# {oil.name}", *lines], ""
     return ['name = "iso vg 100"  # assumed'], '"lubricant.name", '
@@ -627,6 +648,8 @@ def _section_lines(model: Model, shaft: Component) -> Iterator[str]:
         ends = [piece.number(f"outer_diameter_{end}") for end in ("begin", "end")]
         holes = [piece.number(f"inner_diameter_{end}", 0.0) or 0.0 for end in ("begin", "end")]
         outside = [end for end in ends if end is not None]
+        if not outside:
+            raise CaseError(f"section {piece.id} of shaft {shaft.id} has no outer diameter")
         yield "[[shaft.section]]"
         yield f"to_mm = {start + (piece.number('length') or 0.0):.8g}"
         yield f"outside_mm = {sum(outside) / len(outside):.8g}"

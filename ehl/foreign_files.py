@@ -185,6 +185,22 @@ def visible(text: str) -> str:
     return CONTROLS.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
+def one_line(text: str) -> str:
+    """A text for one line of a terminal, ends of lines in it written out, as of a file's name.
+
+    Parameters
+    ----------
+    text : str
+        any text
+
+    Returns
+    -------
+    str
+        the line
+    """
+    return visible(text).replace("\r", "\\r").replace("\n", "\\n")
+
+
 def entries_of(
     stream: IO[bytes], name: str, fault: str = "damaged", most: int = DEFLATED
 ) -> dict[str, bytes]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from enum import StrEnum
 from math import isfinite
 from pathlib import Path
@@ -341,7 +340,7 @@ def schema() -> None:
     """Print the JSON Schema of case files, for editors."""
     from ..format.document import json_schema
 
-    print_lines(json.dumps(json_schema(), indent=2))
+    print_json(json_schema())
 
 
 def listing(kind: str) -> dict[str, str]:

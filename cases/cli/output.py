@@ -288,7 +288,8 @@ def print_warnings(warnings: Iterable[str]) -> None:
     wrapper = TextWrapper(80, "warning: ", "         ", break_long_words=False)
     shown = [message for message in warnings if not _of_failure(message)]
     for message in shown[:MOST_WARNINGS]:
-        print_message(wrapper.fill(message.partition("; ")[0]))
+        for line in wrapper.wrap(message.partition("; ")[0]):
+            print_message(line)
     if len(shown) > MOST_WARNINGS:
         print_message(f"warning: {len(shown) - MOST_WARNINGS} more in the results (warnings)")
 
@@ -307,7 +308,8 @@ def print_notes(messages: Iterable[str]) -> None:
     for message in messages:
         lacks_film = "film null, a light load" in message
         if (lacks_film or "null" not in message) and not _of_failure(message):
-            print_message(wrapper.fill(message.replace("film null", "no film")))
+            for line in wrapper.wrap(message.replace("film null", "no film")):
+                print_message(line)
 
 
 def _of_failure(message: str) -> bool:

@@ -27,7 +27,7 @@ import typer
 
 from oilfilm.bearing.files import is_disk_failure
 from oilfilm.bearing.library.plugins import PluginError
-from oilfilm.ehl.foreign_files import DamagedFileError, visible
+from oilfilm.ehl.foreign_files import DamagedFileError, one_line
 
 from ..format.rules import CaseError
 from ..runs.interrupt import SIGNALS, interrupt, print_message
@@ -277,15 +277,15 @@ def _log(error: Exception) -> str:
         return "no log, the temporary directory cannot be written"
 
 
-def print_lines(text: str) -> None:
+def print_lines(*lines: str) -> None:
     """Print plain text to standard output.
 
     Parameters
     ----------
-    text : str
-        The text.
+    *lines : str
+        Lines; ends of lines in one, as of a file's name, are written out.
     """
-    print(visible(text), flush=True)  # noqa: T201
+    print("\n".join(map(one_line, lines)), flush=True)  # noqa: T201
 
 
 def print_json(document: object) -> None:
@@ -296,7 +296,8 @@ def print_json(document: object) -> None:
     document : object
         Values of plain types.
     """
-    print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
+    text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False)
+    print_lines(*text.split("\n"))
 
 
 def print_table(table: RenderableType) -> None:

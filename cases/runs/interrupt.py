@@ -15,7 +15,7 @@ from time import sleep
 from types import FrameType
 from typing import TypeVar
 
-from oilfilm.ehl.foreign_files import visible
+from oilfilm.ehl.foreign_files import one_line
 
 T = TypeVar("T")
 
@@ -25,15 +25,15 @@ LOOK = 0.05  # from one look to the next [s]
 
 
 def print_message(text: str) -> None:
-    """Print a message on standard error; it is lost where nobody reads it.
+    """Print a message on one line of standard error; it is lost where nobody reads it.
 
     Parameters
     ----------
     text : str
-        The message.
+        The message; ends of lines in it, as of a file's name, are written out.
     """
     with suppress(OSError, ValueError):
-        print(visible(text), file=sys.stderr, flush=True)  # noqa: T201
+        print(one_line(text), file=sys.stderr, flush=True)  # noqa: T201
 
 
 def interrupt(_number: int, _frame: FrameType | None) -> None:

@@ -26,6 +26,14 @@ def found():
     return drive(read_rexs(GEARBOX))
 
 
+USED = {
+    "shaft": {"rotational_speed"},
+    "shaft_section": {"u_coordinate_on_shaft", "length", "outer_diameter_begin"},
+    "cylindrical_gear": {"number_of_teeth", "support_vector", "helix_angle_reference_diameter", "face_width"},
+    "external_load": {"torque_around_u_axis"},
+}
+
+
 def as_json(model):
     """The model in REXS' JSON."""
     components = [
@@ -151,7 +159,13 @@ def test_json_and_zip_hold_the_same_model(found, tmp_path):
         (b"<model><components>", "not valid XML"),
         (b"<drive/>", "not a REXS model"),
         (b'{"model": []}', "not a REXS model in JSON"),
-        (b"<model><components/></model>", "rotational_speed"),
+        (b"<model><components/></model>", "a REXS model without components"),
+        (b'{"model": {"components": [], "relations": []}}', "a REXS model without components"),
+        (b'<model><component id="1" type="shaft"/></model>', "rotational_speed"),
+        (
+            b'<model><component id="1"/><relation><ref role="part" id="7"/></relation></model>',
+            "component 7, which is not",
+        ),
     ],
 )
 def test_a_file_that_is_no_model_is_told_in_one_line(content, message, tmp_path):
@@ -160,7 +174,38 @@ def test_a_file_that_is_no_model_is_told_in_one_line(content, message, tmp_path)
     answer = CliRunner().invoke(app, ["import", str(path), "--shaft", "1", "-o", str(tmp_path / "out.toml")])
     assert answer.exit_code == 2
     assert message in answer.stderr
+    assert answer.stderr.count("\n") == 1
     assert not (tmp_path / "out.toml").exists()
+
+
+def test_a_model_without_components_is_not_listed(tmp_path):
+    path = tmp_path / "drive.rexs"
+    path.write_bytes(b"<model><components/></model>")
+    answer = CliRunner().invoke(app, ["import", str(path)])
+    assert (answer.exit_code, answer.stdout) == (2, "")
+
+
+@pytest.mark.parametrize(
+    "junk", [None, [], {}, "x", "nan", "1e999", 10**400, [1, 2], [None] * 3, "a\nb = 1\r[operation]"]
+)
+def test_junk_in_any_attribute_is_told_with_its_place(found, junk, tmp_path):
+    """One attribute of each name and type of component: a case all the same, or a message that names it."""
+    path = tmp_path / "drive.json"
+    model = json.loads(as_json(found.model))
+    kinds = {(c["type"], a["id"]): (k, n) for k, c in enumerate(model["model"]["components"])
+             for n, a in enumerate(c["attributes"])}  # fmt: skip
+    used = [(key, place) for key, place in kinds.items() if key[0] in USED and key[1] in USED[key[0]]]
+    assert len(used) == sum(map(len, USED.values()))
+    for (_, name), (k, n) in used:
+        changed = json.loads(json.dumps(model))
+        changed["model"]["components"][k]["attributes"][n]["string"] = junk
+        path.write_text(json.dumps(changed), encoding="utf-8")
+        try:
+            text = shaft_text(drive(read_rexs(path)), 2)
+        except CaseError as error:
+            assert any(word in str(error) for word in (name, "rotational_speed", "torques of the gears"))
+        else:
+            assert "\r" not in text and "\nb = 1" not in text
 
 
 OIL = b"""<component id="99" name="gear oil" type="lubricant">

@@ -73,7 +73,7 @@ def test_a_terminal_acts_upon_no_text(capsys):
     text = "a\x1b[2Jb\x07\x9b1m\u202ec\td\ne"
     print_message(text)
     print_lines(text)
-    shown = "a\\x1b[2Jb\\x07\\x9b1m\\u202ec\td\ne\n"
+    shown = "a\\x1b[2Jb\\x07\\x9b1m\\u202ec\td\\ne\n"
     assert capsys.readouterr() == (shown, shown)
     assert visible("Größe ä µm − ψ") == "Größe ä µm − ψ"
 

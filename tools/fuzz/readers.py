@@ -206,7 +206,10 @@ def process(home: Path, seed: str, kinds: list[str]) -> str:
         os.dup2(null, 1), os.dup2(null, 2)
         with tempfile.TemporaryDirectory(prefix="readers-") as folder:
             place = Path(folder) / "damaged"
-            attempts(home, place, random.Random(seed), kinds, lambda text: os.write(writer, text.encode()) and None)
+            try:
+                attempts(home, place, random.Random(seed), kinds, lambda text: os.write(writer, text.encode()) and None)
+            except BaseException:  # also what ends a program
+                os.write(writer, f"4, {' '.join(traceback.format_exc().split())[-600:]}\n".encode())
         os._exit(0)
     os.close(writer)
     with os.fdopen(reader, "rb") as stream:
