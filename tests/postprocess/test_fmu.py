@@ -13,6 +13,8 @@ from oilfilm.postprocess.batch.results import BatchPoint, BatchResults
 from oilfilm.postprocess.fmu import export
 from oilfilm.postprocess.fmu.export import table_of
 
+from ..kept import kept
+
 SPEEDS = (500.0, 1000.0, 2000.0, 4000.0, 8000.0)
 LOADS = (100.0, 300.0, 900.0, 2700.0)
 KEYS = ("operation.inner_speed_rpm", "operation.radial_load_N")
@@ -131,3 +133,12 @@ def test_equal_tables_are_equal_files(results, tmp_path):
 def test_no_table_without_a_full_grid(points, message):
     with pytest.raises(ValueError, match=message):
         table_of(batch(points))
+
+
+def test_every_number_is_kept(unit):
+    file, lines = unit
+    with zipfile.ZipFile(file) as archive:
+        texts = {name: archive.read(name) for name in archive.namelist() if name.endswith((".xml", ".c", ".h"))}
+    without = "guid|token|generation"
+    version = "fmi3" if any("fmi3" in name for name in texts) else "fmi2"
+    kept(f"unit, {version}", {"lines": lines, "texts": texts}, without=without)

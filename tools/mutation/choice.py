@@ -16,6 +16,7 @@ START = 1.0  # of a further file of tests: its import and fixtures [s]
 FILES = 8  # of tests for one mutant, at most
 NAMING = 5  # files of tests that are run whole, where no test is known to execute a line
 COMMON = 40  # places that name something, from which its callers are not followed
+KEPT = re.compile(r"test_kept\.py::|::test_every_number_is_kept")  # tests that compare all numbers of a result
 DEEP = 6  # calls between a kernel and a function that is no kernel
 
 
@@ -66,11 +67,13 @@ class Choice:
         return found
 
     def tests(self, file: str, line: int, seconds: float) -> tuple[list[str], float]:
-        """Names of tests, those that are near the module and short first; and their time without a mutant [s]."""
+        """Names of tests, first those that compare all numbers, then those that are near the module, short ones first;
+        and their time without a mutant [s].
+        """
         found = self.covering(file, line) or self._by_words(file, line)
-        ranked = sorted((_far(self.records[number]["file"], file), self._time(number, tests), number)
+        ranked = sorted((self._far(number, tests, file), self._time(number, tests), number)
                         for number, tests in found.items())  # fmt: skip
-        near = [row for row in ranked if row[0] == 0] or ranked[:1]
+        near = [row for row in ranked if row[0] <= 0] or ranked[:1]
         order = [*near, *sorted((row for row in ranked if row not in near), key=lambda row: row[1])]
         chosen: list[str] = []
         total = 0.0
@@ -111,17 +114,29 @@ class Choice:
             self.words[name] = frozenset(re.findall(r"\w{4,}", text))
         return self.words[name]
 
+    def _run(self, number: int, tests: list[int]) -> list[int]:
+        """Tests of a file that are run: those that compare all numbers, where there are some; else the whole file for
+        a line that its fixtures execute.
+        """
+        names = self.records[number]["tests"]
+        kept = [test for test, name in enumerate(names) if KEPT.search(name) and (test in tests or SET_UP in tests)]
+        return kept or (list(range(len(names))) if SET_UP in tests else tests)
+
+    def _far(self, number: int, tests: list[int], file: str) -> int:
+        record = self.records[number]
+        exact = any(KEPT.search(record["tests"][test]) for test in self._run(number, tests))
+        return -1 if exact else _far(record["file"], file)
+
     def _time(self, number: int, tests: list[int]) -> float:
         record = self.records[number]
-        if SET_UP in tests:
-            return float(record["total"]) + START
-        return min(sum(record["seconds"][test] for test in tests), record["total"]) + START
+        run = self._run(number, tests)
+        fixture = max(record["seconds"], default=0.0) if SET_UP in tests else 0.0  # in the time of its first test
+        return float(min(sum(record["seconds"][test] for test in run) + fixture, record["total"])) + START
 
     def _names(self, number: int, tests: list[int]) -> list[str]:
         record = self.records[number]
-        failed = set(record["failed"])
-        whole = range(len(record["tests"])) if SET_UP in tests else tests
-        return [record["tests"][test] for test in whole if record["tests"][test] not in failed]
+        names = [record["tests"][test] for test in self._run(number, tests)]
+        return [name for name in names if name not in record["failed"]]
 
 
 def _defined(node: ast.stmt) -> Iterator[str]:

@@ -27,6 +27,8 @@ from oilfilm.cases.format.shaft_case import load_shaft
 from oilfilm.cases.runs.shaft import run_shaft
 from oilfilm.postprocess.shaft.results import shaft_summary
 
+from ...kept import kept
+
 LOAD = "operation.radial_load_N"
 
 
@@ -409,3 +411,7 @@ def test_a_shaft_and_its_bearings_are_shown(shaft):
     names: dict = {}
     exec(lines + "\ncase = shaft_from_text(CASE, 'design')", names)
     assert names["case"].document == load_shaft("spindle_two_bearings").document
+
+
+def test_every_number_is_kept(answer, design):
+    kept("app", {"answer": answer, "design": [design.document, design.ranges()]}, 1e-5)

@@ -35,6 +35,9 @@ from oilfilm.postprocess.dynamics.results import dynamics_summary, dynamics_tabl
 from oilfilm.postprocess.report.html import figure, number
 from oilfilm.postprocess.report.page import report_page
 
+from ...kept import drawn, kept
+
+SHOWN = {}  # of the run in `folder`
 SHORT = "end_time_s = 0.004\noutput_interval_us = 50.0\n"
 PICTURES = ("speeds", "spin", "forces", "sliding", "states", "orbits", "spectrum", "energy")
 
@@ -64,7 +67,8 @@ def short(path, name="7008_combined", *changes):
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("dynamics")
-    found = run(short(folder / "case.toml"), "-o", folder / "out")
+    with drawn(as_well=True) as SHOWN["pictures"]:
+        found = run(short(folder / "case.toml"), "-o", folder / "out")
     assert found.exit_code == 0, found.output
     return folder / "out", found
 
@@ -532,3 +536,9 @@ def test_a_cage_that_leaves_the_speed_of_other_commands_is_told(tmp_path):
     assert document["cage_speed_rpm"] > 1.02 * 4405.0
     assert any("of rolling balls in equilibrium" in message for message in document["messages"])
     assert document["gyroscopic_load_ratio"] > 0.0
+
+
+def test_every_number_is_kept(folder):
+    document = json.loads((folder[0] / "summary.json").read_text(encoding="utf-8"))
+    with open_history(folder[0]) as history:
+        kept("dynamics", {"summary": document, "history": history.load(), **SHOWN}, 1e-4)

@@ -31,6 +31,8 @@ from oilfilm.postprocess.shaft.results import shaft_summary
 from oilfilm.postprocess.shaft.ross import ross_rotor
 from oilfilm.postprocess.shaft.write import write_shaft
 
+from ...kept import drawn, kept
+
 TEXT = shipped_cases()["spindle_two_bearings"].read_text(encoding="utf-8")
 
 
@@ -348,3 +350,9 @@ def test_lines_for_ross_need_an_equilibrium(tmp_path, monkeypatch):
         "BearingElement" not in found.stdout
         and not json.loads((tmp_path / "out/summary.json").read_text())["converged"]
     )
+
+
+def test_every_number_is_kept(results, tmp_path):
+    with drawn() as pictures:
+        write_shaft(results, tmp_path, write_shaft_collection)
+    kept("shaft", {"summary": shaft_summary(results), "files": tmp_path, "pictures": pictures})

@@ -13,6 +13,8 @@ from oilfilm.bearing import solve_quasistatic
 from oilfilm.cases import load_case
 from oilfilm.cases.cli.main import app
 
+from ...kept import drawn, kept
+
 CASE = "7008_back_to_back"
 
 
@@ -20,10 +22,14 @@ def run(*arguments):
     return CliRunner().invoke(app, ["stiffness", *arguments])
 
 
+SHOWN = {}  # of the run in `folder`
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("stiffness")
-    found = run(CASE, "-o", str(folder / "out"), "--points", "3", "--damping", "300", "--quiet")
+    with drawn(as_well=True) as SHOWN["pictures"]:
+        found = run(CASE, "-o", str(folder / "out"), "--points", "3", "--damping", "300", "--quiet")
     assert found.exit_code == 0
     return folder / "out"
 
@@ -87,3 +93,7 @@ def test_the_lines_for_the_rotor_code_have_the_damping_of_the_films(tmp_path):
     assert all(10.0 < c < 1e4 for c in table["cxx"])  # one ball under 100 N and 5 m/s has some 50 N s/m
     assert table["cxx"][1] < table["cxx"][0]  # film over speed falls
     assert any("damping by the films" in message for message in document["messages"])
+
+
+def test_every_number_is_kept(folder):
+    kept("stiffness", {"files": folder, **SHOWN})

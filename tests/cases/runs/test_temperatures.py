@@ -10,6 +10,8 @@ from typer.testing import CliRunner
 from oilfilm import postprocess
 from oilfilm.cases.cli.main import app
 
+from ...kept import drawn, kept
+
 CASE = """
 schema_version = 1
 title = "warm"
@@ -36,6 +38,9 @@ heat_transfer_W_K = 2.0
 NODES = ("shaft", "inner_ring", "balls", "outer_ring_loaded", "outer_ring_unloaded", "cage", "oil", "housing")
 
 
+SHOWN = {}  # of the run in `written`
+
+
 def oilfilm(*words):
     return CliRunner().invoke(app, list(words))
 
@@ -45,7 +50,8 @@ def written(tmp_path_factory):
     """Summary and folder of a run."""
     folder = tmp_path_factory.mktemp("temperatures")
     (folder / "case.toml").write_text(CASE)
-    answer = oilfilm("temperatures", str(folder / "case.toml"), "-o", str(folder / "out"), "--json", "-q")
+    with drawn(as_well=True) as SHOWN["pictures"]:
+        answer = oilfilm("temperatures", str(folder / "case.toml"), "-o", str(folder / "out"), "--json", "-q")
     assert answer.exit_code == 0, answer.output
     return json.loads(answer.stdout), folder
 
@@ -137,3 +143,8 @@ def test_a_new_case_of_a_greased_bearing_has_temperatures(tmp_path, monkeypatch)
     document = json.loads(answer.stdout)
     assert document["limiting_speed_rpm"] > 12000.0
     assert min(abs(row["speed_rpm"] / 6000.0 - 1.0) for row in document["balances"]) < 0.05
+
+
+def test_every_number_is_kept(written):
+    document, folder = written
+    kept("temperatures", {"summary": document, "files": folder / "out", **SHOWN}, 1e-5)

@@ -23,9 +23,14 @@ from oilfilm.cases.format.shipped import shipped_cases
 from oilfilm.cases.runs.transient import run_transient
 from oilfilm.postprocess import open_results
 
+from ...kept import drawn, kept
+
 STEMS = [stem for stem, path in shipped_cases().items() if path.parent.name == "transient"]
 WAVES = shipped_cases()["waviness_ball_on_disc"].read_text(encoding="utf-8")
 COARSE = WAVES.replace("points = 129", "points = 65").replace("[transient]", "[transient]\nframes = 4")
+
+
+SHOWN = {}  # of the run in `results`
 
 
 def run(*arguments):
@@ -37,7 +42,8 @@ def results(tmp_path_factory):
     folder = tmp_path_factory.mktemp("transient")
     case = folder / "waves.toml"
     case.write_text(COARSE, encoding="utf-8")
-    answer = run(case, "-o", folder / "out")
+    with drawn(as_well=True) as SHOWN["pictures"]:
+        answer = run(case, "-o", folder / "out")
     assert answer.exit_code == 0, answer.output
     assert "of its amplitude in the film" in answer.output
     return folder / "out"
@@ -200,3 +206,8 @@ def test_an_interrupted_run_keeps_its_steps_and_goes_on(tmp_path, results):
     assert not (tmp_path / "out_steps").exists()
     whole = (results / "steps.csv").read_text(encoding="utf-8")
     assert (tmp_path / "out" / "steps.csv").read_text(encoding="utf-8") == whole
+
+
+def test_every_number_is_kept(results):
+    files = {path.name: path for path in results.iterdir() if path.suffix in (".json", ".nc", ".csv")}
+    kept("transient", files | SHOWN, 1e-4)

@@ -22,6 +22,8 @@ from oilfilm.cases.runs.bearing import run_case
 from oilfilm.cases.runs.motion_model import build_model
 from oilfilm.postprocess import open_results
 
+from ...kept import drawn, kept
+
 CASE = """
 schema_version = 1
 title = "6205, pit on the inner race"
@@ -58,6 +60,9 @@ loss_time_us = 2.0
 """
 
 
+SHOWN = {}  # of the run in `folder`
+
+
 def run(*arguments, command="vibration"):
     return CliRunner().invoke(app, [command, *arguments])
 
@@ -71,7 +76,8 @@ def written(folder, text):
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("vibration")
-    found = run(written(folder, CASE), "-o", str(folder / "out"), "--quiet")
+    with drawn(as_well=True) as SHOWN["pictures"]:
+        found = run(written(folder, CASE), "-o", str(folder / "out"), "--quiet")
     assert found.exit_code == 0, found.output
     return folder / "out"
 
@@ -241,3 +247,8 @@ def test_run_vibration_and_simulation_have_one_cage_speed(bearing, radial, axial
     run = simulation(case.bearing, case.operation, build_model(case, None, lambda *_: None))
     assert run.state.y[run.layout.cage_speed][3] == pytest.approx(state.cage_speed, rel=1e-6)
     assert bearing_frequencies(state).cage == pytest.approx(state.cage_speed / (2.0 * np.pi), rel=1e-12)
+
+
+def test_every_number_is_kept(folder, document):
+    files = {path.name: path for path in folder.iterdir() if path.suffix == ".nc"}
+    kept("vibration", {"summary": document, "files": files, **SHOWN}, 1e-4)

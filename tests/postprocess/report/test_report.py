@@ -20,6 +20,8 @@ from oilfilm.postprocess.report.bearing import torque_section
 from oilfilm.postprocess.report.html import cards, estimated_keys, facts, number, text
 from oilfilm.postprocess.report.page import further_results, remarks, report_page, write_report
 
+from ...kept import kept
+
 VOID = {"meta", "img", "br", "rect", "line"}
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
 TORQUE = {
@@ -297,3 +299,7 @@ def test_a_block_in_one_unit_names_it(folder):
     page = further_results(document | {"temperatures_C": {"shaft": 39.3}, "heat_flows_W": {"shaft-ambient": 5.4}})
     assert "<h3>temperatures [°C]</h3>" in page
     assert "<h3>heat flows [W]</h3>" in page
+
+
+def test_every_number_is_kept(folder, contact_folder):
+    kept("report", {"bearing": report_page(folder), "contact": report_page(contact_folder)}, 1e-4)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import re
 import shutil
 import subprocess
 import sys
@@ -18,6 +19,8 @@ from oilfilm.postprocess.scene.render_process import (
     run_python,
 )
 from oilfilm.postprocess.scene.scene import SceneOptions, screenshot, view
+
+from ...kept import kept
 
 LINUX = sys.platform.startswith("linux")
 
@@ -224,3 +227,20 @@ def test_what_cannot_be_drawn_is_a_failure(words, drawing, bearing_folder, tmp_p
     assert result.exit_code == 4, result.output
     assert "no picture: the driver of the screen is missing" in result.output
     assert not list(tmp_path.glob("a.*"))
+
+
+@pytest.mark.usefixtures("drawing")
+def test_every_number_is_kept(bearing_folder, contact_folder):
+    """Points and colours of all bodies that stand in the scenes of a bearing and of a contact."""
+    from oilfilm.postprocess.scene.drawing import build_scene
+
+    found = {}
+    for name, folder in (("bearing", bearing_folder), ("contact", contact_folder)):
+        plotter = build_scene(folder, SceneOptions(), off_screen=True, for_page=True)
+        for key, actor in sorted(plotter.actors.items()):
+            mesh = getattr(getattr(actor, "mapper", None), "dataset", None)
+            if mesh is not None and hasattr(mesh, "points"):
+                arrays = {kind: np.asarray(values) for kind, values in mesh.point_data.items()}
+                found[f"{name} {re.sub('0x[0-9a-f]+|Addr=.*', '', key)}"] = [np.asarray(mesh.points), arrays]
+        found[f"{name} camera"] = [list(place) for place in plotter.camera_position]
+    kept("scene", found, 1e-4)
