@@ -40,7 +40,7 @@ SWEEP = """case = "6206_radial_500N"
 "operation.radial_load_N" = [500.0, 1000.0]
 "operation.inner_speed_rpm" = [500.0, 5000.0]
 """
-WITH_FILES = ("angular contact", "pair", "supplied")
+WITH_FILES = ("angular contact", "pair")
 CONTACTS = ("ball_on_disc", "ball_on_disc_starved", "squalane_ball_on_disc", "coated_steel", "moes_20_10")
 SOLVED = 1e-4
 
@@ -95,7 +95,7 @@ def test_new_cases(tmp_path, monkeypatch):
     found = []
     for number, bearing in enumerate(NEW):
         words = bearing if bearing.startswith("--") else f"--bearing {bearing}"
-        for wish in ("", " --speed 7000 --radial 900 --axial 300"):
+        for wish in ("", " --speed 7000 --radial 900 --axial 300")[number % 2 :]:
             name = f"case{number}{len(wish)}"
             told = answer(f"init {name} {words}{wish}", tmp_path)
             file = tmp_path / f"{name}.toml"
@@ -104,9 +104,9 @@ def test_new_cases(tmp_path, monkeypatch):
 
 
 def test_shipped_cases():
-    """All values as they are read."""
+    """All values as they are read, of every third."""
     shafts = [stem for stem, path in shipped_cases().items() if path.parent.name == "shaft"]
-    cases = [load_shaft(stem) if stem in shafts else load_case(stem) for stem in sorted(shipped_cases())]
+    cases = [load_shaft(stem) if stem in shafts else load_case(stem) for stem in sorted(shipped_cases())[::3]]
     kept("shipped cases", cases, floor=1e-15, without="/text|/path|/name$")
 
 

@@ -230,17 +230,18 @@ def test_what_cannot_be_drawn_is_a_failure(words, drawing, bearing_folder, tmp_p
 
 
 @pytest.mark.usefixtures("drawing")
-def test_every_number_is_kept(bearing_folder, contact_folder):
+def test_every_number_is_kept(scene, contact_folder):
     """Points and colours of all bodies that stand in the scenes of a bearing and of a contact."""
     from oilfilm.postprocess.scene.drawing import build_scene
 
     found = {}
-    for name, folder in (("bearing", bearing_folder), ("contact", contact_folder)):
-        plotter = build_scene(folder, SceneOptions(), off_screen=True, for_page=True)
-        for key, actor in sorted(plotter.actors.items()):
+    single = build_scene(contact_folder, SceneOptions(), off_screen=True, for_page=False)
+    for name, one in (("bearing", scene), ("contact", single)):
+        for key, actor in sorted(one.plotter.actors.items()):
             mesh = getattr(getattr(actor, "mapper", None), "dataset", None)
-            if mesh is not None and hasattr(mesh, "points"):
+            if hasattr(mesh, "points") and not re.search("0x|Addr", key):
                 arrays = {kind: np.asarray(values) for kind, values in mesh.point_data.items()}
-                found[f"{name} {re.sub('0x[0-9a-f]+|Addr=.*', '', key)}"] = [np.asarray(mesh.points), arrays]
-        found[f"{name} camera"] = [list(place) for place in plotter.camera_position]
+                found[f"{name} {key}"] = [np.asarray(mesh.points), arrays]
+        found[f"{name} texts"] = [one.title, one.note, one.labels, one.spots, one.up, one.colours]
+        found[f"{name} camera"] = [list(place) for place in one.plotter.camera_position]
     kept("scene", found, 1e-4)
