@@ -679,3 +679,28 @@ def test_validation_refuses_what_a_run_refuses(tmp_path):
     (tmp_path / "case.toml").write_text(text.replace("temperature_C = 40.0", "temperature_C = -300.0"))
     checked, run = oilfilm("validate", "case.toml"), oilfilm("run", "case.toml", "-o", "out")
     assert (checked.exit_code, checked.stderr) == (run.exit_code, run.stderr)
+
+
+READERS = (
+    "validate",
+    "run",
+    "batch",
+    "import",
+    "view",
+    "report",
+    "compare",
+    "export --format xlsx",
+    "init --bearing 6208",
+)
+
+
+@pytest.mark.parametrize("command", READERS)
+def test_the_name_of_a_file_breaks_no_message(command, tmp_path, monkeypatch):
+    """Ends of lines and control characters in a name are written out: one line on one of the streams."""
+    monkeypatch.chdir(tmp_path)
+    name, *options = command.split()
+    answer = CliRunner().invoke(app, [name, *["a\nb\r\x1b[2J"] * (1 + (name == "compare")), *options])
+    assert answer.exit_code == (0 if name == "init" else 2)
+    shown = answer.stderr + answer.stdout
+    assert shown.count("\n") == 1
+    assert "a\\nb\\r\\x1b[2J" in shown
