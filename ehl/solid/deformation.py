@@ -16,8 +16,9 @@ from .layered import ScaledCoating, patch_compliance
 NEAR_LINES = 4
 NEAR_COLUMNS = 12
 # nodes up to which the transforms are products with matrices, in a fifth to a half of the time:
-# FFTs are as fast on 33 x 65 nodes, and on 65 x 129 of a symmetric grid
-MATRIX_NODES = 1100
+# FFTs are as fast on 33 x 65 nodes, and on 65 x 129 of a symmetric grid. From 33 x 33 complex
+# ones on OpenBLAS shares a product among threads, whose waiting takes 20 to 300 times as long
+MATRIX_NODES = 1050
 MATRIX_NODES_SYMMETRIC = 2200
 
 
