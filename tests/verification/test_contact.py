@@ -271,7 +271,7 @@ def test_tolerance_refines_until_the_bars_are_small_enough():
 
 def test_a_mesh_too_coarse_for_the_tolerance_is_refined_from_its_solution(monkeypatch):
     """Little more work than on the last mesh alone, the same films."""
-    monkeypatch.setattr(solver, "FIRST_FINENESS", 0.1)
+    monkeypatch.setattr(solver, "FIRST_FINENESS", (0.1, 0.1))
     refined = solve_contact(CIRCULAR, SolverOptions(points=513, domain=BOX, tolerance=0.01))
     alone = solve_contact(CIRCULAR, SolverOptions(points=refined.X.size, domain=BOX))
     assert refined.message == "converged"
@@ -288,7 +288,7 @@ def test_films_stand_unresolved_where_a_finer_mesh_does_not_converge(monkeypatch
         finer, result = solver._solve(*arguments[:2], ATTEMPTS, arguments[4])
         return replace(finer, converged=False, message="not converged"), result
 
-    monkeypatch.setattr(solver, "FIRST_FINENESS", 0.4)
+    monkeypatch.setattr(solver, "FIRST_FINENESS", (0.4, 0.4))
     monkeypatch.setattr(solver, "_solve_finer", unsettled)
     s = solve_contact(CIRCULAR, SolverOptions(points=513, domain=BOX, tolerance=0.01))
     coarse = solve_contact(CIRCULAR, SolverOptions(points=s.X.size, domain=BOX))
@@ -413,7 +413,7 @@ def test_oblique_entrainment_on_two_grids():
     outcome = solve_with_fallbacks((turned, turned), choose_domain(turned), options, Progress())
     assert outcome.converged
     for kind, film in enumerate((straight.film_central_dimensionless, straight.film_minimum_dimensionless)):
-        other = extrapolate(outcome.levels, kind, oblique=True)
+        other = extrapolate(outcome.levels, kind)
         assert abs(film.value - other.value) < film.uncertainty + other.uncertainty < (0.02, 0.035)[kind] * film.value
         assert abs(film.value - other.value) < 0.01 * film.value
 

@@ -84,6 +84,43 @@ def with_inlet_film_by_law(
     )
 
 
+def between_layers(
+    middle: ContactSolution, thin: ContactSolution, thick: ContactSolution
+) -> ContactSolution:
+    """Widen the bars of films behind a layer that is not uniform to those of its ends.
+
+    Of twelve contacts solved behind profiles of 0.3 to 3 times as much oil at the sides the
+    central film is within 8 % of that by the middle, of one whose layer rises from the middle on
+    31 % above; minimum films are 0.3 to 1.3 times as thick.
+
+    Parameters
+    ----------
+    middle : ContactSolution
+        solution by the layer in the middle of the track
+    thin : ContactSolution
+        solution by the thinnest layer over the Hertz ellipse
+    thick : ContactSolution
+        solution by the thickest layer there
+
+    Returns
+    -------
+    ContactSolution
+        solution by the middle with wider bars, told in the message
+    """
+    message = (
+        f"{middle.message}; law of starvation: a layer that is not uniform counts as that in the "
+        "middle of the track, error bars reach to the films of its thinnest and thickest places; "
+        'starvation = "solved" solves the profile'
+    )
+    bars = {}
+    for name in ("film_central_dimensionless", "film_minimum_dimensionless"):
+        film, low, high = (getattr(one, name) for one in (middle, thin, thick))
+        least = low.value - low.uncertainty
+        most = high.value + high.uncertainty
+        bars[name] = replace(film, uncertainty=max(film.value - least, most - film.value))
+    return replace(middle, message=message, **bars)
+
+
 def _rise(share: ReductionFactor, less: ReductionFactor) -> float:
     """d ln R/d ln r from the share at a ratio smaller by `RATIO_STEP` [-]."""
     return log(share.value / less.value) / RATIO_STEP

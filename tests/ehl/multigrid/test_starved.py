@@ -105,6 +105,23 @@ def test_the_law_of_starvation_beside_a_solution(ratio):
     assert by_law.supply.filled is by_law.supply.outlet_layer is by_law.supply.meniscus is None
 
 
+@pytest.mark.parametrize("beside", [0.4, 3.0])
+def test_the_law_behind_a_profile_has_the_middle_and_a_range_of_the_minimum(beside):
+    """Up to 2.8 times the minimum of a solution by the middle alone, and no word of it."""
+    even = starved(0.6).conditions
+    middle = even.inlet_layer.central
+    profile = InletLayer(thickness=(beside * middle, middle, beside * middle), y=(-1.0, 0.0, 1.0))
+    conditions = replace(even, inlet_layer=profile)
+    solved = solve_contact(conditions, SolverOptions(points=129))
+    by_law = solve_contact(conditions, SolverOptions(points=129, tabulated=True))
+    assert solved.converged and by_law.converged
+    assert "not uniform" in by_law.message
+    for name in ("film_central_dimensionless", "film_minimum_dimensionless"):
+        right, film = getattr(solved, name), getattr(by_law, name)
+        assert abs(film.value - right.value) < film.uncertainty + right.uncertainty
+    assert by_law.film_minimum_dimensionless.value <= by_law.film_central_dimensionless.value
+
+
 def test_the_law_holds_for_the_frame_of_the_entrainment():
     """Oblique: near the solution (0.820 at r 1), named as outside; across the ellipse it is that of the turned one."""
     contact = moes(100.0, 10.0, 0.3, np.pi / 6.0, oil=OIL)

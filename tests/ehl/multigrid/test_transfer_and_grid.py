@@ -138,25 +138,22 @@ def test_bars_widen_where_the_order_is_not_seen_and_where_levels_miss():
         ([0.2000, 0.26827, 0.3098, 0.31343], 0.3091),  # M 3629, L 0.79, R_x/R_y 0.0968, 69.7 deg: falls too fast
     ],
 )
-def test_bars_of_minimum_films_at_an_angle_hold_a_late_turn(films, right):
+def test_bars_of_minimum_films_hold_a_late_turn(films, right):
     """Levels of 129 to 1025 points, and the film of 2049."""
     known = levels(films, fineness=400.0)
-    film = extrapolate(known, 1, oblique=True)
+    film = extrapolate(known, 1)
     assert abs(film.value - right) < film.uncertainty
-    assert abs(film.value - right) > extrapolate(known, 0, oblique=True).uncertainty  # no bar of a steady sequence
+    assert abs(film.value - right) > extrapolate(known, 0).uncertainty  # no bar of a steady sequence
 
 
-def test_the_bar_of_a_minimum_film_at_an_angle_that_no_step_bears_out_is_wider_than_the_step():
+def test_bars_are_twice_as_wide_where_no_third_resolved_level_bears_out_the_order():
+    """The minimum's is the whole step, half of it the central one's."""
     known = levels([0.9, 0.93, 0.96], fineness=40.0)
     assert not known[0].resolved
-    assert extrapolate(known, 1, oblique=True).uncertainty > 1.5 * (0.96 - 0.93) / 3.0
-
-
-def test_bars_of_two_levels_far_apart_hold_the_whole_step():
-    """A skewed contact of M 1801 was 1.07 steps off on 257 points, with a bar of 0.7."""
-    for fall, share in ((0.05, 0.5), (0.3, 1.1)):
-        film = extrapolate(levels([1.0 + fall, 1.0]), 0)
-        assert film.uncertainty == pytest.approx(share * fall / 3.0)
+    for sequence in (known, levels([0.93, 0.96])):
+        for kind, share in ((0, 0.5), (1, 1.0)):
+            film = extrapolate(sequence, kind)
+            assert film.uncertainty == pytest.approx(share * 0.03 / 3.0)
 
 
 def test_a_level_below_that_is_not_solved_is_left_out():
@@ -175,9 +172,9 @@ def test_bars_hold_what_the_cycles_left():
     assert noisy.uncertainty > quiet.uncertainty
 
 
-def test_minimum_of_an_oblique_entrainment_has_the_wider_bar():
-    straight, oblique = (extrapolate(levels([0.8, 0.95, 0.9875]), 1, oblique=x) for x in (False, True))
-    assert oblique.uncertainty > 1.9 * straight.uncertainty
+def test_the_minimum_film_has_twice_the_bar_of_the_central_one():
+    central, minimum = (extrapolate(levels([0.8, 0.95, 0.9875]), kind) for kind in (0, 1))
+    assert minimum.uncertainty == pytest.approx(2.0 * central.uncertainty)
 
 
 def test_a_small_step_after_a_large_one_keeps_the_bar():
