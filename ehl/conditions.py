@@ -27,13 +27,31 @@ import numpy as np
 from .arrays import Array
 from .oil.lubricant import InletLayer, Lubricant
 from .options import require_finite, require_not_negative, require_positive
-from .solid.layered import Coating
 
 # share of the faster surface's speed: a mean velocity below it entrains no oil that a film could
 # be solved for
 SMALLEST_ENTRAINMENT = 1e-6
 
 MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Coating:
+    """Coating of one body; the contact's E' is that of the coating against the other body."""
+
+    thickness: float  # t [m]
+    youngs_modulus: float  # [Pa]
+    poisson_ratio: float  # [-]
+    substrate_youngs_modulus: float  # [Pa]; a thousand times the coating's is a rigid substrate
+    substrate_poisson_ratio: float  # [-]
+
+    def __post_init__(self) -> None:
+        for field in ("thickness", "youngs_modulus", "substrate_youngs_modulus"):
+            require_positive({f"coating {field}": getattr(self, field)})
+        for field in ("poisson_ratio", "substrate_poisson_ratio"):
+            value = getattr(self, field)
+            if not 0.0 <= value < 0.49:
+                raise ValueError(f"coating {field} must lie in [0, 0.49), got {value!r}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

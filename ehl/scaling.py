@@ -16,7 +16,13 @@ from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
 from .closed_form.starvation import inlet_ratio_of_moment, starvation_factors
 from .closed_form.starvation_factors import StarvationFactors
-from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
+from .conditions import (
+    Coating,
+    ContactConditions,
+    MoesConditions,
+    moes_groups,
+    speed_load_material,
+)
 from .oil.lubricant import (
     DOWSON_HIGGINSON_DENOMINATOR,
     DOWSON_HIGGINSON_NUMERATOR,
@@ -25,7 +31,6 @@ from .oil.lubricant import (
     Lubricant,
     ViscosityLaw,
 )
-from .solid.layered import ScaledCoating, scaled_coating
 
 # s [(1 + q P)^z - 1]
 CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)
@@ -51,6 +56,49 @@ class _Frame:
     def direction(self) -> float:
         """Direction of the entrainment, from the principal direction x towards y [rad]."""
         return self.angle + atan2(self.velocity[1], self.velocity[0])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScaledCoating:
+    """Compliance 1/r + f c(r/t)/t of both bodies together, lengths in units of a [-]."""
+
+    thickness: float  # t/a
+    fraction: float  # f, of the coated body in the compliance of the contact
+    ratio: float  # E of the substrate over that of the coating
+    poisson: tuple[float, float]  # of coating and substrate
+
+
+def scaled_coating(coating: Coating, reduced_modulus: float, semi_axis: float) -> ScaledCoating:
+    """Dimensionless form of a coating.
+
+    Parameters
+    ----------
+    coating : Coating
+        thickness and elastic constants
+    reduced_modulus : float
+        E' of the coating against the other body [Pa]
+    semi_axis : float
+        a [m]
+
+    Returns
+    -------
+    ScaledCoating
+        the coating in units of a
+
+    Raises
+    ------
+    ValueError
+        if E' is larger than the coating alone allows
+    """
+    fraction = 0.5 * reduced_modulus * (1.0 - coating.poisson_ratio**2) / coating.youngs_modulus
+    if fraction > 1.0 + 1e-9:
+        raise ValueError("reduced_modulus exceeds that of the coating against a rigid body")
+    return ScaledCoating(
+        thickness=coating.thickness / semi_axis,
+        fraction=fraction,
+        ratio=coating.substrate_youngs_modulus / coating.youngs_modulus,
+        poisson=(coating.poisson_ratio, coating.substrate_poisson_ratio),
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

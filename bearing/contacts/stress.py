@@ -44,7 +44,7 @@ from functools import cache
 from math import acos, pi, sin, sqrt
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from oilfilm.ehl import ContactSolution
 from oilfilm.ehl.arrays import Array
@@ -217,7 +217,7 @@ def cut_approach(near_edge: float, far_edge: float) -> float | None:
         return sum(approach * end - end**3 / 3.0 for end in ends) - HERTZ_LOAD
 
     # at 1/s either side carries at least 1 - s^3/3 of the 4/3
-    return float(brentq(excess, 1.0, 1.0 / near_edge))
+    return float(scipy.optimize.brentq(excess, 1.0, 1.0 / near_edge))
 
 
 def _on_ellipse(s: float) -> float:

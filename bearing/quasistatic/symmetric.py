@@ -10,8 +10,8 @@ there. The balls that were left out are then put in, and ring and balls checked 
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import root
 
 from oilfilm.ehl.arrays import Array
 
@@ -158,7 +158,7 @@ def _static_position(ring: Ring, problem: BallProblem) -> Array:
         total = np.einsum("qfz,fz->q", ring.gather, forces) + ring.load
         return np.asarray(total[free] / largest)
 
-    result = root(unbalance, guess[free] / ring.distance)
+    result = scipy.optimize.root(unbalance, guess[free] / ring.distance)
     position = guess.copy()
     if result.success:
         position[free] = result.x * ring.distance

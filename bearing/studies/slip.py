@@ -16,7 +16,7 @@ from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.options import require_positive
@@ -438,5 +438,5 @@ def _root(
 
     if not isfinite(bracket[0]):
         return nan
-    load = brentq(excess, *bracket, rtol=LOAD_RTOL, xtol=LOAD_RTOL * bracket[0])
+    load = scipy.optimize.brentq(excess, *bracket, rtol=LOAD_RTOL, xtol=LOAD_RTOL * bracket[0])
     return nan if unsolved else float(load)

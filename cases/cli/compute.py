@@ -138,18 +138,22 @@ def film(
     notes: terminal.Notes = False,
 ) -> int:
     """Films of a contact, or of each contact of a bearing, by the film atlas, without a solve."""
-    from oilfilm.postprocess.bearing.atlas import atlas_bearing_summary, atlas_bearing_table
-    from oilfilm.postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
-
     from ..format.case import ContactCase, load_case
-    from ..runs.atlas import run_atlas_bearing, run_atlas_contact
-    from ..runs.heating import with_temperature
 
     loaded = load_case(case)
     if isinstance(loaded, ContactCase):
+        from oilfilm.postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
+
+        from ..runs.atlas_contact import run_atlas_contact
+
         own = run_atlas_contact(loaded, case)
         document = atlas_contact_summary(own)
         return report(document, lambda: atlas_contact_table(own), None, as_json, quiet, notes)
+    from oilfilm.postprocess.bearing.atlas import atlas_bearing_summary, atlas_bearing_table
+
+    from ..runs.atlas import run_atlas_bearing
+    from ..runs.heating import with_temperature
+
     found = run_atlas_bearing(with_temperature(loaded), case)
     document = atlas_bearing_summary(found)
     return report(document, lambda: atlas_bearing_table(found), None, as_json, quiet, notes)

@@ -10,9 +10,8 @@ from pydantic import Field, model_validator
 from oilfilm.bearing.material import Material, reduced_modulus
 from oilfilm.bearing.supply.track import TrackPasses
 from oilfilm.ehl import ContactConditions, InletLayer, Lubricant, MoesConditions
-from oilfilm.ehl.conditions import surface_motion
+from oilfilm.ehl.conditions import Coating, surface_motion
 from oilfilm.ehl.options import GENERALIZED_POINTS, TOLERANCE
-from oilfilm.ehl.solid.layered import Coating
 
 from .fields import (
     FORCE_MAXIMUM,

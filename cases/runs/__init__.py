@@ -1,6 +1,7 @@
 """One case run.
 
-atlas              - films of a case by the film atlas, without a film solve
+atlas              - films of a bearing by the film atlas, without a film solve
+atlas_contact      - likewise of a single contact, which loads nothing of bearings
 bearing            - run a case
 contact            - run of a single contact
 drawing            - pictures and VTK of a run, made by processes while the numbers are written

@@ -1,4 +1,4 @@
-"""Films of a case by the film atlas, without a film solve."""
+"""Films of a bearing by the film atlas, without a film solve."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -17,12 +17,11 @@ from oilfilm.ehl import ContactConditions, atlas_films
 from oilfilm.ehl.atlas.films import NotInAtlasError
 from oilfilm.ehl.units import from_si
 from oilfilm.postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasRecord
-from oilfilm.postprocess.contact.atlas import AtlasContactResults, AtlasRecord
 
-from ..format.case import Case, ContactCase
-from ..format.contact import FilmModel, FilmSource
-from ..format.rules import CaseError
+from ..format.case import Case
+from ..format.contact import FilmSource
 from ..version import version
+from .atlas_contact import require_newtonian
 from .equilibrium import without_traction_equilibrium
 from .films import oil_at_inlets, wanted_contacts
 
@@ -32,42 +31,6 @@ HALF_AND_HALF = (
 TOO_LIGHT = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
 FILLS_GAP = "between two films, in a gap of {:.3g} um: by atlas or formula"
 NO_EQUILIBRIUM = "there is no equilibrium"
-
-
-def run_atlas_contact(case: ContactCase, name: str) -> AtlasContactResults:
-    """Films of a single contact by the film atlas.
-
-    Parameters
-    ----------
-    case : ContactCase
-        The contact.
-    name : str
-        Name of the case in messages.
-
-    Returns
-    -------
-    AtlasContactResults
-        The films.
-
-    Raises
-    ------
-    CaseError
-        If the atlas does not cover the contact.
-    """
-    solver = f"use 'oilfilm contact {name}'"
-    _require_newtonian(case, name, solver)
-    start = perf_counter()
-    try:
-        films = atlas_films(case.conditions)
-    except NotInAtlasError as refusal:
-        raise CaseError(f"{name}: {refusal.reason}; {solver}") from None
-    return AtlasContactResults(
-        version=version(),
-        case=case.document,
-        record=AtlasRecord(conditions=case.conditions, films=films),
-        messages=case.warnings,
-        timing={"total": perf_counter() - start},
-    )
 
 
 def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
@@ -91,7 +54,7 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
         If the films of the case have heat or shear thinning.
     """
     solver = f"use 'oilfilm run {name}'"
-    _require_newtonian(case, name, solver)
+    require_newtonian(case, name, solver)
     start = perf_counter()
     case = replace(case, film_maps="all")
     model = without_traction_equilibrium(case.model)
@@ -188,13 +151,3 @@ def _film(record: BearingAtlasRecord) -> ContactFilm | None:
     if record.contact.gap is not None:
         return formula_films([record.contact])[0]
     return atlas_film(record.contact, record.in_lengths)
-
-
-def _require_newtonian(case: Case | ContactCase, name: str, solver: str) -> None:
-    """`CaseError` where the case asks for films with heat or shear thinning."""
-    model = case.films.model
-    if model is not FilmModel.NEWTONIAN:
-        raise CaseError(
-            f'{name}: [ehl] film_model = "{model.value}": the film atlas has isothermal films of '
-            f"a Newtonian oil; {solver}"
-        )

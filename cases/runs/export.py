@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from oilfilm.ehl import ContactConditions
+from oilfilm.ehl.conditions import Coating
 from oilfilm.ehl.foreign_files import parse_json
-from oilfilm.ehl.solid.layered import Coating
 from oilfilm.postprocess.open_results import open_results
 from oilfilm.postprocess.scene.export import export_results
 

@@ -16,7 +16,7 @@ from functools import cache, lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from ..arrays import Array
 from ..conditions import ContactConditions, MoesConditions
@@ -92,7 +92,7 @@ def inlet_oil(oil: Lubricant) -> InletOil:
     def excess(z: float) -> float:
         return _roelands_moments(_alpha(z, first), z)[1] / second - 1.0
 
-    z = float(brentq(excess, *Z_LIMITS, xtol=1e-6))
+    z = float(scipy.optimize.brentq(excess, *Z_LIMITS, xtol=1e-6))
     return InletOil(_alpha(z, first), z, first)
 
 
@@ -226,7 +226,7 @@ def _alpha(z: float, first: float) -> float:
         return _roelands_moments(float(np.exp(log_alpha)), z)[0] / first - 1.0
 
     near = -float(np.log(first))
-    return float(np.exp(brentq(excess, near - 2.0, near + 2.0, xtol=1e-7)))
+    return float(np.exp(scipy.optimize.brentq(excess, near - 2.0, near + 2.0, xtol=1e-7)))
 
 
 def _roelands_moments(alpha: float, z: float) -> tuple[float, float]:

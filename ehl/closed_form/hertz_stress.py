@@ -16,8 +16,8 @@ from math import atan, atanh, sqrt
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.optimize import minimize_scalar
 from scipy.special import elliprd
 
 from ..arrays import Array
@@ -128,7 +128,7 @@ def _searched_shear(ratio: float, nu: float) -> tuple[float, float]:
     row = np.geomspace(1e-3, DEEPEST, SEARCHED_DEPTHS)
     best = int(np.argmax(shear(row)))
     ends = row[max(best - 1, 0)], row[min(best + 1, SEARCHED_DEPTHS - 1)]
-    peak = minimize_scalar(
+    peak = scipy.optimize.minimize_scalar(
         lambda depth: -float(shear(depth)), bounds=ends, method="bounded", options={"xatol": 1e-9}
     )
     return -float(peak.fun), float(peak.x)

@@ -22,8 +22,8 @@ from math import cos, inf, isfinite, sin
 from typing import NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.linalg import solve_banded
 
 from ..arrays import Array
 from ..grid import Grid
@@ -228,7 +228,7 @@ def _reynolds_condition(
         bands[0, 1:] = np.where(wet, after, 0.0)[:-1]
         bands[1] = np.where(wet, middle, 1.0)
         bands[2, :-1] = np.where(wet, before, 0.0)[1:]
-        f = solve_banded((1, 1), bands, np.where(wet, source, 0.0))
+        f = scipy.linalg.solve_banded((1, 1), bands, np.where(wet, source, 0.0))
         # 4. dry where f is negative, wet where oil flows into a direction without pressure
         flow = after * np.roll(f, -1) + before * np.roll(f, 1) - source
         turned = np.where(wet, f > 0.0, flow > 0.0)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from math import ceil, inf, sqrt
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from ..arrays import Array
 from ..closed_form.hertz import hertz_deflection
@@ -796,7 +796,7 @@ def choose_domain(contact: ScaledContact) -> Box:
         return _box(contact, 1.0)
     if excess(LARGEST_WIDENING) >= 0.0:
         return _box(contact, LARGEST_WIDENING)
-    needed = float(brentq(excess, 1.0 - TRANSITION, LARGEST_WIDENING, xtol=1e-3))
+    needed = float(scipy.optimize.brentq(excess, 1.0 - TRANSITION, LARGEST_WIDENING, xtol=1e-3))
     turned = 1.0 + (needed - 1.0 + TRANSITION) ** 2 / (4.0 * TRANSITION)
     return _box(contact, needed if needed > 1.0 + TRANSITION else turned)
 

@@ -18,8 +18,8 @@ and the powers of H; the slope of ln(eta) is a central difference of the oil's o
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import sparse
 
 from ..arrays import Array
 from ..grid import Grid
@@ -316,7 +316,7 @@ def poiseuille_change(
     return by_pressure + by_flow
 
 
-def near_field(lin: Linearisation) -> sparse.csr_matrix:
+def near_field(lin: Linearisation) -> "scipy.sparse.csr_matrix":
     """Assemble the derivative with the deflection of a node and its eight neighbours only,
     tapered.
 
@@ -342,12 +342,12 @@ def near_field(lin: Linearisation) -> sparse.csr_matrix:
     edge = lin.edge.ravel()
     by_pressure = (
         poiseuille
-        + by_eps @ sparse.diags(lin.eps_by_pressure.ravel())
-        - wedge @ sparse.diags(lin.content_by_pressure.ravel())
-        + sparse.diags(edge.astype(np.float64))
+        + by_eps @ scipy.sparse.diags(lin.eps_by_pressure.ravel())
+        - wedge @ scipy.sparse.diags(lin.content_by_pressure.ravel())
+        + scipy.sparse.diags(edge.astype(np.float64))
     )
-    by_film = by_eps @ sparse.diags(lin.eps_by_film.ravel())
-    by_film = by_film - wedge - sparse.diags(lin.edge_by_film.ravel())
+    by_film = by_eps @ scipy.sparse.diags(lin.eps_by_film.ravel())
+    by_film = by_film - wedge - scipy.sparse.diags(lin.edge_by_film.ravel())
     return (by_pressure + by_film @ _near_kernel(lin)).tocsr()
 
 
@@ -372,7 +372,7 @@ class _Nodes:
         known = (j >= 0) & (j < self.grid.ny) & (i >= 0) & (i < self.grid.nx)
         return np.where(known, j, 0), np.where(known, i, 0), known
 
-    def matrix(self, entries: list[Entry]) -> sparse.csr_matrix:
+    def matrix(self, entries: list[Entry]) -> "scipy.sparse.csr_matrix":
         """Matrix over all nodes, numbered j nx + i, of stencil entries."""
         nx = self.grid.nx
         rows, columns, values = [], [], []
@@ -383,7 +383,7 @@ class _Nodes:
             values.append(value[known])
         positions = (np.concatenate(rows), np.concatenate(columns))
         size = self.grid.ny * nx
-        return sparse.csr_matrix((np.concatenate(values), positions), (size, size))
+        return scipy.sparse.csr_matrix((np.concatenate(values), positions), (size, size))
 
 
 def _nodes(grid: Grid, *, inside: bool) -> _Nodes:
@@ -393,7 +393,7 @@ def _nodes(grid: Grid, *, inside: bool) -> _Nodes:
 
 def _poiseuille_matrices(
     lin: Linearisation, nodes: _Nodes
-) -> tuple[sparse.csr_matrix, sparse.csr_matrix]:
+) -> "tuple[scipy.sparse.csr_matrix, scipy.sparse.csr_matrix]":
     """Derivatives of d_X(eps d_X P) + d_Y(eps d_Y P) by P and by eps."""
     along, across = 0.5 / lin.grid.hx**2, 0.5 / lin.grid.hy**2
     here = (nodes.j, nodes.i)
@@ -416,7 +416,7 @@ def _poiseuille_matrices(
     return nodes.matrix(by_pressure), nodes.matrix(by_eps)
 
 
-def _wedge_matrix(lin: Linearisation, nodes: _Nodes) -> sparse.csr_matrix:
+def _wedge_matrix(lin: Linearisation, nodes: _Nodes) -> "scipy.sparse.csr_matrix":
     """Derivative of d_X(flow_x H) + d_Y(flow_y H) by H: (3, -4, 1)/2 upstream, central where that
     leaves the grid. Behind an empty node what enters does not depend on H.
     """
@@ -453,7 +453,7 @@ def _upstream(
     return entries
 
 
-def _near_kernel(lin: Linearisation) -> sparse.csr_matrix:
+def _near_kernel(lin: Linearisation) -> "scipy.sparse.csr_matrix":
     """Tapered deflection of a node and its eight neighbours."""
     nodes = _nodes(lin.grid, inside=False)
     ones = np.ones(len(nodes.j))

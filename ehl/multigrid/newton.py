@@ -19,9 +19,8 @@ from math import inf
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import sparse
-from scipy.sparse import linalg
 
 from ..arrays import Array
 from ..solution import Certificate
@@ -101,7 +100,7 @@ class Preconditioner:
 
 
 def factor_bordered(
-    near: sparse.csr_matrix, border: Border, order: NDArray[np.intp] | None = None
+    near: "scipy.sparse.csr_matrix", border: Border, order: NDArray[np.intp] | None = None
 ) -> Preconditioner:
     """Factor the near field of a bordered system.
 
@@ -129,9 +128,9 @@ def factor_bordered(
     """
     try:
         if order is None:
-            factors = linalg.splu(near.tocsc())
+            factors = scipy.sparse.linalg.splu(near.tocsc())
         else:
-            factors = linalg.splu(
+            factors = scipy.sparse.linalg.splu(
                 near[order][:, order].tocsc().astype(np.float32),
                 permc_spec="NATURAL",
                 diag_pivot_thresh=PIVOT,
@@ -203,10 +202,12 @@ def solve_bordered(
         return np.append(operator(v[:-1]) + border.column * v[-1], balance)
 
     residuals: list[float] = []
-    solution, failed = linalg.gmres(
-        linalg.LinearOperator((size, size), matvec=product, dtype=kind),
+    solution, failed = scipy.sparse.linalg.gmres(
+        scipy.sparse.linalg.LinearOperator((size, size), matvec=product, dtype=kind),
         np.append(*right).astype(kind),
-        M=linalg.LinearOperator((size, size), matvec=preconditioner.solve, dtype=kind),
+        M=scipy.sparse.linalg.LinearOperator(
+            (size, size), matvec=preconditioner.solve, dtype=kind
+        ),
         rtol=tolerance,
         restart=RESTART,
         maxiter=RESTARTS,
@@ -452,9 +453,9 @@ def factor(state: Multigrid, index: int, lin: Linearisation) -> Factored:
     matrix = near_field(lin)
     diagonal = np.where(lin.edge, 1.0, -np.abs(matrix.diagonal()).reshape(lin.P.shape))
     dry = dry_nodes(lin, diagonal).ravel()
-    rows = sparse.diags(np.where(dry, 0.0, 1.0 / diagonal.ravel()))
-    columns = sparse.diags(np.where(dry, 0.0, 1.0))
-    identity = sparse.diags(np.where(dry, 1.0, 0.0))
+    rows = scipy.sparse.diags(np.where(dry, 0.0, 1.0 / diagonal.ravel()))
+    columns = scipy.sparse.diags(np.where(dry, 0.0, 1.0))
+    identity = scipy.sparse.diags(np.where(dry, 1.0, 0.0))
     # the wedge reaches two nodes upstream, the near field one node more
     reach = 2 if lin.couette[1] is None else 3
     order = nested_dissection(lin.P.shape, (reach, 3))

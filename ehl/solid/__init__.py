@@ -9,3 +9,8 @@ heat             - bodies as half-spaces that move past a source of heat
 layered          - compliance of a contact one body of which is coated
 subsurface       - stress in a half-space below a given pressure
 """
+
+import lazy_loader
+
+# the elements of coatings load scikit-fem, which few contacts need
+__getattr__, __dir__, __all__ = lazy_loader.attach(__name__, submodules=["layered"])

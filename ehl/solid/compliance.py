@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from scipy import fft, sparse
 
 from ..arrays import Array
-from .layered import ScaledCoating, point_compliance
+from ..scaling import ScaledCoating
+from .layered import point_compliance
 
 # distance in the longer lattice spacing from which a hat function is a point load with its second
 # moments to 1e-6 of the compliance; the closed form loses (r/spacing)^4 of round-off

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy import fft
+import scipy
 
+from .. import solid
 from ..arrays import Array
 from ..grid import Grid
-from .layered import ScaledCoating, patch_compliance
+from ..scaling import ScaledCoating
 
 # part of the kernel that the line relaxation uses
 NEAR_LINES = 4
@@ -83,18 +84,18 @@ def deflection_kernel(
     quarter = deformation * unit_deflections(grid, coating)
     most = MATRIX_NODES_SYMMETRIC if grid.symmetric else MATRIX_NODES
     # even in x and y: cosine transforms of the quarter are the real spectrum
-    along = fft.dct(quarter, type=1, axis=1)
+    along = scipy.fft.dct(quarter, type=1, axis=1)
     far = np.zeros(grid.nx)
     if grid.symmetric:
         length = transform_length(len(quarter) - 1)
         if length < len(quarter):
             far = along[length]
-        series = fft.dct(along[:length], type=3, n=length, axis=0) / (2 * length)
+        series = scipy.fft.dct(along[:length], type=3, n=length, axis=0) / (2 * length)
         spectrum = np.repeat(series, 2, axis=1)
     else:
         length = transform_length(2 * (len(quarter) - 1))
         padded = np.pad(along, ((0, length // 2 + 1 - len(quarter)), (0, 0)))
-        half = fft.dct(padded, type=1, axis=0)
+        half = scipy.fft.dct(padded, type=1, axis=0)
         spectrum = np.concatenate((half, half[-2:0:-1]))
     return DeflectionKernel(
         symmetric=grid.symmetric,
@@ -115,16 +116,16 @@ def _matrices(grid: Grid, length: int) -> tuple[Array, Array, Array, Array]:
     across: Any
     back_across: Any
     if grid.symmetric:
-        across = fft.dct(lines, type=3, n=length, axis=0)
-        back_across = fft.dct(np.eye(length), type=2, axis=0)
+        across = scipy.fft.dct(lines, type=3, n=length, axis=0)
+        back_across = scipy.fft.dct(np.eye(length), type=2, axis=0)
     else:
-        across = fft.fft(lines, n=length, axis=0)
-        back_across = fft.ifft(np.eye(length), axis=0)
+        across = scipy.fft.fft(lines, n=length, axis=0)
+        back_across = scipy.fft.ifft(np.eye(length), axis=0)
     return (
-        fft.rfft(np.eye(grid.nx), n=length_x, axis=1).view(np.float64),
+        scipy.fft.rfft(np.eye(grid.nx), n=length_x, axis=1).view(np.float64),
         across,
         back_across[: grid.ny].copy(),
-        fft.irfft(parts, n=length_x, axis=1)[:, : grid.nx].copy(),
+        scipy.fft.irfft(parts, n=length_x, axis=1)[:, : grid.nx].copy(),
     )
 
 
@@ -150,7 +151,7 @@ def unit_deflections(grid: Grid, coating: ScaledCoating | None = None) -> Array:
     quarter = np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)
     if coating is not None:
         centres = (x[1:] - 0.5 * grid.hx, y[1:] - 0.5 * grid.hy)
-        quarter += patch_compliance(coating, *centres, grid.hx, grid.hy)
+        quarter += solid.layered.patch_compliance(coating, *centres, grid.hx, grid.hy)
     return np.asarray(quarter)
 
 
@@ -192,20 +193,22 @@ def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Arra
     """
     if kernel.matrices is not None:
         return _deflect_by_matrices(kernel, kernel.matrices, pressure)
-    rows = fft.rfft(pressure, n=kernel.length_x, axis=1, workers=threads)
+    rows = scipy.fft.rfft(pressure, n=kernel.length_x, axis=1, workers=threads)
     if not kernel.symmetric:
-        columns = fft.fft(rows, n=len(kernel.spectrum), axis=0, workers=threads)
+        columns = scipy.fft.fft(rows, n=len(kernel.spectrum), axis=0, workers=threads)
         columns *= kernel.spectrum
-        rows = fft.ifft(columns, axis=0, overwrite_x=True, workers=threads)[: len(rows)]
+        rows = scipy.fft.ifft(columns, axis=0, overwrite_x=True, workers=threads)[: len(rows)]
     else:
         beyond = kernel.far * rows[-1]
         columns = rows.view(np.float64)
-        series = fft.dct(columns, type=3, n=len(kernel.spectrum), axis=0, workers=threads)
+        series = scipy.fft.dct(columns, type=3, n=len(kernel.spectrum), axis=0, workers=threads)
         series *= kernel.spectrum
-        series = fft.dct(series, type=2, axis=0, overwrite_x=True, workers=threads)
+        series = scipy.fft.dct(series, type=2, axis=0, overwrite_x=True, workers=threads)
         rows = series[: len(rows)].view(np.complex128)
         rows[-1] += beyond
-    deflection = fft.irfft(rows, n=kernel.length_x, axis=1, overwrite_x=True, workers=threads)
+    deflection = scipy.fft.irfft(
+        rows, n=kernel.length_x, axis=1, overwrite_x=True, workers=threads
+    )
     return np.ascontiguousarray(deflection[:, : kernel.shape[1]])
 
 

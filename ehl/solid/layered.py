@@ -12,7 +12,6 @@ of Boussinesq's solutions for substrate and coating, which is set on the outer e
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil
 from typing import Any
@@ -34,7 +33,7 @@ from skfem import (
 from skfem.helpers import ddot, grad, sym_grad
 
 from ..arrays import Array
-from ..options import require_positive
+from ..scaling import ScaledCoating
 
 REACH = 150.0  # outer edge in thicknesses
 FINEST = 0.08  # cell at the load in thicknesses
@@ -44,68 +43,6 @@ LAYER_CELLS = 10  # across the coating
 # cells around the load in which the correction of a thin coating is averaged over the cell
 NEIGHBOURS = 6
 MAX_POINTS = 12  # of such a cell in each direction
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Coating:
-    """Coating of one body; the contact's E' is that of the coating against the other body."""
-
-    thickness: float  # t [m]
-    youngs_modulus: float  # [Pa]
-    poisson_ratio: float  # [-]
-    substrate_youngs_modulus: float  # [Pa]; a thousand times the coating's is a rigid substrate
-    substrate_poisson_ratio: float  # [-]
-
-    def __post_init__(self) -> None:
-        for field in ("thickness", "youngs_modulus", "substrate_youngs_modulus"):
-            require_positive({f"coating {field}": getattr(self, field)})
-        for field in ("poisson_ratio", "substrate_poisson_ratio"):
-            value = getattr(self, field)
-            if not 0.0 <= value < 0.49:
-                raise ValueError(f"coating {field} must lie in [0, 0.49), got {value!r}")
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ScaledCoating:
-    """Compliance 1/r + f c(r/t)/t of both bodies together, lengths in units of a [-]."""
-
-    thickness: float  # t/a
-    fraction: float  # f, of the coated body in the compliance of the contact
-    ratio: float  # E of the substrate over that of the coating
-    poisson: tuple[float, float]  # of coating and substrate
-
-
-def scaled_coating(coating: Coating, reduced_modulus: float, semi_axis: float) -> ScaledCoating:
-    """Dimensionless form of a coating.
-
-    Parameters
-    ----------
-    coating : Coating
-        thickness and elastic constants
-    reduced_modulus : float
-        E' of the coating against the other body [Pa]
-    semi_axis : float
-        a [m]
-
-    Returns
-    -------
-    ScaledCoating
-        the coating in units of a
-
-    Raises
-    ------
-    ValueError
-        if E' is larger than the coating alone allows
-    """
-    fraction = 0.5 * reduced_modulus * (1.0 - coating.poisson_ratio**2) / coating.youngs_modulus
-    if fraction > 1.0 + 1e-9:
-        raise ValueError("reduced_modulus exceeds that of the coating against a rigid body")
-    return ScaledCoating(
-        thickness=coating.thickness / semi_axis,
-        fraction=fraction,
-        ratio=coating.substrate_youngs_modulus / coating.youngs_modulus,
-        poisson=(coating.poisson_ratio, coating.substrate_poisson_ratio),
-    )
 
 
 def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array]:

@@ -35,8 +35,8 @@ from itertools import product
 from math import ceil, exp, log, nan
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import RBFInterpolator
 
 from ..arrays import Array, lagrange_weights
 from ..atlas.fields import ContactFields, contact_fields, require_fields
@@ -338,7 +338,9 @@ def _interpolate(values: Array, asked: Mask, points: Array) -> None:
     nearest = np.flatnonzero(asked)[np.argmin(distances, axis=1)]
     wanted = ~asked & solved[nearest]
     if wanted.any():
-        between = RBFInterpolator(points[solved], values[solved], kernel="cubic", degree=1)
+        between = scipy.interpolate.RBFInterpolator(
+            points[solved], values[solved], kernel="cubic", degree=1
+        )
         values[wanted] = between(points[wanted])
 
 

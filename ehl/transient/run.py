@@ -9,8 +9,8 @@ from dataclasses import dataclass, field, replace
 from math import inf, pi
 
 import numpy as np
+import scipy
 from scipy.interpolate import RegularGridInterpolator
-from scipy.optimize import brentq
 
 from ..arrays import Array
 from ..grid import unfolded
@@ -112,7 +112,7 @@ def _step(conditions: TransientConditions, time: float, mesh: float, longest: fl
 
     if beyond(longest) <= 0.0:
         return longest
-    return float(brentq(beyond, 0.0, longest, xtol=1e-12 * longest, rtol=1e-14))
+    return float(scipy.optimize.brentq(beyond, 0.0, longest, xtol=1e-12 * longest, rtol=1e-14))
 
 
 def nodes_moved(conditions: TransientConditions, times: Array, mesh: float) -> Array:

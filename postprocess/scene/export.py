@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from oilfilm.bearing.files import require_room
 from oilfilm.ehl.arrays import Array
-from oilfilm.ehl.solid.layered import Coating, layered_mesh
+from oilfilm.ehl.conditions import Coating
+from oilfilm.ehl.solid.layered import layered_mesh
 from oilfilm.ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..contact.shown_part import ALL, principal_coordinates, shown

@@ -11,9 +11,10 @@ from scipy.integrate import quad
 from scipy.special import j0
 
 from oilfilm.ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from oilfilm.ehl.conditions import Coating
 from oilfilm.ehl.finite_element.solver import solve_contact_finite_element
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.ehl.solid.layered import Coating, correction, patch_compliance, point_compliance
+from oilfilm.ehl.solid.layered import correction, patch_compliance, point_compliance
 
 STEEL = 210e9
 BARE = ContactConditions(

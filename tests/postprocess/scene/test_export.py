@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 from numpy.testing import assert_allclose, assert_array_equal
 
-from oilfilm.ehl.solid.layered import Coating
+from oilfilm.ehl.conditions import Coating
 from oilfilm.postprocess import open_results, write_results
 from oilfilm.postprocess.scene.export import WRITERS, export_results
 from oilfilm.postprocess.scene.geometry import Placement, contact_frame, crop_to_ball

@@ -15,8 +15,8 @@ from verification.contacts import OIL, from_groups, moes
 from oilfilm import ehl
 from oilfilm.ehl.atlas.films import NotInAtlasError, atlas_films_of_contacts, nearest_covered
 from oilfilm.ehl.closed_form.hertz import hertz_coefficients
+from oilfilm.ehl.conditions import Coating
 from oilfilm.ehl.scaling import scale_contact
-from oilfilm.ehl.solid.layered import Coating
 from oilfilm.ehl.traction.rolling_moment import circles_moment_loss, rolling_moment
 
 LABELS, SKEWED = (Path(__file__).parents[4] / "tools" / "atlas" / name for name in ("labels.csv.gz", "skewed.csv.gz"))
