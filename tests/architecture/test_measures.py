@@ -56,6 +56,7 @@ SMALL_MODULES: dict[str, tuple[str, ...]] = {
         "ehl/multigrid/threads.py",
     ),
     "apart, so that case files are checked, and the command starts, without solvers": (
+        "cases/runs/atlas_contact.py",
         "cases/runs/export.py",
         "bearing/contacts/shape.py",
         "bearing/films/heavy_moment.py",
