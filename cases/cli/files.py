@@ -143,7 +143,7 @@ def import_drive(
         if as_json:
             print_json({"drive": lines})
         else:
-            print_lines("\n".join(lines))
+            print_lines(*lines)
         return
     if output is None:
         raise CaseError("oilfilm import: -o CASE.toml is needed: the new case file")
