@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import log2, pi, sqrt
 
 import numpy as np
-from scipy.signal import ShortTimeFFT, get_window, hilbert, resample_poly
+import scipy
 
 from oilfilm.bearing.vibration.inputs import Direction
 from oilfilm.bearing.vibration.simulation import (
@@ -71,7 +71,7 @@ def sampled(fine: Array, factor: int) -> Array:
         Every factor-th value, shape (m, columns).
     """
     mean = fine.mean(axis=0)
-    return np.asarray(resample_poly(fine - mean, 1, factor, axis=0) + mean)
+    return np.asarray(scipy.signal.resample_poly(fine - mean, 1, factor, axis=0) + mean)
 
 
 def spectrum(signal: Array, rate: float) -> Spectrum:
@@ -89,7 +89,7 @@ def spectrum(signal: Array, rate: float) -> Spectrum:
     Spectrum
         Amplitudes over frequency.
     """
-    window = get_window("hann", signal.size)
+    window = scipy.signal.get_window("hann", signal.size)
     values = np.fft.rfft((signal - signal.mean()) * window)
     return Spectrum(
         frequency=np.asarray(np.fft.rfftfreq(signal.size, 1.0 / rate), dtype=np.float64),
@@ -114,7 +114,7 @@ def band_rms(signal: Array, rate: float, band: tuple[float, float]) -> float:
     float
         Root mean square in the unit of the signal.
     """
-    window = get_window("hann", signal.size)
+    window = scipy.signal.get_window("hann", signal.size)
     values = np.fft.rfft((signal - signal.mean()) * window)
     frequency = np.fft.rfftfreq(signal.size, 1.0 / rate)
     inside = (frequency >= band[0]) & (frequency < band[1])
@@ -174,7 +174,7 @@ def amplitude_at(signal: Array, turned: Array, frequency: float) -> float:
     float
         Amplitude in the unit of the signal.
     """
-    window = get_window("hann", signal.size)
+    window = scipy.signal.get_window("hann", signal.size)
     wave = np.exp(-2j * pi * frequency * turned)
     size = abs(np.sum(window * (signal - signal.mean()) * wave))
     return float(2.0 * size / window.sum())
@@ -223,7 +223,7 @@ def envelope(signal: Array, rate: float, band: tuple[float, float]) -> Array:
     values = np.fft.rfft(signal)
     frequency = np.fft.rfftfreq(signal.size, 1.0 / rate)
     values[(frequency < band[0]) | (frequency > band[1])] = 0.0
-    return np.asarray(abs(hilbert(np.fft.irfft(values, signal.size))))
+    return np.asarray(abs(scipy.signal.hilbert(np.fft.irfft(values, signal.size))))
 
 
 def kurtosis(signal: Array) -> float | None:
@@ -264,9 +264,9 @@ def waterfall(signal: Array, rate: float) -> tuple[Array, Array, Array]:
         Amplitude, shape (k, m) in the unit of the signal.
     """
     size = max(64, signal.size // PIECES)
-    window = get_window("hann", size)
+    window = scipy.signal.get_window("hann", size)
     hop = max(1, (signal.size - size) // COLUMNS)
-    transform = ShortTimeFFT(window, hop, rate, scale_to="magnitude")
+    transform = scipy.signal.ShortTimeFFT(window, hop, rate, scale_to="magnitude")
     values = 2.0 * abs(transform.stft(signal - signal.mean()))
     whole = slice(
         transform.lower_border_end[1] - transform.p_min,
