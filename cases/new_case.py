@@ -67,37 +67,21 @@ EXAMPLE_SIZE = (25.0, 47.0, 8.0)  # bore, outside diameter and width of an examp
 PRECISE = ("P5", "P4", "P2")
 PRELOADS = {"DB": ("+x", "-x"), "DF": ("-x", "+x"), "DT": ("+x", "+x")}
 # keys of an entry that a case file shows, in this order
-SHOWN = (
-    "type",
-    "bore_mm",
-    "outside_diameter_mm",
-    "width_mm",
-    "ball_diameter_mm",
-    "balls",
-    "pitch_diameter_mm",
-    "inner_groove_radius_mm",
-    "outer_groove_radius_mm",
-    "clearance_class",
-    "diametral_clearance_um",
-    "free_contact_angle_deg",
-    "inner_shoulder_diameter_mm",
-    "outer_shoulder_diameter_mm",
-    "tolerance_class",
-    "ring_material",
-    "ball_material",
-    "basic_dynamic_rating_kN",
-    "basic_static_rating_kN",
-    "skf_series",
+SHOWN = tuple(
+    (
+        "type bore_mm outside_diameter_mm width_mm ball_diameter_mm balls pitch_diameter_mm "
+        "inner_groove_radius_mm outer_groove_radius_mm clearance_class diametral_clearance_um "
+        "free_contact_angle_deg inner_shoulder_diameter_mm outer_shoulder_diameter_mm "
+        "tolerance_class ring_material ball_material basic_dynamic_rating_kN "
+        "basic_static_rating_kN skf_series"
+    ).split()
 )
 # choices of the user, not a property that a source could give
-KNOWN_CHOICES = (
-    "operation.inner_speed_rpm",
-    "operation.radial_load_N",
-    "operation.axial_load_N",
-    "operation.temperature",
-    "lubricant.name",
-    "lubricant.grease",
-    "friction.lubrication",
+KNOWN_CHOICES = tuple(
+    (
+        "operation.inner_speed_rpm operation.radial_load_N operation.axial_load_N "
+        "operation.temperature lubricant.name lubricant.grease friction.lubrication"
+    ).split()
 )
 
 

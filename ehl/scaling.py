@@ -8,6 +8,7 @@ Rx/Ry, p_h) -> `ScaledContact`.
 
 from dataclasses import dataclass, replace
 from math import atan2, cos, inf, pi, sin, sqrt
+from typing import Any
 
 import numpy as np
 
@@ -137,6 +138,15 @@ class ScaledContact:
     oil: Lubricant | None = None
     # thickness in units of a^2/Rx over positions along the grid's Y in units of a; None: flooded
     inlet_layer: InletLayer | None = None
+
+    @property
+    def of_solution(self) -> dict[str, Any]:
+        """Numbers that a `ContactSolution` keeps, by its fields."""
+        names = (
+            *("moes_load", "moes_lubricant", "semi_axis_ratio", "frame_angle"),
+            *("semi_axis_x", "hertz_pressure", "film_scale"),
+        )
+        return {name: getattr(self, name) for name in names}
 
     def gap(self, X: Array, Y: Array) -> Array:
         """Gap of the undeformed bodies, S X^2/2 + T Y^2/2 + C X Y.

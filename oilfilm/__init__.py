@@ -66,7 +66,7 @@ if not (Path(__file__).parent / "ehl").is_dir():  # in a checkout they lie besid
 def __getattr__(name: str) -> Any:
     """A public name, from the package that it lives in."""
     if name == "__version__":
-        return import_module("oilfilm.cases.version").version()
+        return import_module("oilfilm.ehl.version").version()
     if name in PARTS:
         return import_module(f"oilfilm.{name}")
     if name not in PUBLIC:

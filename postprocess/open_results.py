@@ -15,16 +15,8 @@ from .files import SUMMARY_FILE
 from .netcdf_write import FIELDS_FILE, FORMAT, open_netcdf
 
 # kinds of results, as a file names them
-KINDS = (
-    "bearing",
-    "contact",
-    "batch",
-    "shaft",
-    "slip",
-    "stiffness",
-    "temperatures",
-    "transient",
-    "vibration",
+KINDS = tuple(
+    "bearing contact batch shaft slip stiffness temperatures transient vibration".split()
 )
 WITH_CONTACTS = ("bearing", "contact")
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"

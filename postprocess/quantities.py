@@ -29,6 +29,7 @@ from oilfilm.ehl.units import (
     unit_symbol,
     without_unit,
 )
+from oilfilm.ehl.version import version
 
 # a part of a record by its path, what looks up several of its attributes, their keys, and which
 # of these have another unit than in SI
@@ -274,10 +275,10 @@ FREQUENCIES = quantities(  # in a block that has the unit
 class Results:
     """Common to the results of all commands."""
 
-    version: str  # of the program
     case: dict[str, Any]  # the document as run, plain JSON types
     messages: tuple[str, ...] = ()
     timing: dict[str, float] = field(default_factory=dict)  # wall time by part of the run [s]
+    version: str = field(default_factory=version)  # of the program
 
     @property
     def title(self) -> str:

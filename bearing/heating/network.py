@@ -33,15 +33,8 @@ AIR_VISCOSITY = 1.80e-5  # [m^2/s]
 AIR_PRANDTL = 0.71
 AIR_CAPACITY = 1100.0  # [J/(m^3 K)]
 
-NODES = (
-    "shaft",
-    "inner_ring",
-    "balls",
-    "outer_ring_loaded",
-    "outer_ring_unloaded",
-    "cage",
-    "oil",
-    "housing",
+NODES = tuple(
+    "shaft inner_ring balls outer_ring_loaded outer_ring_unloaded cage oil housing".split()
 )
 AMBIENT = "ambient"
 OIL_SUPPLY = "oil_supply"

@@ -124,28 +124,13 @@ class QuasistaticSolution:
         return notebook_html("Equilibrium of the bearing", facts, columns)
 
 
-BALL_ARRAYS = (
-    "azimuth",
-    "inner_load",
-    "outer_load",
-    "inner_contact_angle",
-    "outer_contact_angle",
-    "ball_axial",
-    "ball_radial",
-    "centrifugal_force",
-    "gyroscopic_moment",
-    "orbit_speed",
-    "spin_speed",
-    "attitude",
-    "inner_ring_axial",
-    "inner_ring_radial",
-    "outer_ring_axial",
-    "outer_ring_radial",
-    "pivot_speed",
-    "inner_friction",
-    "outer_friction",
-    "inner_drive",
-    "cage_driven",
+BALL_ARRAYS = tuple(
+    (
+        "azimuth inner_load outer_load inner_contact_angle outer_contact_angle ball_axial "
+        "ball_radial centrifugal_force gyroscopic_moment orbit_speed spin_speed attitude "
+        "inner_ring_axial inner_ring_radial outer_ring_axial outer_ring_radial pivot_speed "
+        "inner_friction outer_friction inner_drive cage_driven"
+    ).split()
 )
 
 

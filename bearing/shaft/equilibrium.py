@@ -198,7 +198,7 @@ def _check_held(problem: _Problem) -> None:
     if not supports:
         raise ValueError("the shaft has no support")
     floating = all(support.location is AxialLocation.NONE for support in supports)
-    if floating and not any(spring.axial for spring in problem.system.springs):
+    if floating and not any(spring.axial_stiffness for spring in problem.system.springs):
         raise ValueError("no support holds the shaft along x: at least one must be fixed")
 
 

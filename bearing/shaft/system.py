@@ -43,15 +43,15 @@ class Spring:
 
     name: str
     position: float  # along the shaft [m]
-    radial: float  # stiffness along y and z [N/m]
-    axial: float = 0.0  # [N/m]
-    tilting: float = 0.0  # against rotation about y and z [N m/rad]
+    radial_stiffness: float  # along y and z [N/m]
+    axial_stiffness: float = 0.0  # [N/m]
+    tilting_stiffness: float = 0.0  # against rotation about y and z [N m/rad]
 
     @property
     def stiffness(self) -> Array:
         """On the six freedoms of a node (6,) [N/m], [N m/rad]."""
-        tilting = self.tilting
-        return np.array([self.axial, self.radial, self.radial, 0.0, tilting, tilting])
+        radial, tilting = self.radial_stiffness, self.tilting_stiffness
+        return np.array([self.axial_stiffness, radial, radial, 0.0, tilting, tilting])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

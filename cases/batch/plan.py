@@ -20,6 +20,7 @@ from oilfilm.ehl.foreign_files import read_file
 from oilfilm.ehl.units import unit_of
 from oilfilm.postprocess.batch.results import result_names
 
+from ..format.bearing import GEOMETRY
 from ..format.changes import alternatives, case_path, changed_document
 from ..format.fields import is_number
 from ..format.rules import CaseProblem, KeyPath, nearest_name, shown
@@ -32,13 +33,7 @@ MOST_POINTS = 10_000_000
 
 SENSITIVITY = "sensitivity"  # block whose points stay near the case as it is
 HIDING = {
-    "bearing": (
-        "ball_diameter_mm",
-        "pitch_diameter_mm",
-        "balls",
-        "inner_groove_radius_mm",
-        "outer_groove_radius_mm",
-    ),
+    "bearing": GEOMETRY,
     "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
 }
 FORMAT = 4  # of what a point leaves on disk

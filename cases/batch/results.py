@@ -31,7 +31,6 @@ from oilfilm.postprocess.batch.write import write_batch_csv, write_batch_netcdf
 from oilfilm.postprocess.files import write_json
 
 from ..runs.output_directory import write_digests
-from ..version import version
 from .compute import document_of
 from .engine import Batch
 from .keys import value_in
@@ -162,7 +161,6 @@ def load_results(batch: Batch, only: Sequence[int] | None = None) -> BatchResult
     sweep = batch.sweep
     same = ("title", "case", "keys", "messages", "assumed", "plot", "designs")
     return BatchResults(
-        version=version(),
         sweep=sweep.text,
         points=tuple(points),
         timing={"total": batch.wall},

@@ -22,9 +22,9 @@ from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_sp
 from oilfilm.bearing.quasistatic.thrust import loads_at_rest
 from oilfilm.ehl.closed_form.hertz import HertzContact, hertz_contact
 from oilfilm.ehl.units import RPM, from_si
+from oilfilm.ehl.version import version
 
 from ..format.rules import CaseError
-from ..version import version
 
 FREQUENCIES = ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin", "twice_ball_spin")
 ESTIMATES = ("balls", "ball_diameter_mm", "pitch_diameter_mm", "free_contact_angle_deg")

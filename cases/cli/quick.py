@@ -103,8 +103,8 @@ def _contact_by_numbers(
     from oilfilm.bearing.material import load_material, reduced_modulus
     from oilfilm.ehl.closed_form.hertz import hertz_contact
     from oilfilm.ehl.units import to_si
+    from oilfilm.ehl.version import version
 
-    from ..version import version
     from .answers import contact_answer
 
     try:

@@ -315,7 +315,7 @@ def print_table(table: RenderableType) -> None:
 
 def _print_version(requested: bool) -> None:
     if requested:
-        from ..version import version
+        from oilfilm.ehl.version import version
 
         print_lines(f"oilfilm {version()}")
         raise typer.Exit

@@ -105,19 +105,14 @@ class SurfaceTable(Table):
 
 
 GEOMETRY = (
-    "ball_diameter_mm",
-    "pitch_diameter_mm",
-    "balls",
-    "inner_groove_radius_mm",
-    "outer_groove_radius_mm",
+    *("ball_diameter_mm", "pitch_diameter_mm", "balls"),
+    *("inner_groove_radius_mm", "outer_groove_radius_mm"),
 )
-DIMENSIONS = (  # that may be left out
-    "first_ball_azimuth_deg",
-    "bore_mm",
-    "outside_diameter_mm",
-    "width_mm",
-    "inner_shoulder_diameter_mm",
-    "outer_shoulder_diameter_mm",
+DIMENSIONS = tuple(  # that may be left out
+    (
+        "first_ball_azimuth_deg bore_mm outside_diameter_mm width_mm inner_shoulder_diameter_mm "
+        "outer_shoulder_diameter_mm"
+    ).split()
 )
 RING_MATERIALS = ("inner_ring_material", "outer_ring_material")
 CLEARANCE = ("diametral_clearance_um", "free_contact_angle_deg")

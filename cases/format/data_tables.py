@@ -17,17 +17,7 @@ from oilfilm.ehl.table_files import Column, DataTable, Quantity, columns_of, rea
 from .rules import InvalidKeyError, KeyPath
 
 ANGLE = Quantity("angle_deg", ("angle", "winkel", "azimu", "theta", "phi", "position", "deg"))
-HEIGHTS = (
-    "height",
-    "höhe",
-    "hoehe",
-    "profil",
-    "deviation",
-    "abweich",
-    "radi",
-    "amplitude",
-    "value",
-)
+HEIGHTS = tuple("height höhe hoehe profil deviation abweich radi amplitude value".split())
 HEIGHT = Quantity("height_um", HEIGHTS)
 # columns that number the points of a turn
 COUNTS = ("count", "encoder", "index", "point", "punkt", "no.", "nr", "sample", "step", "inkrem")

@@ -74,13 +74,11 @@ from .rules import (
 
 TAIT = ("tait_bulk_modulus_GPa", "tait_bulk_modulus_derivative")
 DOOLITTLE = ("doolittle_factor", "doolittle_occupied_share")
-YASUTOMI = (
-    "yasutomi_glass_temperature_C",
-    "yasutomi_glass_rise_K",
-    "yasutomi_glass_pressure_1_GPa",
-    "yasutomi_expansivity_1_GPa",
-    "yasutomi_slope",
-    "yasutomi_width_K",
+YASUTOMI = tuple(
+    (
+        "yasutomi_glass_temperature_C yasutomi_glass_rise_K yasutomi_glass_pressure_1_GPa "
+        "yasutomi_expansivity_1_GPa yasutomi_slope yasutomi_width_K"
+    ).split()
 )
 EXPANSIVITY = ("yasutomi_expansivity_exponent", "yasutomi_expansivity_factor")  # one of them
 OVER_TEMPERATURE = (

@@ -362,33 +362,13 @@ def shaft_system(
         )
         for table, case in zip(file.support, cases, strict=True)
     )
-    loads = tuple(
-        PointLoad(
-            position=si["at"],
-            force=si["force"],
-            moment=si["moment"],
-            mass=si["mass"],
-            polar_inertia=si["polar_inertia"],
-            diametral_inertia=si["diametral_inertia"],
-            unbalance=si["unbalance"],
-            unbalance_angle=si["unbalance_angle"],
-        )
-        for si in (table.si() for table in file.load)
-    )
     system = ShaftSystem(
         sections=pieces,
         supports=supports,
-        loads=loads,
+        loads=tuple(one.build(PointLoad, position=one.si()["at"]) for one in file.load),
         springs=tuple(
-            Spring(
-                name=table.name or "spring",
-                position=si["at"],
-                radial=si["radial_stiffness"],
-                axial=si["axial_stiffness"],
-                tilting=si["tilting_stiffness"],
-            )
-            for table in file.spring
-            for si in (table.si(),)
+            one.build(Spring, name=one.name or "spring", position=one.si()["at"])
+            for one in file.spring
         ),
         speed=operation["inner_speed"],
         gravity=file.shaft.si()["gravity"],

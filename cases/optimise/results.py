@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from oilfilm.ehl.version import version
 from oilfilm.postprocess.batch.plots import Designs, write_front
 from oilfilm.postprocess.files import write_csv, write_json
 
 from ..runs.output_directory import write_digests
-from ..version import version
 from .search import confirmation_messages, improvement
 from .study import Design, OptimisationResult
 

@@ -20,7 +20,6 @@ from oilfilm.postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasR
 
 from ..format.case import Case
 from ..format.contact import FilmSource
-from ..version import version
 from .atlas_contact import require_newtonian
 from .equilibrium import without_traction_equilibrium
 from .films import oil_at_inlets, wanted_contacts
@@ -73,7 +72,6 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
     films = operating_films(contacts, [_film(record) for record in records], supply=supply)
     pairs_of_films = zip(records, films, strict=True)
     return AtlasBearingResults(
-        version=version(),
         case=case.document,
         records=tuple(replace(record, operating=film) for record, film in pairs_of_films),
         converged=state.converged,

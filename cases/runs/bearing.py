@@ -44,7 +44,6 @@ from oilfilm.postprocess.bearing.results import BearingResults
 from ..format.case import Case, LoadCaseInput, new_notes
 from ..format.contact import FilmModel
 from ..format.operation import SELF_HEATED
-from ..version import version
 from .atlas import fill_from_atlas
 from .equilibrium import (
     Equilibria,
@@ -449,7 +448,6 @@ def _run(
     timing["contacts"] = perf_counter() - start
     traction = traction_messages(case.traction, state, contacts)
     results = BearingResults(
-        version=version(),
         case=case.document,
         quasistatic=held,
         elastic=state,

@@ -21,7 +21,6 @@ from oilfilm.postprocess.contact.summary import ContactResults
 
 from ..format.case import ContactCase
 from ..format.contact import FilmModel
-from ..version import version
 from .films import shared_options
 
 FINITE_ELEMENT_NOTE = (
@@ -91,7 +90,6 @@ def run_contact(
     no_response = NO_ELEMENTS if finite_element else _no_response(case, solution)
     response = None if no_response else _response(case)
     return ContactResults(
-        version=version(),
         case=case.document,
         solution=solution,
         messages=messages,

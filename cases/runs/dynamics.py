@@ -31,13 +31,13 @@ from oilfilm.bearing.vibration.simulation import (
     vibration_run,
     with_form,
 )
+from oilfilm.ehl.version import version
 from oilfilm.postprocess.dynamics.history import HistoryWriter
 from oilfilm.postprocess.dynamics.results import DynamicsResults
 
 from ..format.case import Case
 from ..format.dynamics import DynamicsTable, sample_interval
 from ..format.rules import CaseError
-from ..version import version
 from .films import Progress
 from .interrupt import finish_first, interruptible
 from .motion_model import build_model
@@ -212,7 +212,6 @@ def _stream(
 
     def results() -> DynamicsResults:
         return DynamicsResults(
-            version=version(),
             case=case.document,
             simulation=run,
             running=running,

@@ -14,8 +14,8 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from oilfilm.ehl.kernel_sources import kernel_digest
+from oilfilm.ehl.version import version
 
-from ..version import version
 from .processes import THREADS, own_packages
 
 VARIABLE = "NUMBA_CACHE_DIR"

@@ -25,12 +25,11 @@ from pathlib import Path
 from typing import Any
 
 PATIENCE = 0.2  # for a process to be gone after its end was asked for [s]
-THREADS = (
-    "OMP_NUM_THREADS",
-    "OPENBLAS_NUM_THREADS",
-    "MKL_NUM_THREADS",
-    "VECLIB_MAXIMUM_THREADS",
-    "NUMBA_NUM_THREADS",
+THREADS = tuple(
+    (
+        "OMP_NUM_THREADS OPENBLAS_NUM_THREADS MKL_NUM_THREADS VECLIB_MAXIMUM_THREADS "
+        "NUMBA_NUM_THREADS"
+    ).split()
 )
 # new objects from which the collector looks for cycles: with Python's own 700 it takes a fifth of
 # the time in which a bearing case is loaded, with this a tenth, with half and double of it as much

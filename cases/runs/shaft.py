@@ -28,7 +28,6 @@ from oilfilm.postprocess.shaft.results import ShaftResults, ShaftVibration
 
 from ..format.case import Case, case_of_document
 from ..format.shaft_case import ShaftCase
-from ..version import version
 from .bearing import WARM_ROUNDS, in_balance, reported_torque, run_case
 from .heating import WARM_TOLERANCE, ReportedTorque, heating_problem, with_temperature
 
@@ -93,7 +92,6 @@ def run_shaft(case: ShaftCase, progress: Progress | None = None) -> ShaftResults
             notes.append(f"critical_speeds_rpm: null, {error}")
     timing["total"] = perf_counter() - start
     return ShaftResults(
-        version=version(),
         case=case.document,
         names=case.names,
         solution=solution,

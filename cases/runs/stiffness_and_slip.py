@@ -29,7 +29,6 @@ from oilfilm.postprocess.stiffness.results import StiffnessResults
 from ..format.case import Case
 from ..format.operation import SlipTable
 from ..format.rules import CaseError
-from ..version import version
 from .equilibrium import equilibrium_solver
 from .films import Progress
 from .processes import end_workers, start_fork_server, worker_pool
@@ -82,7 +81,6 @@ def run_slip(
         minimum = _minimum_loads(case, study, table, speeds, mapper)
     timing["total"] = perf_counter() - start
     return SlipResults(
-        version=version(),
         case=case.document,
         limit=table.limit,
         state=state,
@@ -238,7 +236,6 @@ def run_stiffness(
         None if case.dry or case.frozen else case.lubricant,
     )
     return StiffnessResults(
-        version=version(),
         case=case.document,
         study=study,
         damping=damping,

@@ -15,7 +15,6 @@ from oilfilm.postprocess.temperatures.results import TemperatureResults
 
 from ..format.case import Case
 from ..format.rules import CaseError
-from ..version import version
 from .bearing import run_case
 from .films import Progress
 from .heating import ReportedTorque, heating_problem
@@ -96,7 +95,6 @@ def temperatures(
         except ValueError as error:
             raise CaseError(f"{name}: {error}") from None
     return TemperatureResults(
-        version=version(),
         case=case.document,
         speed=case.operation.shaft_speed,
         heating=heating,

@@ -28,7 +28,6 @@ from ..format.friction import rheology
 from ..format.lubricant import lubricant
 from ..format.rules import CaseError
 from ..format.shipped import find_case
-from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress
 
@@ -290,7 +289,6 @@ def run_table(
     except ValueError as problem:
         raise CaseError(f"no table: {problem}") from None
     return TractionResults(
-        version=version(),
         case=case.document,
         tables=tables,
         over_temperature=over_temperature,

@@ -20,7 +20,6 @@ from oilfilm.postprocess.contact.transient_summary import TransientResults
 
 from ..format.case import ContactCase
 from ..format.rules import CaseError
-from ..version import version
 from .films import Progress
 from .interrupt import finish_first, interruptible
 
@@ -247,7 +246,6 @@ def _results(case: ContactCase, run: TransientRun, start: tuple[int, float]) -> 
     given = case.document.get("ehl", {})
     unused = (NOT_USED,) if given.get("certify") or "tolerance" in given else ()
     return TransientResults(
-        version=version(),
         case=case.document,
         solution=solution,
         waves=wave_results(solution),

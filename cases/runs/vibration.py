@@ -28,7 +28,6 @@ from ..format.document import read_text
 from ..format.rules import CaseError, CaseProblem, InvalidKeyError, faults_error
 from ..format.shipped import find_case
 from ..format.vibration import VibrationTable, frequency_response, vibration
-from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, inlet_layers, oil_at_inlets
 from .interrupt import interruptible
@@ -96,7 +95,6 @@ def vibration_results(
     """
     table = case.file.vibration or VibrationTable()
     return seen.VibrationResults(
-        version=version(),
         case=case.document,
         messages=(*case.warnings, *formed.notes(case)),
         run=run,

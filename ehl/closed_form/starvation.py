@@ -115,12 +115,7 @@ def table() -> Table:
         functions=tuple(functions),
         log_ratios=log_ratios,
         along=tuple(5.0 * step**2 for step in steps),
-        lower=file["lower"],
-        upper=file["upper"],
-        least=file["least"],
-        largest=file["largest"],
-        error_films=file["error_films"],
-        error_ratios=file["error_ratios"],
+        **{name: file[name] for name in Table._fields[3:-1]},
         errors=np.concatenate([file["errors"], damping["errors"][None]]),
     )
 

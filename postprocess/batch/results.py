@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from oilfilm.ehl.units import axis_label, notebook_html
+from oilfilm.ehl.version import version
 
 from ..bearing.bearing_quantities import (
     DECAY,
@@ -377,7 +378,7 @@ class BatchResults:
     `plot`: names of the numbers that its file wants to be drawn.
     """
 
-    version: str
+    version: str = field(default_factory=version)
     title: str
     case: str
     sweep: str

@@ -137,12 +137,8 @@ RESPONSE_QUANTITIES = quantities(
     null=NO_RESPONSE,
 )
 KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
-SOLVED = (
-    "inlet_ratio",
-    "meniscus_position",
-    "rolling_moment_ratio",
-    "damping_ratio",
-    "outlet_layer",
+SOLVED = tuple(
+    "inlet_ratio meniscus_position rolling_moment_ratio damping_ratio outlet_layer".split()
 )
 NAMES = ("central", "minimum")
 OUTLET_POINTS = 64  # of the layer left behind in the summary, at least

@@ -22,14 +22,11 @@ STEP_FOLDER = "motion"
 RACES = ("inner", "outer")
 BALL_RINGS = 16  # of a ball's mesh
 RING_RESOLUTION = (16, 91)  # each step holds the ring anew
-MOVED = (  # quantities that the shapes are moved by
-    "ball_position",
-    "ball_attitude",
-    "cage_position",
-    "ring_position",
-    "ring_rotation",
-    "contact_load",
-    "contact_contact_angle",
+MOVED = tuple(  # quantities that the shapes are moved by
+    (
+        "ball_position ball_attitude cage_position ring_position ring_rotation contact_load "
+        "contact_contact_angle"
+    ).split()
 )
 FRAMES = 72
 TURNS = 0.5  # of the cage at the end of the history that are shown [-]

@@ -86,7 +86,7 @@ def ross_rotor(results: ShaftResults) -> str:
         )
     ]
     for spring in system.springs:
-        stiffness = np.diag([spring.axial, spring.radial, spring.radial])
+        stiffness = np.diag(spring.stiffness[:3])
         bearings.append(
             _bearing(nearest_node(nodes, spring.position), stiffness, np.zeros_like(stiffness))
         )

@@ -51,7 +51,7 @@ FILM_LAYER = "bearing"
 SMALL_MODULES: dict[str, tuple[str, ...]] = {
     "loaded before anything that takes time": (
         "cases/cli/main.py",
-        "cases/version.py",
+        "ehl/version.py",
         "ehl/kernel_sources.py",
         "ehl/multigrid/threads.py",
     ),

@@ -117,7 +117,7 @@ def test_a_roller_bearing_is_a_spring_and_told(found, tmp_path):
     path.write_text(text, encoding="utf-8")
     system = load_shaft(path).system
     by_hand = 3250.0 / (0.9 * 7.68e-5 * (4.08 * 3250.0 / 11) ** 0.9 / 9.1**0.8) * 1e3
-    assert [spring.radial for spring in system.springs] == pytest.approx([by_hand], rel=5e-3)
+    assert [spring.radial_stiffness for spring in system.springs] == pytest.approx([by_hand], rel=5e-3)
     solution = solve_shaft(system)
     assert solution.converged, solution.message
     # bearings and spring together hold the loads
