@@ -274,7 +274,7 @@ def radiation_coefficient(emissivity: float, temperature: float) -> float:
     return 4.0 * emissivity * STEFAN_BOLTZMANN * temperature**3
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class HeatPath:
     """Conductance between two nodes, or a node and a boundary."""
 

@@ -155,10 +155,10 @@ def _ring_paths(
     inner = Conductance.exactly(rows * ring_conductance(bearing, Race.INNER, size.width / rows))
     seat = around.seat.times(pi * size.bore * size.width)
     yield HeatPath(
-        first="inner_ring",
-        second="shaft",
-        conductance=in_series(inner, seat),
-        description="track to bore by finite elements, and the seat (assumed)",
+        "inner_ring",
+        "shaft",
+        in_series(inner, seat),
+        "track to bore by finite elements, and the seat (assumed)",
     )
     outer = Conductance.exactly(rows * ring_conductance(bearing, Race.OUTER, size.width / rows))
     seat = around.seat.times(pi * size.outside * size.width)
@@ -167,20 +167,20 @@ def _ring_paths(
     half = in_series(outer, seat, Conductance.exactly(wall)).times(0.5)
     for name in ("outer_ring_loaded", "outer_ring_unloaded"):
         yield HeatPath(
-            first=name,
-            second="housing",
-            conductance=half,
-            description="track to seat by finite elements, seat (assumed), wall of the housing",
+            name,
+            "housing",
+            half,
+            "track to seat by finite elements, seat (assumed), wall of the housing",
         )
     k = solid_thermal(bearing.outer_ring_material).conductivity
     section = 0.5 * (size.outside - size.outer_track) * size.width
     radius = 0.25 * (size.outside + size.outer_track)
     around_ring = ring_halves_conductance(k, section, radius)
     yield HeatPath(
-        first="outer_ring_loaded",
-        second="outer_ring_unloaded",
-        conductance=Conductance.exactly(around_ring),
-        description="around the ring, closed form",
+        "outer_ring_loaded",
+        "outer_ring_unloaded",
+        Conductance.exactly(around_ring),
+        "around the ring, closed form",
     )
 
 
@@ -191,10 +191,10 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
         for name, diameter in sizes.items():
             fraction = diameter / (size.bore + size.outside)
             yield HeatPath(
-                first=name,
-                second=AMBIENT,
-                conductance=Conductance.exactly(fraction * around.conductance),
-                description="heat_transfer_W_K as given, split by the areas of the seats",
+                name,
+                AMBIENT,
+                Conductance.exactly(fraction * around.conductance),
+                "heat_transfer_W_K as given, split by the areas of the seats",
             )
     else:
         yield _shaft_path(around, size, speed)
@@ -203,10 +203,10 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
         yield oil_path(around.oil_flow)
     if around.air_flow > 0.0:
         yield HeatPath(
-            first="oil",
-            second=AMBIENT,
-            conductance=Conductance.exactly(AIR_CAPACITY * around.air_flow),
-            description="air that passes through, rho c V",
+            "oil",
+            AMBIENT,
+            Conductance.exactly(AIR_CAPACITY * around.air_flow),
+            "air that passes through, rho c V",
         )
     yield from (path for path, _ in around.neighbours)
 
@@ -227,10 +227,10 @@ def oil_path(flow: float) -> HeatPath:
         path from the oil to its supply
     """
     return HeatPath(
-        first="oil",
-        second=OIL_SUPPLY,
-        conductance=Conductance(2.0 * flow, flow, 2.0 * flow),
-        description="oil that passes through, rho c V, by its mean temperature",
+        "oil",
+        OIL_SUPPLY,
+        Conductance(2.0 * flow, flow, 2.0 * flow),
+        "oil that passes through, rho c V, by its mean temperature",
     )
 
 
@@ -246,10 +246,10 @@ def _shaft_path(around: Surroundings, size: Dimensions, speed: float) -> HeatPat
         for h in ends
     ]
     return HeatPath(
-        first="shaft",
-        second=AMBIENT,
-        conductance=Conductance(*rods),
-        description="a fin on each side, its length and coefficient assumed",
+        "shaft",
+        AMBIENT,
+        Conductance(*rods),
+        "a fin on each side, its length and coefficient assumed",
     )
 
 
@@ -259,10 +259,10 @@ def _housing_path(around: Surroundings, size: Dimensions) -> HeatPath:
     area += 0.5 * pi * (size.housing**2 - size.bore**2)
     radiated = Conductance.exactly(radiation_coefficient(EMISSIVITY, around.ambient))
     return HeatPath(
-        first="housing",
-        second=AMBIENT,
-        conductance=side_by_side(FREE_AIR, radiated).times(area),
-        description="free convection and radiation of an assumed housing",
+        "housing",
+        AMBIENT,
+        side_by_side(FREE_AIR, radiated).times(area),
+        "free convection and radiation of an assumed housing",
     )
 
 
@@ -298,12 +298,7 @@ def state_paths(
     """
     size = dimensions(bearing, around, rows)
     contacts = [
-        HeatPath(
-            first="balls",
-            second=name,
-            conductance=friction.race(name),
-            description="contacts, by the film of each",
-        )
+        HeatPath("balls", name, friction.race(name), "contacts, by the film of each")
         for name in ("inner_ring", "outer_ring_loaded", "outer_ring_unloaded")
     ]
     h = around.cavity or _cavity(bearing, around, oil, cage_speed)
@@ -318,10 +313,10 @@ def state_paths(
     words = "given" if around.cavity else "a flat plate between Harris' coefficient and theory's"
     walls = [
         HeatPath(
-            first=name,
-            second="oil",
-            conductance=h.times(area),
-            description=f"wall to the {'oil' if around.filled else 'air'} in the cavity, {words}",
+            name,
+            "oil",
+            h.times(area),
+            f"wall to the {'oil' if around.filled else 'air'} in the cavity, {words}",
         )
         for name, area in areas.items()
     ]

@@ -229,10 +229,10 @@ class _Shaft:
         ]
         paths += [
             HeatPath(
-                first=f"{link.node} {link.bearings[0]}",
-                second=f"{link.node} {link.bearings[1]}",
-                conductance=link.conductance.exchanged() if against else link.conductance,
-                description=link.description,
+                f"{link.node} {link.bearings[0]}",
+                f"{link.node} {link.bearings[1]}",
+                link.conductance.exchanged() if against else link.conductance,
+                link.description,
             )
             for link in self.links
         ]
@@ -447,10 +447,10 @@ def _among_neighbours(
                 continue
             other = link.bearings[1 - link.bearings.index(k)]
             path = HeatPath(
-                first=link.node,
-                second=f"{link.node} of bearing {other + 1}",
-                conductance=link.conductance,
-                description=link.description,
+                link.node,
+                f"{link.node} of bearing {other + 1}",
+                link.conductance,
+                link.description,
             )
             neighbours.append((path, float(temperatures[other, NODES.index(link.node)])))
         around = replace(problem.around, neighbours=tuple(neighbours))

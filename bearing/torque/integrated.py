@@ -279,7 +279,7 @@ def solved_shear(
     rheology: Rheology,
     resistance: Resistance = NO_RESISTANCE,
     *,
-    bound: bool = True,
+    whole: Films | None = None,
     nodes: Sequence[FilmNodes] | None = None,
 ) -> SolvedShear:
     """Torque of operating films under the hypothesis and in traction equilibrium.
@@ -296,8 +296,9 @@ def solved_shear(
         of the oil
     resistance : Resistance, default NO_RESISTANCE
         what holds the balls back beside the races
-    bound : bool, default True
-        whether the torque of flooded, isothermal films is wanted, too
+    whole : Films or None, optional
+        the films with their whole rolling moment (`flooded_films`), where these are others and
+        their torque is wanted, too
     nodes : sequence of FilmNodes or None, optional
         of the films, and of the flooded ones, where they are computed already
 
@@ -306,7 +307,6 @@ def solved_shear(
     SolvedShear
         torques [N m]
     """
-    whole = _whole(films) if bound else None
     nodes = nodes or film_nodes(solution, contacts, (films, whole or ()), rheology)
     sheared = sheared_films(solution, contacts, films, rheology, nodes[0])
     kinematics = motion_map(solution, contacts)
@@ -319,7 +319,7 @@ def solved_shear(
     )
     if not balance.converged:
         return replace(shear, tractions=_tractions(solution, contacts, films, rheology))
-    flooded = shear.balanced if bound else None
+    flooded = shear.balanced
     if whole is not None:
         sheared = sheared_films(solution, contacts, whole, rheology, nodes[1])
         flooded = _flooded_torque(solution, contacts, sheared, resistance, balance)
@@ -327,8 +327,19 @@ def solved_shear(
     return replace(shear, tractions=tractions, flooded=flooded, balance=balance)
 
 
-def _whole(films: Films) -> Films | None:
-    """Flooded, isothermal films; None where they are so."""
+def flooded_films(films: Films) -> Films | None:
+    """Films with the whole rolling moment of flooded, isothermal ones.
+
+    Parameters
+    ----------
+    films : Films
+        operating films
+
+    Returns
+    -------
+    Films | None
+        the others; None where the films are so
+    """
     if all(film is None or film.rolling_fraction == 1.0 for film in films):
         return None
     return [film and film.flooded() for film in films]
@@ -437,11 +448,12 @@ def films_torque(
     """
     operating = bearing_films(solution, contacts, films, friction, inlet)
     resistance = friction.resistance(solution.bearing, lubricant, solution.operation.shaft_speed)
-    nodes = film_nodes(solution, contacts, (operating, _whole(operating) or ()), rheology)
+    whole = flooded_films(operating)
+    nodes = film_nodes(solution, contacts, (operating, whole or ()), rheology)
     state = partial(
         solved_shear, solution, contacts, rheology=rheology, resistance=resistance, nodes=nodes
     )
-    shear = state(films=operating)
+    shear = state(films=operating, whole=whole)
     existing = [film for film in operating if film is not None]
     return replace(
         shear,
@@ -477,7 +489,7 @@ def _rough_ranges(
                 changed = [
                     film and with_asperities(film, contact, other) for contact, film in pairs
                 ]
-                changes.append(shear(films=changed, bound=False).torque.total - total)
+                changes.append(shear(films=changed).torque.total - total)
         if len(changes) > 1:
             found[name] = TorqueRange(ROUGH[name], min(changes), max(changes))
     return found

@@ -34,7 +34,7 @@ FAINT = (
 SYMBOLS = {FormBody.INNER: "BPFI", FormBody.OUTER: "BPFO", FormBody.BALL: "BSF"}
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Line:
     """One frequency, and what causes it."""
 
@@ -73,27 +73,13 @@ def expected_lines(
     for wave in waves_of(form, FormBody.BALL):
         lines += _ball_lines(wave.order, abs(float(speeds[3])), abs(float(speeds[2])))
     if any(form.ball_diameters):
-        lines.append(
-            Line(
-                source="ball diameters",
-                name=combination((1, "FTF")),
-                order=1,
-                direction="radial",
-                frequency=abs(speeds[2]),
-            )
-        )
+        lines.append(Line("ball diameters", combination((1, "FTF")), 1, "radial", abs(speeds[2])))
     slipped = passing(solution, equations)
     named = sums_and_harmonics(slipped, abs(float(speeds[0] - speeds[1])))
     named = tuple(sorted(named, key=lambda line: line.sideband != 0))  # harmonics first
     for place in dict.fromkeys(defect.place for defect in form.defects):
         lines += [
-            Line(
-                source=f"defect of the {place.value}",
-                name=line.name,
-                order=line.harmonic,
-                direction="any",
-                frequency=line.frequency,
-            )
+            Line(f"defect of the {place.value}", line.name, line.harmonic, "any", line.frequency)
             for line in named
             if line.body == BODIES_OF[place]
             and line.harmonic <= (HARMONICS if line.sideband else SHARP_HARMONICS)
@@ -101,11 +87,11 @@ def expected_lines(
     if np.hypot(*solution.ring_force[1:]) > LEAST_FORCE * solution.inner_load.max():
         lines += [
             Line(
-                source="varying compliance",
-                name=combination((k, "BPFO")),
-                order=k,
-                direction="any",
-                frequency=k * slipped.ball_pass_outer,
+                "varying compliance",
+                combination((k, "BPFO")),
+                k,
+                "any",
+                k * slipped.ball_pass_outer,
             )
             for k in range(1, HARMONICS + 1)
         ]
@@ -296,11 +282,11 @@ def _ring_lines(
     turns = "f_r" if place is FormBody.INNER else "f_o" if speeds[0] else ""  # of the ring
     return [
         Line(
-            source=f"{place.value} waviness",
-            name=combination((k, SYMBOLS[place]), (m if turns else 0, turns)),
-            order=order,
-            direction=names.get(abs(m), "none"),
-            frequency=abs(order * speeds[0] - k * balls * speeds[1]),
+            f"{place.value} waviness",
+            combination((k, SYMBOLS[place]), (m if turns else 0, turns)),
+            order,
+            names.get(abs(m), "none"),
+            abs(order * speeds[0] - k * balls * speeds[1]),
         )
         for k, m in seen.items()
     ]
@@ -311,11 +297,11 @@ def _ball_lines(order: int, spin: float, cage: float) -> list[Line]:
     sides = {0: "none"} if order % 2 else {0: "axial", -1: "radial", 1: "radial"}
     return [
         Line(
-            source="ball waviness",
-            name=combination((order, "BSF"), (side, "FTF")),
-            order=order,
-            direction=direction,
-            frequency=abs(order * spin + side * cage),
+            "ball waviness",
+            combination((order, "BSF"), (side, "FTF")),
+            order,
+            direction,
+            abs(order * spin + side * cage),
         )
         for side, direction in sides.items()
     ]

@@ -32,16 +32,13 @@ from oilfilm.ehl.oil.free_volume import (
     ExpansivityForm,
     TaitVolume,
     YasutomiGlass,
-    pressure_viscosity_doolittle,
-    pressure_viscosity_yasutomi,
 )
 from oilfilm.ehl.oil.lubricant import (
     PRESSURE_VISCOSITY_TOLERANCE,
     ROELANDS_LOG_OFFSET,
     ROELANDS_PRESSURE,
     ThermalProperties,
-    pressure_viscosity_modulus,
-    pressure_viscosity_scaled,
+    law_pressure_viscosity,
 )
 from oilfilm.ehl.oil.rheology import ShearLaw
 from oilfilm.ehl.units import GIGAPASCAL, ZERO_CELSIUS, from_si, to_si
@@ -261,21 +258,6 @@ def _of_family(family: str, keys: dict[str, Any]) -> dict[str, Any]:
     return {name_in_si(key).removeprefix(f"{family}_"): to_si(key, keys[key]) for key in given}
 
 
-def _coefficient(given: dict[str, Any]) -> float | None:
-    """d(ln eta)/dp at ambient pressure by the constants of the law [1/Pa]; None without them."""
-    law = given.get("viscosity_law")
-    temperature = given["temperature"]
-    if law is ViscosityLaw.TAIT_DOOLITTLE:
-        return pressure_viscosity_doolittle(given["tait"], given["doolittle"], temperature)
-    if law is ViscosityLaw.YASUTOMI:
-        return pressure_viscosity_yasutomi(given["yasutomi"], temperature)
-    if law is ViscosityLaw.MODULUS:
-        return pressure_viscosity_modulus(given["modulus"], temperature)
-    if law is ViscosityLaw.SCALED:
-        return pressure_viscosity_scaled(given["tait"], given["scaled"], temperature)
-    return None
-
-
 def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, Any]:
     """Fields of `Lubricant` with the pressure-viscosity coefficient of the constants of its law.
 
@@ -296,7 +278,7 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
     InvalidKeyError
         If the case gives another coefficient, or the law does not hold at the temperature.
     """
-    of_constants = _coefficient(given)
+    of_constants = law_pressure_viscosity(given.get("viscosity_law"), given)
     key = "pressure_viscosity_1_GPa"
     if of_constants is None:
         return given

@@ -256,7 +256,7 @@ def _total_at(
         at = friction.at_supply(supply, state.bearing)
         operating = bearing_films(state, contacts, films, at, case.inlet)
         resistance = at.resistance(state.bearing, case.lubricant, state.operation.shaft_speed)
-        shear = solved_shear(state, contacts, operating, rheology, resistance, bound=False)
+        shear = solved_shear(state, contacts, operating, rheology, resistance)
         return shear.torque.total + seal
 
     return total

@@ -45,7 +45,7 @@ POINTS = {True: 129, False: 513}  # of the contacts, quick and not
 RIGID_POINTS = {True: 257, False: 1025}
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Check:
     """A statement, its computed number and the bounds that it must keep [-]."""
 
@@ -136,20 +136,15 @@ def closed_forms() -> Iterator[Check]:
     modulus = 226e9
     circle = cbrt(1.5 * load * radius / modulus)
     difference = abs(hertz_contact(load, radius, radius, modulus).semi_axis_x / circle - 1.0)
-    yield Check(name="Hertz, circle, relative difference", value=difference, least=0.0, most=1e-12)
+    yield Check("Hertz, circle, relative difference", difference, 0.0, 1e-12)
     ratio = 0.05
     k = ellipse_ratio(ratio)
     m = 1.0 - 1.0 / k**2
     radii = (k**2 * ellipe(m) - ellipk(m)) / (ellipk(m) - ellipe(m))  # R_y/R_x
     difference = abs(float(ratio * radii) - 1.0)
-    yield Check(name="Hertz, ellipse, relative difference", value=difference, least=0.0, most=1e-9)
+    yield Check("Hertz, ellipse, relative difference", difference, 0.0, 1e-9)
     coarse, fine = (_deflection_error(cells) for cells in (128, 256))
-    yield Check(
-        name="order of the deflection under Hertz' pressure",
-        value=log2(coarse / fine),
-        least=1.4,
-        most=2.3,
-    )
+    yield Check("order of the deflection under Hertz' pressure", log2(coarse / fine), 1.4, 2.3)
 
 
 def _deflection_error(cells: int) -> float:
@@ -186,10 +181,10 @@ def rigid_film(points: int, tolerance: float) -> Check:
     kapitza = (contact.speed * pi * sqrt(2.0) / (5.0 * contact.load)) ** 2
     value = film.value / (RIGID * kapitza)
     return Check(
-        name=f"rigid film over Kapitza's with Reynolds' condition, M {RIGID_LOAD:g}",
-        value=value,
-        least=1.0 - tolerance,
-        most=1.0 + tolerance,
+        f"rigid film over Kapitza's with Reynolds' condition, M {RIGID_LOAD:g}",
+        value,
+        1.0 - tolerance,
+        1.0 + tolerance,
     )
 
 
@@ -219,9 +214,4 @@ def film_checks(contact: Reference, solution: ContactSolution) -> Iterator[Check
     for kind, (value, bar), film in films:
         allowed = bar + film.uncertainty + REMAINDER * value
         found = film.value if solution.converged and solution.resolved else np.nan
-        yield Check(
-            name=f"{kind} film, {contact.name}",
-            value=float(found),
-            least=value - allowed,
-            most=value + allowed,
-        )
+        yield Check(f"{kind} film, {contact.name}", float(found), value - allowed, value + allowed)

@@ -1,6 +1,6 @@
-"""The film atlas beside the solver: the same film in a thousandth of the time.
+"""The film atlas and the solver: the same film in a thousandth of the time.
 
-The atlas is a table of solved films with an error of its own; outside its range it says so.
+The atlas is a table of solved films with an error of its own. It reports contacts outside its range.
 """
 
 from dataclasses import replace
@@ -40,5 +40,8 @@ axes.loglog(speeds, values, label="atlas")
 axes.fill_between(speeds, values - bars, values + bars, alpha=0.3, label="its error")
 axes.loglog(few, [1e6 * solution.film_central for solution in solved], "ko", label="solved")
 axes.set(xlabel="entrainment speed [m/s]", ylabel="central film [µm]")
+axes.minorticks_off()
+for ticks, axis in (([0.5, 1, 2, 5, 10], axes.xaxis), ([0.1, 0.2, 0.5, 1], axes.yaxis)):
+    axis.set_ticks(ticks, list(map(str, ticks)))
 axes.legend(frameon=False)
 figure.savefig("atlas_and_solver.png")

@@ -1,8 +1,8 @@
 """A classifier of defects, learned from simulated records.
 
 The batch `6205_defects` simulates a 6205 with and without spalls; races and balls of each seed have a form of their
-own. The signs of a record are its level and its envelope at multiples of the frequencies of outer ring, inner ring and
-ball. A linear classifier that has learned one seed names the records of the other.
+own. The features of a record are its level and its envelope at multiples of the frequencies of outer ring, inner ring
+and ball. A linear classifier trained on one seed identifies the records of the other.
 """
 
 import shutil
@@ -24,7 +24,7 @@ from oilfilm.cases.batch.results import load_results, write_batch
 BODIES = ("ball_pass_outer", "ball_pass_inner", "ball_spin")
 
 
-def signs(record, rate, passing):
+def features(record, rate, passing):
     """Logarithms of the level and of the envelope at four multiples of each frequency."""
     envelope = abs(scipy.signal.hilbert(record))
     amplitude = abs(np.fft.rfft((envelope - envelope.mean()) * np.hanning(record.size)))
@@ -44,7 +44,7 @@ if __name__ == "__main__":  # the workers are processes that read this file, too
     passing = np.column_stack([data[name].values for name in names]) * [1.0, 1.0, 2.0]
     records = data["record.acceleration_m_s2"].values
     rates = data["record.sample_rate_Hz"].values
-    X = [signs(*one) for one in zip(records, rates, passing, strict=True)]
+    X = [features(*one) for one in zip(records, rates, passing, strict=True)]
     words = [text.split(", ") for text in data["record.defects"].values]
     body = np.array([parts[1] if len(parts) > 1 else "none" for parts in words])
     model = make_pipeline(StandardScaler(), LogisticRegression(C=10.0))
@@ -52,5 +52,5 @@ if __name__ == "__main__":  # the workers are processes that read this file, too
     found = cross_val_predict(model, X, body, groups=seeds, cv=LeaveOneGroupOut())
     figure, axes = plt.subplots(figsize=(5.0, 4.0), layout="constrained")
     ConfusionMatrixDisplay.from_predictions(body, found, ax=axes, colorbar=False, cmap="Blues")
-    axes.set(xlabel="named", ylabel="simulated defect")
+    axes.set(xlabel="identified defect", ylabel="simulated defect")
     figure.savefig("classify_defects.png")

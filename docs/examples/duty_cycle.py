@@ -1,4 +1,4 @@
-"""Life over a duty cycle: a fan that idles, runs, and takes gusts.
+"""Life over a duty cycle: a fan that idles, runs and meets gusts.
 
 Each load case takes its share of the time, and another share of the damage.
 """

@@ -15,5 +15,8 @@ for number, oil in enumerate((0.0, 5.0, 10.0, 20.0)):
     axes.loglog(loads, central, f"C{number}", label=f"L = {oil:g}")
     axes.loglog(loads, minimum, f"C{number}--")
 axes.set(xlabel="load parameter A", ylabel="film / (R √2U)")
+axes.minorticks_off()
+for ticks, axis in (([10, 20, 50, 100], axes.xaxis), ([1, 2, 5], axes.yaxis)):
+    axis.set_ticks(ticks, list(map(str, ticks)))
 figure.legend(loc="outside right center", frameon=False, title="full: central\ndashed: minimum")
 figure.savefig("film_formula_chart.png")

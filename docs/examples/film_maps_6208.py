@@ -1,6 +1,6 @@
 """Films of every ball: a 6208 all of silicon nitride at 3000 N and 10000 r/min.
 
-The case comes with the program. Of each contact there is the film over its area, with the thinnest place marked.
+The case comes with the program. The picture shows the film over the area of each contact, and the central and minimum film of each ball.
 """
 
 import oilfilm

@@ -1,7 +1,7 @@
 """A first film: a steel ball on a glass disc.
 
-The film is nearly as thick in the middle as the speed asks for, and a third thinner at the constriction before the
-outlet. Beside the pressure stands that of the dry contact after Hertz.
+The film is nearly uniform in the middle, and a third thinner at the constriction before the outlet. The dotted line is
+the pressure of the dry contact after Hertz.
 """
 
 import matplotlib.pyplot as plt

@@ -1,6 +1,6 @@
-"""Heat in the film: how much of it inlet shear heating takes, over the speed.
+"""Heat in the film: how much inlet shear heating reduces the film, over the speed.
 
-Oil that is sheared in front of the contact is warm when it enters, and makes a thinner film.
+The oil is sheared in front of the contact. It is warm when it enters and forms a thinner film.
 """
 
 import matplotlib.pyplot as plt
@@ -25,5 +25,8 @@ figure, axes = plt.subplots(figsize=(6.0, 3.6), layout="constrained")
 for name, values in films.items():
     axes.loglog(speeds, values, "o-", label=name)
 axes.set(xlabel="speed [r/min]", ylabel="central film of the heaviest contact [µm]")
+axes.minorticks_off()
+for ticks, axis in (([500, 1000, 2000, 5000, 10000], axes.xaxis), ([0.1, 0.2, 0.5], axes.yaxis)):
+    axis.set_ticks(ticks, list(map(str, ticks)))
 axes.legend(frameon=False)
 figure.savefig("heat_in_the_film.png")

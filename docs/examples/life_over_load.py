@@ -1,6 +1,6 @@
-"""Rating life over the load, beside the cube law of the catalogue.
+"""Rating life over the load, compared with the cube law of the catalogue.
 
-The modified life knows the film by the viscosity ratio, and the cleanliness of the oil.
+The modified life accounts for the film, by the viscosity ratio, and for the cleanliness of the oil.
 """
 
 import matplotlib.pyplot as plt

@@ -1,6 +1,6 @@
 """An oil by its data sheet: film and life over the temperature.
 
-Two viscosities and the density are what every sheet has. The rest is estimated by the kind of base oil, with ranges.
+Every data sheet has two viscosities and the density. The rest is estimated by the kind of base oil, with ranges.
 """
 
 import matplotlib.pyplot as plt
@@ -23,8 +23,8 @@ axes.plot(temperatures, [1e6 * run.film_minimum for run in runs], "C0o-")
 axes.set(xlabel="temperature [°C]", ylim=0.0)
 axes.set_ylabel("thinnest film [µm]", color="C0")
 lives = axes.twinx()
-lives.semilogy(
-    temperatures, [run.summary["life"]["modified_reference_rating_h"] for run in runs], "C3s-"
-)
-lives.set_ylabel("modified reference rating life [h]", color="C3")
+hours = [run.summary["life"]["modified_reference_rating_h"] for run in runs]
+lives.plot(temperatures, [1e-3 * life for life in hours], "C3s-")
+lives.set_ylim(0.0)
+lives.set_ylabel("modified reference rating life [1000 h]", color="C3")
 figure.savefig("own_oil.png")

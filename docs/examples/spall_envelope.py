@@ -1,7 +1,7 @@
 """A spall of the outer race in the envelope of the housing's vibration.
 
-Each ball that passes the spall strikes. The envelope of the signal has lines at the frequency of the passing balls,
-BPFO, and its multiples.
+Each ball that passes the spall causes an impact. The envelope of the signal has lines at the frequency of the passing
+balls, BPFO, and at its multiples.
 """
 
 import matplotlib.pyplot as plt
@@ -30,7 +30,7 @@ axes.set(
     xlabel="frequency [Hz]",
     ylabel="envelope of the acceleration [m/s²]",
     xlim=(0.0, 4.8 * passing),
-    ylim=0.0,
+    ylim=(0.0, 1.2 * found.amplitude.max()),
 )
 axes.legend(frameon=False)
 figure.savefig("spall_envelope.png")

@@ -1,6 +1,6 @@
 """A spindle pair, 7008 back to back: where the load goes over the speed.
 
-Centrifugal forces press the balls outwards; the inner races lose load, the outer ones gain it.
+Centrifugal forces press the balls outwards, so that the load of the outer race grows faster than that of the inner.
 """
 
 import matplotlib.pyplot as plt

@@ -1,6 +1,6 @@
 """A starved contact: the film over the layer of oil in front of it.
 
-A thick layer gives the flooded film. A thin one goes through the contact whole and leaves in two halves, one on each
+A thick layer gives the flooded film. A thin one passes the contact without loss: half of it leaves on each
 surface. Error bars are those of the solver.
 """
 
@@ -26,5 +26,5 @@ axes.plot(layers, layers, "0.6", label="as thick as the layer")
 axes.set(
     xscale="log", xlabel="layer of oil at the inlet [µm]", ylabel="film [µm]", ylim=(0.0, 0.09)
 )
-axes.legend(frameon=False, fontsize="small", loc="center right")
+axes.legend(frameon=False, fontsize="small", loc="upper right")
 figure.savefig("starved_contact.png")

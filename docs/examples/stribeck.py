@@ -1,7 +1,7 @@
 """Stribeck's curve of a bearing: torque over speed, from mixed to full film.
 
-At low speed asperities carry part of the load; with the speed the film grows, their share goes, and the rolling
-resistance of the oil takes its place.
+At low speed asperities carry part of the load. As the speed grows, the film grows and their share falls; the rolling
+resistance of the oil rises instead.
 """
 
 import matplotlib.pyplot as plt

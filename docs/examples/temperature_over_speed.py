@@ -1,6 +1,7 @@
 """How warm does it get? Temperatures of oil and rings over the speed.
 
-At each speed friction and cooling agree; thinner oil brakes less, so that the temperature grows slower than the speed.
+At each speed friction and cooling agree. Warm oil is thinner and has less friction, so that the temperature grows
+slower than the speed.
 """
 
 import oilfilm

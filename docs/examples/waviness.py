@@ -1,6 +1,6 @@
-"""Vibration by waviness: which orders of the rings are heard.
+"""Vibration by waviness: the spectrum of the acceleration.
 
-A wave count near a multiple of the number of balls moves the ring; others cancel.
+Waves of a ring move it if their number is near a multiple of the number of balls; all others cancel.
 """
 
 import matplotlib.pyplot as plt
@@ -15,5 +15,7 @@ seen = measured(results)
 found = spectrum(seen.acceleration, seen.rate)
 figure, axes = plt.subplots(figsize=(6.0, 3.6), layout="constrained")
 axes.semilogy(found.frequency, found.amplitude, linewidth=0.7)
-axes.set(xlabel="frequency [Hz]", ylabel="acceleration [m/s²]", xlim=(0.0, 3000.0), ylim=1e-5)
+axes.set(
+    xlabel="frequency [Hz]", ylabel="acceleration [m/s²]", xlim=(0.0, 3000.0), ylim=(1e-5, 0.2)
+)
 figure.savefig("waviness.png")

@@ -6,11 +6,13 @@ operation. The constants of the laws by a modulus that grows with pressure, and 
 scaling, belong to one oil and come with a source: none has a default.
 """
 
+from collections.abc import Callable, Mapping
 from dataclasses import astuple, dataclass, field
 from enum import Enum
 from functools import lru_cache
 from itertools import pairwise
 from math import isfinite, log
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -437,68 +439,55 @@ class Lubricant:
         return self.pressure_viscosity * self.roelands_pressure / rise
 
 
-VISCOSITY_CODES = {
-    ViscosityLaw.ISOVISCOUS: _laws.ISOVISCOUS,
-    ViscosityLaw.BARUS: _laws.BARUS,
-    ViscosityLaw.ROELANDS: _laws.ROELANDS,
-    ViscosityLaw.TAIT_DOOLITTLE: _laws.TAIT_DOOLITTLE,
-    ViscosityLaw.YASUTOMI: _laws.YASUTOMI,
-    ViscosityLaw.MODULUS: _laws.MODULUS,
-    ViscosityLaw.SCALED: _laws.SCALED,
-}
-DENSITY_CODES = {
-    DensityLaw.INCOMPRESSIBLE: _laws.INCOMPRESSIBLE,
-    DensityLaw.DOWSON_HIGGINSON: _laws.DOWSON_HIGGINSON,
-    DensityLaw.TAIT: _laws.TAIT,
-}
-NEEDED_BY_LAW = {  # fields in addition to viscosity and coefficient
-    ViscosityLaw.TAIT_DOOLITTLE: ("tait", "doolittle", "temperature"),
-    ViscosityLaw.YASUTOMI: ("yasutomi", "temperature"),
-    ViscosityLaw.MODULUS: ("modulus", "temperature"),
-    ViscosityLaw.SCALED: ("tait", "scaled", "temperature"),
+# d(ln eta)/dp at ambient pressure [1/Pa] by the fields that a law needs in addition to viscosity
+# and coefficient
+COEFFICIENTS: dict[ViscosityLaw, tuple[Callable[..., float], tuple[str, ...]]] = {
+    ViscosityLaw.TAIT_DOOLITTLE: (
+        pressure_viscosity_doolittle,
+        ("tait", "doolittle", "temperature"),
+    ),
+    ViscosityLaw.YASUTOMI: (pressure_viscosity_yasutomi, ("yasutomi", "temperature")),
+    ViscosityLaw.MODULUS: (pressure_viscosity_modulus, ("modulus", "temperature")),
+    ViscosityLaw.SCALED: (pressure_viscosity_scaled, ("tait", "scaled", "temperature")),
 }
 
 
 def _require_constants(lubricant: Lubricant) -> None:
     """Each law has its constants, and they agree with the pressure-viscosity coefficient."""
-    needed = NEEDED_BY_LAW.get(lubricant.viscosity_law, ())
+    _, needed = COEFFICIENTS.get(lubricant.viscosity_law, (None, ()))
     if lubricant.density_law is DensityLaw.TAIT:
         needed = (*needed, "tait", "temperature")
     for name in needed:
         if getattr(lubricant, name) is None:
             laws = f"{lubricant.viscosity_law.value}, {lubricant.density_law.value}"
             raise ValueError(f"{name} is needed by the laws {laws}")
-    by_law = law_pressure_viscosity(lubricant)
     coefficient = lubricant.pressure_viscosity
-    if abs(coefficient - by_law) > PRESSURE_VISCOSITY_TOLERANCE * by_law:
+    constants = {name: getattr(lubricant, name) for name in needed}
+    by_law = law_pressure_viscosity(lubricant.viscosity_law, constants)
+    if by_law is not None and abs(coefficient - by_law) > PRESSURE_VISCOSITY_TOLERANCE * by_law:
         wanted = f"that of the law's constants, {by_law:.4e} 1/Pa"
         raise ValueError(f"pressure_viscosity must be {wanted}, got {coefficient!r}")
 
 
-def law_pressure_viscosity(lubricant: Lubricant) -> float:
-    """d(ln eta)/dp at ambient pressure that the constants of the lubricant's law imply.
+def law_pressure_viscosity(law: ViscosityLaw | None, constants: Mapping[str, Any]) -> float | None:
+    """d(ln eta)/dp at ambient pressure that the constants of a law imply.
 
     Parameters
     ----------
-    lubricant : Lubricant
-        the oil
+    law : ViscosityLaw | None
+        the law
+    constants : Mapping[str, Any]
+        fields of `Lubricant` that it needs, by name, at least
 
     Returns
     -------
-    float
-        pressure-viscosity coefficient [1/Pa]
+    float | None
+        pressure-viscosity coefficient [1/Pa]; None of a law that needs no constants
     """
-    oil = lubricant
-    law = oil.viscosity_law
-    if law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait and oil.doolittle and oil.temperature:
-        return pressure_viscosity_doolittle(oil.tait, oil.doolittle, oil.temperature)
-    if law is ViscosityLaw.YASUTOMI and oil.yasutomi and oil.temperature:
-        return pressure_viscosity_yasutomi(oil.yasutomi, oil.temperature)
-    if law is ViscosityLaw.MODULUS and oil.modulus and oil.temperature:
-        return pressure_viscosity_modulus(oil.modulus, oil.temperature)
-    if law is ViscosityLaw.SCALED and oil.tait and oil.scaled and oil.temperature:
-        return pressure_viscosity_scaled(oil.tait, oil.scaled, oil.temperature)
-    return oil.pressure_viscosity
+    if law not in COEFFICIENTS:
+        return None
+    coefficient, needed = COEFFICIENTS[law]
+    return coefficient(*(constants[name] for name in needed))
 
 
 def log_viscosity_ratio(
@@ -721,7 +710,7 @@ def oil_numbers(lubricant: Lubricant) -> Array:
 def _numbers(oil: Lubricant) -> Array:
     """The constants of `oil_numbers`."""
     temperature = UNNAMED_TEMPERATURE if oil.temperature is None else oil.temperature
-    codes = (VISCOSITY_CODES[oil.viscosity_law], DENSITY_CODES[oil.density_law])
+    codes = [getattr(_laws, law.name) for law in (oil.viscosity_law, oil.density_law)]
     numbers = np.zeros(_laws.SIZE)
     numbers[:5] = (*codes, oil.viscosity, oil.density, temperature)
     if oil.viscosity_law is ViscosityLaw.ROELANDS and oil.pressure_viscosity == 0.0:

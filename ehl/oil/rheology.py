@@ -46,11 +46,7 @@ class ShearLaw(Enum):
     CARREAU_YASUDA = "carreau-yasuda"
 
 
-LAW_CODES = {
-    ShearLaw.NEWTONIAN: _laws.NEWTONIAN,
-    ShearLaw.REE_EYRING: _laws.REE_EYRING,
-    ShearLaw.CARREAU_YASUDA: _laws.CARREAU_YASUDA,
-}
+LAW_CODES = {law: getattr(_laws, law.name) for law in ShearLaw}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -47,7 +47,7 @@ class VibrationResults(Results):
         return self.run.energy_balance_error <= ENERGY_LIMIT  # false of what is not a number
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Spectrum:
     """Amplitudes (half from trough to crest) over frequency."""
 
@@ -92,8 +92,8 @@ def spectrum(signal: Array, rate: float) -> Spectrum:
     window = scipy.signal.get_window("hann", signal.size)
     values = np.fft.rfft((signal - signal.mean()) * window)
     return Spectrum(
-        frequency=np.asarray(np.fft.rfftfreq(signal.size, 1.0 / rate), dtype=np.float64),
-        amplitude=2.0 * abs(values) / window.sum(),
+        np.asarray(np.fft.rfftfreq(signal.size, 1.0 / rate), dtype=np.float64),
+        2.0 * abs(values) / window.sum(),
     )
 
 
@@ -200,7 +200,7 @@ def by_order(signal: Array, turned: Array, speed: float) -> Spectrum:
     even = np.linspace(turned[0], turned[-1], signal.size)
     result = spectrum(np.interp(even, turned, signal), 1.0 / (even[1] - even[0]))
     orders = result.frequency * 2.0 * pi / abs(speed)
-    return Spectrum(frequency=orders, amplitude=result.amplitude)
+    return Spectrum(orders, result.amplitude)
 
 
 def envelope(signal: Array, rate: float, band: tuple[float, float]) -> Array:

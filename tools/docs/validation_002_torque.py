@@ -92,7 +92,7 @@ def supplied(speed: float, load: float, supply: Supply | PrescribedInlet, **chan
     friction = replace(case.friction, supply=supply, **changes)
     running = bearing_films(state, contacts, films, friction, case.inlet)
     resistance = friction.resistance(case.bearing, case.lubricant, case.operation.shaft_speed)
-    torque = solved_shear(state, contacts, running, case.rheology, resistance, bound=False).torque
+    torque = solved_shear(state, contacts, running, case.rheology, resistance).torque
     oil = OilAtInlets(oil=supply, balls=case.bearing.balls)
     left = of_driven_balls(state, contacts, supplied_films(contacts, films, oil, friction.asperities))
     parts = {name: torque.parts[name] for name in ("cage", "rolling", "hysteresis", "asperity", "drag")}

@@ -16,7 +16,7 @@ from oilfilm.bearing.friction import balance as balancing
 from oilfilm.bearing.friction import cage
 from oilfilm.bearing.friction.film_friction import film_balance, film_law
 from oilfilm.bearing.friction.resistance import NO_RESISTANCE, Cage, Mixture, resistance_of
-from oilfilm.bearing.torque.integrated import POWER_TOLERANCE, SolvedShear, solved_shear
+from oilfilm.bearing.torque.integrated import POWER_TOLERANCE, SolvedShear, flooded_films, solved_shear
 from oilfilm.ehl import Lubricant, SolverOptions, solve_contact
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 
@@ -55,7 +55,7 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
         solved = solved_films(contacts, [film and film.field for film in films])
         running = operating_films(contacts, solved, asperities=asperities)
         running = [film and replace(film, rolling_fraction=0.6) for film in running]
-        shear = solved_shear(state, contacts, running, rheology, resistance)
+        shear = solved_shear(state, contacts, running, rheology, resistance, whole=flooded_films(running))
         assert shear.closed and not shear.note
         assert shear.torque.imbalance == pytest.approx(0.0, abs=1e-8)
         assert shear.torque.relative_error == pytest.approx(0.0, abs=1e-8)
