@@ -23,7 +23,7 @@ from ..bearing.contact_quantities import CONTACT_QUANTITY, TERMINAL_COLUMNS
 from ..bearing.results import balls_text
 from ..files import read_summary
 from ..plot_style import INK, RC, REFERENCE
-from ..quantities import is_number, number
+from ..quantities import NOTHING, in_figures, is_number, number
 from .html import without_noise
 from .page import remarks
 
@@ -40,8 +40,12 @@ TYPE_SIZE = 8.5  # [points]
 SMALL = 6.5  # of tables [points]
 MOST_COLUMNS = 8  # of a table; the workbook has all
 MOST_ROWS = 60
+LARGEST_PLAIN = 1e9  # number without a power of ten
+OTHERS_PLACE = ("Results", "Input", "Messages", "bearings")  # sheets shown elsewhere
+TABLE_TITLES = {"campbell": "Natural frequencies over the speed"}
 LEADING = 1.45  # height of a line over the size of its type [-]
 PICTURES_A_PAGE = 2
+BEARINGS_A_LINE = 3
 RESULT_BLOCKS = ("ring", "clearance", "strength", "life", "dry_running", "frequencies_Hz")
 CONTACT_PLACES = {  # columns of the contacts and where they end [-]
     "load_N": 0.33,
@@ -165,19 +169,16 @@ def _stiffness_sheet(stiffness: dict[str, Any]) -> dict[str, Sheet]:
 
 
 def _list_sheet(rows: list[dict[str, Any]]) -> Sheet:
-    """A list of tables, with a column for each key that fits one cell."""
-    keys = [
-        key
-        for key in dict.fromkeys(key for row in rows for key in row)
-        if not any(isinstance(row.get(key), dict | list) for row in rows)
-    ]
-    header = [_heading(key) for key in keys]
-    return header, [[row.get(key) for key in keys] for row in rows]
+    """A list of tables, with a column for each number and word."""
+    flat = [{_heading(*parts): value for parts, value in _leaves(row)} for row in rows]
+    keys = list(dict.fromkeys(key for row in flat for key in row))
+    return keys, [[row.get(key) for key in keys] for row in flat]
 
 
-def _heading(key: str) -> str:
-    unit = unit_symbol(key)
-    return f"{without_unit(key)} [{unit}]" if unit else without_unit(key)
+def _heading(*parts: str) -> str:
+    unit = unit_symbol(".".join(parts))
+    name = " ".join(map(without_unit, parts))
+    return f"{name} [{unit}]" if unit else name
 
 
 def _csv_sheet(path: Path) -> Sheet:
@@ -222,15 +223,12 @@ def write_pdf(directory: str | Path, file: str | Path) -> Path:
     content = BytesIO()
     with matplotlib.rc_context(RC), PdfPages(content) as pages:
         pictures = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
-        figures = chain(
-            _text_pages(_headline(summary, folder.name)),
-            (
-                _picture_page(pictures[first : first + PICTURES_A_PAGE])
-                for first in range(0, len(pictures), PICTURES_A_PAGE)
-            ),
-            _text_pages(_further_pages(summary, folder)),
+        rows = chain(
+            _headline(summary, folder.name),
+            (Row([], picture=imread(BytesIO(read_file(path)))) for path in pictures),
+            _further_pages(summary, folder),
         )
-        for page, figure in enumerate(figures, 1):
+        for page, figure in enumerate(_pages(rows), 1):
             style: dict[str, Any] = {"color": REFERENCE, "ha": "right", "fontsize": 7}
             figure.text(1.0 - MARGIN, 0.5 * MARGIN, str(page), **style)
             pages.savefig(figure)
@@ -240,12 +238,22 @@ def write_pdf(directory: str | Path, file: str | Path) -> Path:
 
 
 class Row(NamedTuple):
-    """Texts side by side: their places, 0 to 1, left or right of it."""
+    """Texts side by side: their places, 0 to 1, left or right of it; or a picture."""
 
     cells: Sequence[tuple[float, str, str]]  # place [-], "left" or "right", text
     size: float = TYPE_SIZE  # [points]
     weight: str = "normal"
     colour: str = INK
+    picture: Any = None  # its colours, shape (height, width, 4)
+
+    @property
+    def height(self) -> float:
+        """Part of the height of a page [-]."""
+        if self.picture is None:
+            return LEADING * self.size / 72.0 / PAGE[1]
+        high, wide, *_ = self.picture.shape
+        own = (1.0 - 2.0 * MARGIN) * PAGE[0] / PAGE[1] * high / wide
+        return min(own, (1.0 - 2.0 * MARGIN) / PICTURES_A_PAGE)
 
 
 def _headline(summary: dict[str, Any], name: str) -> Iterator[Row]:
@@ -267,6 +275,7 @@ def _headline(summary: dict[str, Any], name: str) -> Iterator[Row]:
     contacts = summary.get("contacts") or ()
     if contacts and "ball" in contacts[0]:
         yield from _section("Contacts", _contact_rows(contacts))
+    yield from _section("Bearings", _bearing_rows(summary.get("bearings") or ()))
 
 
 def _main_facts(summary: dict[str, Any]) -> Iterator[list[Any]]:
@@ -279,12 +288,12 @@ def _main_facts(summary: dict[str, Any]) -> Iterator[list[Any]]:
         yield ["", quantity.title, _with_error(found, key), unit_symbol(key)]
 
 
-def _with_error(of: dict[str, Any], key: str, style: str = ".4g") -> str:
+def _with_error(of: dict[str, Any], key: str, style: str = "") -> str:
     """A value, of a film with its error bar."""
     error = of.get(key.replace("_um", "_uncertainty_um")) if key.endswith("_um") else None
     if error and of.get(key) is not None:
         return value_with_error(of[key], error, most=4)
-    return number(of.get(key), style or ".4g")
+    return number(of.get(key), style) if style else _shown(of.get(key), 4)
 
 
 def _contact_rows(contacts: Sequence[dict[str, Any]]) -> Iterator[Row]:
@@ -305,14 +314,31 @@ def _contact_rows(contacts: Sequence[dict[str, Any]]) -> Iterator[Row]:
         yield Row([(0.0, "left", name), (0.16, "left", race), *places], weight=weight)
 
 
+def _bearing_rows(bearings: Sequence[dict[str, Any] | None]) -> Iterator[Row]:
+    """Main results of the bearings of a shaft, side by side."""
+    known = [one for one in bearings if one is not None]
+    facts = [{(row[1], row[3]): row[2] for row in _main_facts(one)} for one in known]
+    lines = {"": [str(one["case"]["title"]) for one in known]}
+    for quantity, unit in dict.fromkeys(key for one in facts for key in one):
+        lines[f"{quantity} [{unit}]".replace(" []", "")] = [
+            one.get((quantity, unit), NOTHING) for one in facts
+        ]
+    for first in range(0, len(known), BEARINGS_A_LINE):
+        for title, texts in lines.items():
+            part = texts[first : first + BEARINGS_A_LINE]
+            ends = [(0.5 + 0.25 * k, "right", text) for k, text in enumerate(part)]
+            yield Row([(0.0, "left", title), *ends], weight="normal" if title else "bold")
+
+
 def _table_rows(header: Sequence[str], rows: Sequence[Sequence[Any]]) -> Iterator[Row]:
-    """The first columns and rows of a table whose values differ."""
-    cells = [[number(cell, ".4g") for cell in row] for row in rows]
+    """The first columns and rows of a table whose values differ, or of its only row."""
+    cells = [[_shown(cell, 4) for cell in row] for row in rows]
     columns = zip(header, *cells, strict=False)
-    differing = [column for column in columns if len(set(column[1:])) > 1][:MOST_COLUMNS]
+    differing = [column for column in columns if len(set(column[1:])) > 1 or len(rows) == 1]
+    differing = differing[:MOST_COLUMNS]
     lines = list(zip(*differing, strict=True))
-    names = [column[0].rpartition(".")[2].replace("_", " ") for column in differing]
-    heads = [[*wrap(name, 16), "", ""][:2] for name in names]
+    names = [column[0].rpartition(".")[2] for column in differing]
+    heads = [[*wrap(name if "[" in name else _heading(name), 16), "", ""][:2] for name in names]
     for texts in zip(*heads, strict=True):
         yield Row(_across(texts), SMALL, "bold")
     for line in lines[1 : MOST_ROWS + 1]:
@@ -328,11 +354,17 @@ def _across(texts: Sequence[str]) -> list[tuple[float, str, str]]:
 
 def _further_pages(summary: dict[str, Any], folder: Path) -> Iterator[Row]:
     """Blocks of results, input without the sources of its materials, and all notes."""
-    results = {key: summary[key] for key in RESULT_BLOCKS if isinstance(summary.get(key), dict)}
+    results = {
+        key: value
+        for key, value in summary.items()
+        if (isinstance(value, float) and key != "wall_s")
+        or (key in RESULT_BLOCKS and isinstance(value, dict))
+    }
     yield from _section("Further results", _facts_rows(_facts(results)[1]))
     for name, sheet in sheets(folder).items():
-        if "equilibrium" not in summary and name not in ("Results", "Input", "Messages"):
-            yield from _section(name.replace("_", " "), _table_rows(*sheet))
+        if "equilibrium" not in summary and name not in OTHERS_PLACE:
+            title = name.replace("_", " ").capitalize()
+            yield from _section(TABLE_TITLES.get(name, title), _table_rows(*sheet))
     case = summary["case"] if isinstance(summary["case"], dict) else {}
     blocks = dict.fromkeys(("bearing", "operation", "lubricant", *case))
     ordered = {name: case[name] for name in blocks if name in case}
@@ -360,7 +392,9 @@ def _paragraphs(texts: Iterable[str], colour: str = INK) -> Iterator[Row]:
 def _facts_rows(facts: Iterable[Sequence[Any]]) -> Iterator[Row]:
     """Block and quantity, value and unit; long values below."""
     for block, quantity, value, unit in facts:
-        text = number(value, ".5g")
+        text = _shown(value, 5)
+        if not text:
+            continue
         name = (0.0, "left", f"{block} {quantity}".strip())
         if len(text) < WIDTH // 3:
             yield Row([name, (0.66, "right", text), (0.675, "left", unit)])
@@ -368,19 +402,32 @@ def _facts_rows(facts: Iterable[Sequence[Any]]) -> Iterator[Row]:
             yield from _paragraphs([f"{name[2]}: {text}"])
 
 
-def _text_pages(rows: Iterable[Row]) -> Iterator[Figure]:
+def _shown(value: Any, figures: int) -> str:
+    """A number without a power of ten where it is below a billion; yes or no; words."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float) and 1.0 <= value < LARGEST_PLAIN:
+        return in_figures(value, figures)
+    return number(value, f".{figures}g")
+
+
+def _pages(rows: Iterable[Row]) -> Iterator[Figure]:
     """Pages of rows one below the other."""
     figure = None
     place = 0.0
     for row in rows:
-        height = LEADING * row.size / 72.0 / PAGE[1]
-        if figure is None or place - height < MARGIN:
+        if figure is None or place - row.height < MARGIN:
             if figure is not None:
                 yield figure
             figure = Figure(figsize=PAGE)
             place = 1.0 - MARGIN
             figure.set_layout_engine("none")
-        place -= height
+        place -= row.height
+        if row.picture is not None:
+            box = (MARGIN, place, 1.0 - 2.0 * MARGIN, 0.95 * row.height)
+            axes = figure.add_axes(box)
+            axes.imshow(row.picture, interpolation="none")
+            axes.set_axis_off()
         for at, side, text in row.cells:
             style: dict[str, Any] = {"ha": side, "fontsize": row.size, "weight": row.weight}
             x = MARGIN + at * (1.0 - 2.0 * MARGIN)
@@ -388,15 +435,3 @@ def _text_pages(rows: Iterable[Row]) -> Iterator[Figure]:
             figure.text(x, place, text.replace("$", r"\$"), color=row.colour, **style)
     if figure is not None:
         yield figure
-
-
-def _picture_page(paths: Sequence[Path]) -> Figure:
-    figure = Figure(figsize=PAGE)
-    figure.set_layout_engine("none")
-    height = (1.0 - 2.0 * MARGIN) / PICTURES_A_PAGE
-    for k, path in enumerate(paths):
-        box = (MARGIN, 1.0 - MARGIN - (k + 1) * height, 1.0 - 2.0 * MARGIN, 0.96 * height)
-        axes = figure.add_axes(box)
-        axes.imshow(imread(BytesIO(read_file(path))), interpolation="none")
-        axes.set_axis_off()
-    return figure

@@ -77,7 +77,7 @@ def test_error_bars_are_those_of_films_in_micrometres():
 def test_a_table_has_the_columns_whose_values_differ():
     rows = list(_table_rows(["point", "case.speed_rpm", "same"], [[k, 10.0 * k, 1.0] for k in range(70)]))
     texts = [[text for _, _, text in row.cells] for row in rows]
-    assert texts[0] == ["point", "speed rpm"]
+    assert texts[0] == ["point", "speed [r/min]"]
     assert texts[2] == ["0", "0"] and len(texts) == 2 + 60 + 1
     assert texts[-1] == ["70 rows and 3 columns in all"]
 
