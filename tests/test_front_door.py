@@ -48,7 +48,7 @@ def test_the_page_of_the_interface_lists_the_public_names():
     assert sorted(listed) == sorted(home_of(name) for name in oilfilm.__all__)
     assert further
     stability = (ROOT / "docs" / "reference" / "stability.md").read_text(encoding="utf-8")
-    names = stability.partition("These are all:\n")[2].partition("```python")[0]
+    names = stability.partition("The public names are:\n")[2].partition("```python")[0]
     assert sorted(re.findall(r"`(\w+)`", names)) == oilfilm.__all__
 
 
