@@ -12,7 +12,6 @@
 | rexs_results | results written into such a drive |
 | cli | the command line |
 | library | shipped cases, sweeps and printed reference values (TOML, CSV) |
-| version | version of the program, written down in pyproject.toml only |
 
 app          - the live program `oilfilm app`
 batch        - many points of one case
@@ -23,7 +22,6 @@ optimise     - optimisation of a case by its keys, with error bars of films as n
 rexs         - drives in the exchange format REXS
 rexs_results - results written into such a drive
 runs         - one case run
-version      - the version, written down in pyproject.toml only
 """
 
 import lazy_loader

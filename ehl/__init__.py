@@ -25,6 +25,7 @@ traction       - traction of a lubricated contact
 traction_table - traction tables
 transient      - one lubricated contact over time: load, speed, features of the surfaces
 units          - units of named numbers: the last words of a key say its unit
+version        - version of the program, written down in pyproject.toml only
 """
 
 import lazy_loader
