@@ -9,7 +9,6 @@ from oilfilm.postprocess.contact.atlas import AtlasContactResults, AtlasRecord
 from ..format.case import Case, ContactCase
 from ..format.contact import FilmModel
 from ..format.rules import CaseError
-from ..version import version
 
 
 def run_atlas_contact(case: ContactCase, name: str) -> AtlasContactResults:
@@ -40,7 +39,6 @@ def run_atlas_contact(case: ContactCase, name: str) -> AtlasContactResults:
     except NotInAtlasError as refusal:
         raise CaseError(f"{name}: {refusal.reason}; {solver}") from None
     return AtlasContactResults(
-        version=version(),
         case=case.document,
         record=AtlasRecord(conditions=case.conditions, films=films),
         messages=case.warnings,
