@@ -50,8 +50,8 @@ from .solution import ContactSolution, ConvergenceRecord
 FLOODED_ONLY = "inlet_layer: films with shear or heat are solved flooded only"
 CAUTIOUS_LEVEL = "finer mesh with damping halved, less Gauss-Seidel"
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula: of a contact that is
-# even in Y, and of others, which have twice the nodes. Of 19 at an angle or rotating a mesh twice
-# as coarse as the first one would be with the former reaches 1 % in 14
+# even in Y, and of others, which have twice the nodes. Of 20 drawn at an angle or rotating 13
+# reach 1 % on half the points that the former would begin with
 FIRST_FINENESS = (6.0, 1.5)
 FEWEST_POINTS = 65  # of the first mesh
 # Bars up to so many times the tolerance are accepted where the next mesh has more nodes than that,
