@@ -1,9 +1,20 @@
-"""The equations of motion of ring, cage and balls as one compiled function without allocation.
+"""The equations of motion of rings, cage and balls as one compiled function without allocation.
 
-Newton's and Euler's equations in the inertial frame: no centrifugal and no gyroscopic force on a
-ball, whose inertia is the same about every axis. The inner ring turns at a given speed, tilts
-little, and is coupled by the gyroscopic moment of its polar inertia; so is the cage, whose
-rotation is free. Their NumPy twin: tests/reference/dynamics.py.
+To be read from the top: `motion_rates` goes through the steps of Walters (1971) and Gupta (1984),
+and what follows it are these steps in their order. Forces of contacts stand in `_race_kernels`
+(`ball_on_race`: approach, normal force, friction) and `_cage_kernels` (`ball_in_pocket`,
+`cage_land`).
+
+One inertial frame: x is the axis of the bearing, y and z lie across it. A ball has its centre and
+velocity in it, and an angular velocity: Newton's and Euler's equations without centrifugal and
+gyroscopic terms, as its inertia is the same about every axis. The inner ring turns at a given
+speed, tilts little, and is coupled by the gyroscopic moment of its polar inertia; so is the cage,
+whose rotation is free.
+
+Letters: t time, y state (coordinates, speeds in the same order, angles, works, `arrays.Layout`),
+dy its rates, j number of a ball, c constants, p what is prescribed, free or held, `p.loads` forces
+and moments of all contacts on a body, `p.power` the power of each mechanism, added where its force
+is. Their NumPy twin: tests/reference/dynamics.py.
 """
 
 import numpy as np
@@ -62,6 +73,59 @@ from .arrays import (
     WORK,
     Body,
 )
+
+
+@inlined
+def motion_rates(t, y, data, dy):
+    """Rates of the state vector; contact states and powers are left in `KernelData`."""
+    p = data.bearing
+    balls = data.balls
+    impact_speeds = data.impact_speeds
+    c = p.constants
+    prescribed = p.prescribed
+    # 1. prescribed speeds, loads and places; places of the bodies
+    acceleration = schedule_at(data.times, data.schedule, t, prescribed)
+    prescribed[FORM_SHARE] = form_share(c, t)
+    place_ring(c.balls, p.constrained, prescribed, y)
+    if c.guided:
+        guide_balls(c, prescribed[GUIDE_SPEED], y)
+    inner, outer, cage = place_bodies(c.balls, y, prescribed[INNER_SPEED], prescribed[OUTER_SPEED])
+    p.power[:] = 0.0
+    p.loads[:] = 0.0
+    for j in range(c.balls):
+        balls[j].forces[:] = 0.0
+    # 2. forces between races and balls
+    for race in range(2):  # written out, the number of a race would be compiled for by itself
+        law = data.friction_inner if race == INNER else data.friction_outer
+        forms = (data.inner_form if race == INNER else data.outer_form), data.ball_form[race]
+        body = inner if race == INNER else outer
+        race_forces(p, balls, law, forms, impact_speeds, race, body, y)
+    # 3. in pockets, or of balls that meet
+    if c.cage_mass > 0.0:
+        pocket_forces(p, balls, impact_speeds, cage, y)
+    elif c.symmetric_copies == 1 and not c.guided:
+        ball_collisions(p, balls, impact_speeds, y)
+    # 4. friction that is stiff; balls that are not solved; lands of the cage
+    if friction_is_stiff(p, balls):
+        implicit_friction(p, balls, y, inner, outer)
+    if c.symmetric_copies > 1:
+        add_copies(c, p.loads, p.power)
+    p.power[WORK.drive_outer] -= outer.turn[0] * p.loads[OUTER, MOMENT]
+    if c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS:
+        ring = inner if c.guide == GUIDED_BY_INNER_RING else outer
+        for side in range(2):
+            cage_land(p, impact_speeds, side, ring, cage)
+    # 5. equations of motion
+    for j in range(c.balls):
+        ball_rates(p, balls[j], t, acceleration, y, j, dy)
+    ring_equations(p, t, y, acceleration, inner, dy)
+    cage_equations(p, y, cage, dy)
+    outer_equations(p, t, y, dy)
+    dy[ring_angle(c.balls)] = prescribed[INNER_SPEED]
+    dy[outer_angle(c.balls)] = prescribed[OUTER_SPEED]
+    first = accumulators(c.balls)
+    for k in range(p.power.size):
+        dy[first + k] = p.power[k]
 
 
 @compiled
@@ -208,7 +272,9 @@ def guided_rates(p, ball, t, acceleration, y, j, dy):
 
 @inlined
 def ball_rates(p, ball, t, acceleration, y, j, dy):
-    """Newton's and Euler's equations of a ball with drag and weight."""
+    """Newton's and Euler's equations of a ball, m dv/dt = F - d |v| v + m g and J dw/dt = M, with
+    forces F and moments M of its contacts, drag d and weight.
+    """
     c = p.constants
     free = p.free
     motion = ball_motion(y, c.balls, j)
@@ -231,8 +297,8 @@ def ball_rates(p, ball, t, acceleration, y, j, dy):
 
 @compiled
 def tilting_equations(p, t, y, rate, dy):
-    """Tilts of the inner ring, their rates from the place `rate` on: contacts, moments, gyroscopic
-    coupling.
+    """Euler's equations of the tilts of the inner ring at its speed s, J dw_y/dt = M_y - J_p s w_z
+    and J dw_z/dt = M_z + J_p s w_y; their rates stand from the place `rate` on.
     """
     c = p.constants
     gyro = c.ring_polar * p.prescribed[INNER_SPEED]
@@ -256,8 +322,8 @@ def tilting_equations(p, t, y, rate, dy):
 
 @compiled
 def ring_equations(p, t, y, acceleration, body, dy):
-    """The inner ring: contacts, loads, also one that goes round, unbalance, support, weight,
-    gyroscopic coupling; what holds it does work where its place changes.
+    """Newton's equations of the inner ring, m dv/dt = F + P(t) - d v + m g: contacts F, loads P,
+    also one that goes round, unbalance; what holds the ring works where its place changes.
     """
     c = p.constants
     free = p.free
@@ -295,7 +361,9 @@ def ring_equations(p, t, y, acceleration, body, dy):
 
 @compiled
 def outer_equations(p, t, y, dy):
-    """The outer ring on its seat, and the sensor on it: an oscillator along one axis."""
+    """Newton's equations of the outer ring on its seat, m dv/dt = F + P - k x - d v, and of the
+    sensor on it, an oscillator along one axis.
+    """
     c = p.constants
     first = velocities(c.balls)
     load = p.loads[OUTER]
@@ -323,7 +391,9 @@ def outer_equations(p, t, y, dy):
 
 @compiled
 def cage_equations(p, y, body, dy):
-    """The cage: pockets, lands, weight, unbalance, drag of the oil on its rotation."""
+    """Newton's and Euler's equations of the cage, m dv/dt = F + m g and J_p ds/dt = M_x - d |s| s
+    about its axis, tilts as those of the ring: pockets, lands, weight, unbalance, drag of the oil.
+    """
     c = p.constants
     free = p.free
     load = p.loads[CAGE_LOAD]
@@ -372,58 +442,6 @@ def add_copies(c, loads, power):
             loads[body, part + 2] = 0.0
     for k in range(power.size):
         power[k] *= c.symmetric_copies
-
-
-@inlined
-def motion_rates(t, y, data, dy):
-    """Rates of the state vector; contact states and powers are left in `KernelData`."""
-    p = data.bearing
-    balls = data.balls
-    impact_speeds = data.impact_speeds
-    c = p.constants
-    prescribed = p.prescribed
-    acceleration = schedule_at(data.times, data.schedule, t, prescribed)
-    prescribed[FORM_SHARE] = form_share(c, t)
-    place_ring(c.balls, p.constrained, prescribed, y)
-    if c.guided:
-        guide_balls(c, prescribed[GUIDE_SPEED], y)
-    inner, outer, cage = place_bodies(c.balls, y, prescribed[INNER_SPEED], prescribed[OUTER_SPEED])
-    p.power[:] = 0.0
-    p.loads[:] = 0.0
-    for j in range(c.balls):
-        balls[j].forces[:] = 0.0
-    # 1. races and balls
-    for race in range(2):  # written out, the number of a race would be compiled for by itself
-        law = data.friction_inner if race == INNER else data.friction_outer
-        forms = (data.inner_form if race == INNER else data.outer_form), data.ball_form[race]
-        body = inner if race == INNER else outer
-        race_forces(p, balls, law, forms, impact_speeds, race, body, y)
-    # 2. pockets, or balls that meet
-    if c.cage_mass > 0.0:
-        pocket_forces(p, balls, impact_speeds, cage, y)
-    elif c.symmetric_copies == 1 and not c.guided:
-        ball_collisions(p, balls, impact_speeds, y)
-    # 3. friction that is stiff, balls that are not solved, and lands
-    if friction_is_stiff(p, balls):
-        implicit_friction(p, balls, y, inner, outer)
-    if c.symmetric_copies > 1:
-        add_copies(c, p.loads, p.power)
-    p.power[WORK.drive_outer] -= outer.turn[0] * p.loads[OUTER, MOMENT]
-    if c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS:
-        ring = inner if c.guide == GUIDED_BY_INNER_RING else outer
-        for side in range(2):
-            cage_land(p, impact_speeds, side, ring, cage)
-    # 4. equations of motion
-    for j in range(c.balls):
-        ball_rates(p, balls[j], t, acceleration, y, j, dy)
-    ring_equations(p, t, y, acceleration, inner, dy)
-    cage_equations(p, y, cage, dy)
-    outer_equations(p, t, y, dy)
-    dy[ring_angle(c.balls)] = prescribed[INNER_SPEED]
-    dy[outer_angle(c.balls)] = prescribed[OUTER_SPEED]
-    first = accumulators(c.balls)
-    for k in range(p.power.size):
-        dy[first + k] = p.power[k]
 
 
 @compiled

@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
-from oilfilm.ehl.traction._kernels import LOAD_POWER
+from oilfilm.ehl.traction_table.table import TractionTable
 
+from ..friction.tables import SAME_RADIUS
+from ..geometry import Bearing, Race
 from ..quasistatic.solution import kinematic_cage_speed
 from .arrays import (
     CAGE_ROTATION,
@@ -23,7 +25,6 @@ from .arrays import (
     OUTER_SPEED,
     WORK,
     Layout,
-    TableData,
 )
 from .assembly import entrainment_speeds
 from .choices import Start
@@ -36,7 +37,7 @@ STUDENT_TREND = 2.306  # 97.5 % with BATCHES - 2 degrees of freedom, of a straig
 DRIFT = 1.0e-3  # change over the values, over their mean, below which a trend is none [-]
 FASTEST_DECAY = 0.05  # of a trend from mean to mean; a faster one is over in a mean [-]
 BLOCKS = 2000  # of rows, over which sums are kept
-ROUNDING = 1e-9  # of the loads of a table [-]
+ROUNDING = 1e-9  # of the ends of a table [-]
 SUMS = 5  # load, samples under a load, sliding, friction, samples beyond a table
 SLIDES = (0.003, 0.01, 0.03, 0.1, 0.3)  # sliding over rolling at which friction is largest [-]
 SMALLEST_SAMPLE = 2 * BATCHES  # values, below which no interval is given
@@ -64,7 +65,7 @@ class RunningStatistics:
 
     balls: int
     block: int = 1  # rows whose sums are kept together [-]
-    # first and last load [N] and speed [m/s] of the races' tables, shape (2, 2, 2)
+    # first and last load [N], speed [m/s], cosine of the angle [-] of the races' tables, (2, 3, 2)
     limits: Array | None = None
     time: list[Array] = field(default_factory=list)
     cage_rotation: list[Array] = field(default_factory=list)  # [rad]
@@ -148,8 +149,8 @@ class RunningStatistics:
         beyond = np.zeros_like(loaded)
         if self.limits is not None:
             first, last = self.limits[..., None]
-            beyond = (loads > last[:, 0]) | (speed > last[:, 1])
-            beyond |= loaded & ((loads < first[:, 0]) | (speed < first[:, 1]))
+            at = np.stack([loads, speed, np.cos(races[..., CONTACT.contact_angle])], axis=1)
+            beyond = loaded & ((at < first) | (at > last)).any(axis=1)
         values = np.stack([loads, loaded, slide, pull, beyond], axis=1)
         starts = np.arange(0, len(values), self.block)
         ends = np.minimum(starts + self.block, len(values)) - 1
@@ -289,34 +290,45 @@ def running_statistics(run: Simulation, stride: int = 1) -> RunningStatistics:
     RunningStatistics
         sums
     """
-    tables = [law.table for law in (run.data.friction_inner, run.data.friction_outer)]
-    limits = [table_limits(table) for table in tables if table is not None]
+    laws = run.model.friction.inner, run.model.friction.outer
+    limits = [
+        table_limits(law, run.bearing, race)
+        for race, law in zip(Race, laws, strict=True)
+        if isinstance(law, TractionTable)
+    ]
     rows = round(run.model.options.end_time / (stride * run.model.options.sample_interval))
     return RunningStatistics(
         run.bearing.balls,
         block=max(1, rows // BLOCKS),
-        limits=np.moveaxis(np.array(limits), 0, 1) if limits else None,
+        limits=np.stack(limits, axis=-1) if limits else None,
         settles=run.model.settling is not None,
     )
 
 
-def table_limits(table: TableData) -> Array:
-    """First and last load and speed of a traction table.
+def table_limits(table: TractionTable, bearing: Bearing, race: Race) -> Array:
+    """Ends within which a traction table counts, by the rolling radius in a contact angle.
 
     Parameters
     ----------
-    table : TableData
+    table : TractionTable
         table of one race
+    bearing : Bearing
+        the bearing
+    race : Race
+        the race
 
     Returns
     -------
     Array
-        rows first and last, columns load [N] and speed [m/s], shape (2, 2)
+        rows first and last, columns load [N], speed [m/s], cosine of the angle [-], shape (2, 3)
     """
-    first, density, nodes = table.axes[:2].T
-    ends = np.array([first, first + (nodes - 1.0) / density])
-    loads = (-ends[:, 0]) ** (1.0 / LOAD_POWER) * (1.0 + np.array([-1, 1]) * ROUNDING)
-    return np.stack([loads, np.exp(ends[:, 1])], axis=1)
+    radii = table.contact.radius_x * (1.0 + SAME_RADIUS * np.array([-1.0, 1.0]))
+    outward = -1.0 if race is Race.INNER else 1.0
+    ratio = bearing.ball_diameter / bearing.pitch_diameter
+    cosines = outward * (2.0 * radii / bearing.ball_diameter - 1.0) / ratio
+    ends = np.array([table.range.load, table.range.speed, sorted(cosines)])
+    limits: Array = ends.T * (1.0 + ROUNDING * np.array([[-1.0], [1.0]]))
+    return limits
 
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:

@@ -53,6 +53,9 @@ SPEED_MARGIN = (0.5, 1.25)  # in the same simulations speeds are 0.94 to 1.02 of
 # 300th of the largest at most
 LOAD_SPAN = 300.0
 
+# relative difference of rolling radii up to which a table counts, which 15 degrees of contact
+# angle change by 4 % in shipped cases
+SAME_RADIUS = 0.05
 DAMAGED = "no traction tables of a bearing, or damaged ones"
 INDEX = "temperatures.json"  # its presence marks a file with several temperatures
 

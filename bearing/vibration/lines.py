@@ -79,7 +79,7 @@ def expected_lines(
     named = tuple(sorted(named, key=lambda line: line.sideband != 0))  # harmonics first
     for place in dict.fromkeys(defect.place for defect in form.defects):
         lines += [
-            Line(f"defect of the {place.value}", line.name, line.harmonic, "any", line.frequency)
+            Line(DEFECT.format(place.value), line.name, line.harmonic, "any", line.frequency)
             for line in named
             if line.body == BODIES_OF[place]
             and line.harmonic <= (HARMONICS if line.sideband else SHARP_HARMONICS)
@@ -124,6 +124,7 @@ def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
     )
 
 
+DEFECT = "defect of the {}"  # as a source of lines
 BODIES_OF = {
     FormBody.INNER: "ball pass inner",
     FormBody.OUTER: "ball pass outer",

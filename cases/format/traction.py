@@ -13,7 +13,7 @@ from oilfilm.bearing.friction.friction_sources import (
     FilmTraction,
     LawTraction,
 )
-from oilfilm.bearing.friction.tables import Solids, Tables, load_tables
+from oilfilm.bearing.friction.tables import SAME_RADIUS, Solids, Tables, load_tables
 from oilfilm.bearing.geometry import Bearing, contact_modulus, reduced_radii
 from oilfilm.bearing.torque.inputs import FrictionInput
 from oilfilm.bearing.torque.skf import InletFactors
@@ -33,8 +33,6 @@ from .shipped import table_path
 FILM_POINTS = 129
 
 SAME_RTOL = 1.0e-6  # relative difference up to which a table is for this bearing [-]
-# the same of rolling radii, which 15 degrees of contact angle change by 4 % in shipped cases
-SAME_RADIUS_RTOL = 0.05
 
 
 def ball_traction(
@@ -253,7 +251,7 @@ def require_fitting_tables(
     """Check that tables are of a bearing and an oil.
 
     Tables with heat must be of the ball and race of a case with heat; a case without leaves that
-    to its tables.
+    to its tables. Balls may roll at any angle up to the free one, which the clearance changes.
 
     Parameters
     ----------
@@ -282,7 +280,10 @@ def require_fitting_tables(
     """
     for race, table in tables.items():
         contact = table.contact
-        radius_x, radius_y = reduced_radii(bearing, race, bearing.free_contact_angle)
+        angles = (0.0, bearing.free_contact_angle)
+        radii = [reduced_radii(bearing, race, angle) for angle in angles]
+        radius_y = radii[0][1]
+        nearest = min(max(contact.radius_x, min(radii)[0]), max(radii)[0])
         modulus = contact_modulus(bearing, race)
         isothermal = contact.solids is None  # heat properties of the oil do not count
         cold = replace(contact.lubricant, thermal=None)
@@ -291,7 +292,7 @@ def require_fitting_tables(
             "shear law": contact.rheology == rheology,
             "moduli": isclose(contact.reduced_modulus, modulus, rel_tol=SAME_RTOL),
             "groove": isclose(contact.radius_y, radius_y, rel_tol=SAME_RTOL),
-            "rolling radius": isclose(contact.radius_x, radius_x, rel_tol=SAME_RADIUS_RTOL),
+            "rolling radius": isclose(contact.radius_x, nearest, rel_tol=SAME_RADIUS),
             "thermal properties": None in (contact.solids, solids) or contact.solids == solids,
         }
         wrong = ", ".join(what for what, fits in fitting.items() if not fits)

@@ -11,6 +11,7 @@ from pathlib import Path
 from time import perf_counter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from oilfilm.bearing.dynamics.inputs import DynamicsModel
 from oilfilm.bearing.dynamics.record import picked_rows
@@ -31,6 +32,7 @@ from oilfilm.bearing.vibration.simulation import (
     vibration_run,
     with_form,
 )
+from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.version import version
 from oilfilm.postprocess.dynamics.history import HistoryWriter
 from oilfilm.postprocess.dynamics.results import DynamicsResults
@@ -210,6 +212,9 @@ def _stream(
     before = run.state
     attributes = _attributes(case)
 
+    def kept(times: Array) -> NDArray[np.bool_]:
+        return np.rint(times / fine) % stride == 0
+
     def results() -> DynamicsResults:
         return DynamicsResults(
             case=case.document,
@@ -221,7 +226,8 @@ def _stream(
         )
 
     tell = _teller(run, notify)
-    with HistoryWriter(history, case.bearing.balls, attributes) as writer:
+    length = int(kept(run.sample_times()).sum())
+    with HistoryWriter(history, case.bearing.balls, length, attributes) as writer:
         try:
             pieces = run.pieces()
             while True:
@@ -235,7 +241,7 @@ def _stream(
                     if vibrating is not None:
                         keep_record(vibrating, record)
                     if stride > 1:
-                        record = picked_rows(record, np.rint(record.time / fine) % stride == 0)
+                        record = picked_rows(record, kept(record.time))
                     if record.time.size:
                         writer.add(record)
                         running.add(record, run.start_energy)

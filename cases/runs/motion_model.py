@@ -1,5 +1,6 @@
 """Model of a time simulation of a case: ring, cage, contact laws, friction, schedule."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -19,10 +20,11 @@ from oilfilm.bearing.dynamics.model import (
     viscosity_over_time,
     with_race_friction,
 )
-from oilfilm.bearing.friction.friction_sources import CoefficientTraction
+from oilfilm.bearing.friction.friction_sources import CoefficientTraction, LawTraction
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.library.lubricants import dynamic_viscosity
 from oilfilm.ehl.traction.friction_coefficients import COEFFICIENTS, RampedCoulomb
+from oilfilm.ehl.traction.law import TractionLaw
 from oilfilm.ehl.units import from_si
 
 from ..format.case import Case, oil_of_file
@@ -30,7 +32,6 @@ from ..format.dynamics import DynamicsTable, end_time, sample_interval, simulate
 from ..format.fields import FREE_WORD
 from ..format.library import materials
 from ..format.lubricant import oil_data
-from ..format.shipped import table_path
 from ..format.traction import coefficient_source, read_race_tables
 from .films import Progress
 from .traction_table import run_table
@@ -178,13 +179,14 @@ def _with_friction(
 
 def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
     """Traction tables of both races: of a file, that of the case, or built."""
-    given = case.file.friction
-    if path is None and given.traction == "table" and given.traction_table is not None:
-        path = table_path(given.traction_table)
-    if path is None:
-        tables = run_table(case, progress=notify).tables
+    source = None if case.traction is None else case.traction.source
+    laws: Mapping[Race, TractionLaw]
+    if path is None and isinstance(source, LawTraction):
+        laws = source.laws
+    elif path is None:
+        laws = run_table(case, progress=notify).tables
     else:
         assert case.rheology is not None  # of every bearing case
         oil = (case.lubricant, case.rheology)
-        tables = read_race_tables(path, case.bearing, *oil, case.films.solids)
-    return RaceFriction(inner=tables[Race.INNER], outer=tables[Race.OUTER])
+        laws = read_race_tables(path, case.bearing, *oil, case.films.solids)
+    return RaceFriction(inner=laws[Race.INNER], outer=laws[Race.OUTER])

@@ -90,11 +90,15 @@ class HistoryWriter:
     """A netCDF-4 file that takes records one after the other.
 
     HDF5 cannot close a file of which the disk refused a part, and may end the program. The disk is
-    therefore asked for the room of a record before HDF5 writes it.
+    therefore asked for the room of a record before HDF5 writes it. The number of rows is fixed:
+    who opens a file without such a number asks all variables for it, again and again.
     """
 
-    def __init__(self, path: Path, balls: int, attributes: Mapping[str, str | float]) -> None:
+    def __init__(
+        self, path: Path, balls: int, length: int, attributes: Mapping[str, str | float]
+    ) -> None:
         self.balls = balls
+        self.length = length  # rows at most
         self.rows = 0
         self.path = path
         require_room(path.parent, OVERHEAD)
@@ -110,10 +114,7 @@ class HistoryWriter:
             "mechanism": MECHANISMS,
             "load": ("fx", "fy", "fz", "mx", "my", "mz"),
         }
-        self.file.dimensions = {
-            "time": None,
-            **{name: len(values) for name, values in coordinates.items()},
-        }
+        self.file.dimensions = {name: len(values) for name, values in coordinates.items()}
         for name, values in coordinates.items():
             text = name != "ball"
             data = np.array(values, dtype=object if text else None)
@@ -141,24 +142,29 @@ class HistoryWriter:
         _require_growth(self.path, OVERHEAD + (m + CHUNK) * row)
         if not self._created:
             self._create(parts)
-        self.file.resize_dimension("time", self.rows + m)
         for name, (_, values, _unit) in parts.items():
             self.file.variables[name][self.rows : self.rows + m] = values
         self.file.flush()
         self.rows += m
 
     def _create(self, parts: dict[str, tuple[tuple[str, ...], Any, str]]) -> None:
+        self.file.dimensions["time"] = self.length
         for name, (dimensions, values, unit) in parts.items():
             kind = KINDS.get(name, "f4")
-            form = {"chunks": (CHUNK, *values.shape[1:]), **COMPRESSION}
+            form = {"chunks": (min(CHUNK, self.length), *values.shape[1:]), **COMPRESSION}
             variable = self.file.create_variable(name, dimensions, dtype=kind, **form)
             variable.attrs["units"] = unit
         self.file.variables["contact_state"].attrs["meaning"] = STATES
         self._created = True
 
     def close(self) -> None:
-        """End the file."""
+        """End the file at the last row."""
         self.file.close()
+        if 0 < self.rows < self.length:
+            with h5py.File(self.path, "r+") as file:
+                for values in file.values():
+                    if values.chunks is not None:
+                        values.resize(self.rows, axis=0)
 
     def __enter__(self) -> Self:
         return self

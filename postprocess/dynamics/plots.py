@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
+from oilfilm.bearing.dynamics.choices import Integration
 from oilfilm.bearing.dynamics.statistics import (
     AVERAGED_SHARE,
     INPUTS,
@@ -234,8 +235,8 @@ def write_dynamics_plots(
     """
     with open_history(directory).load() as data:
         given = {"data": data, "document": document}
-        implicit = document["case"].get("dynamics", {}).get("integration") == "implicit"
-        names = [name for name in PICTURES if not (implicit and name in OF_VIBRATION)]
+        vibrates = document["integration"] == Integration.EXPLICIT.value
+        names = [name for name in PICTURES if vibrates or name not in OF_VIBRATION]
         drawings = [(name, partial(PICTURES[name], **given)) for name in names]
         return plot_style.write_figures(directory, drawings, is_interrupted)
 

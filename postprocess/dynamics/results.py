@@ -49,6 +49,7 @@ RUN = quantities(
     ("simulated_s", "simulated time", "state.time"),
     ("wall_s", "wall time", "wall"),
     ("stiff", "", "state.stiff"),
+    ("integration", "", "model.options.integration.value"),
     ("load_type", "", "state.kind.value"),
 )
 SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ratios
@@ -249,9 +250,9 @@ def _messages(numbers: SimulationStatistics | None, implicit: bool) -> Iterator[
             f"dynamics: {numbers.table_exceeded:.2g} of the loaded contacts over the last third "
             f"lie outside the traction table: up to {largest[0]:.3g} N and "
             f"{numbers.fastest[0]:.3g} m/s at the inner, {largest[1]:.3g} N and "
-            f"{numbers.fastest[1]:.3g} m/s at the outer race; there speeds count as the nearest "
-            "of the table, forces in proportion to the load; make a wider one (oilfilm table "
-            "--loads --speeds)"
+            f"{numbers.fastest[1]:.3g} m/s at the outer race, or at angles whose rolling radius "
+            "is 5 % off; there speeds count as the nearest of the table, forces in proportion to "
+            "the load; make one of this case (oilfilm table --loads --speeds)"
         )
     if numbers.gyroscopic_load is not None and numbers.gyroscopic_load > HELD:
         spin = abs(numbers.gyroscopic_speed / numbers.spin_speed) if numbers.spin_speed else 0.0

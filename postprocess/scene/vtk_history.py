@@ -98,9 +98,8 @@ class MovingBearing:
         Surface
             The surface [m].
         """
-        one = self.data.isel(time=row)
-        centres = one["ball_position"].to_numpy()
-        attitudes = one["ball_attitude"].to_numpy().astype(np.float64)
+        centres = self.data["ball_position"].to_numpy()[row]
+        attitudes = self.data["ball_attitude"].to_numpy()[row].astype(np.float64)
         return geometry.merge(
             [
                 _moved(self.ball, centre, geometry.rotation(attitude))
@@ -121,7 +120,7 @@ class MovingBearing:
         Surface
             The surface [m].
         """
-        place = self.data["cage_position"].isel(time=row).to_numpy()
+        place = self.data["cage_position"].to_numpy()[row]
         angle = float(self.data.attrs["first_ball_azimuth"]) + place[3]
         return _moved(self.cage, place[:3], geometry.about_axis(angle))
 
@@ -138,9 +137,8 @@ class MovingBearing:
         Surface
             The surface [m].
         """
-        one = self.data.isel(time=row)
-        turn = geometry.about_axis(float(one["ring_rotation"]))
-        return _moved(self.ring, one["ring_position"].to_numpy()[:3], turn)
+        turn = geometry.about_axis(float(self.data["ring_rotation"].to_numpy()[row]))
+        return _moved(self.ring, self.data["ring_position"].to_numpy()[row, :3], turn)
 
     def forces_at(self, row: int, race: str) -> tuple[Array, Array]:
         """Points where a race pushes on the balls, and the forces.
@@ -273,12 +271,13 @@ def _step(bearing: MovingBearing, row: int) -> object:
     bodies = (bearing.balls_at(row), bearing.cage_at(row), bearing.ring_at(row))
     numbers = np.repeat((0.0, 2.0, 3.0), [len(body.points) for body in bodies])
     of_balls = numbers == 0.0
-    grid = poly_data(geometry.merge(bodies), {"time [s]": float(bearing.data["time"][row])})
-    loads = bearing.data["contact_load"].isel(time=row)
-    for race in RACES:
+    time = float(bearing.data["time"].to_numpy()[row])
+    grid = poly_data(geometry.merge(bodies), {"time [s]": time})
+    loads = bearing.data["contact_load"].to_numpy()[row]
+    for race, load_of_race in zip(RACES, loads, strict=True):
         load = np.zeros_like(numbers)
-        load[of_balls] = np.repeat(loads.sel(race=race).to_numpy(), len(bearing.marks))
+        load[of_balls] = np.repeat(load_of_race, len(bearing.marks))
         add_array(grid, f"{race} load [N]", load)
-    numbers[of_balls] = np.tile(bearing.marks, loads.sizes["ball"])
+    numbers[of_balls] = np.tile(bearing.marks, loads.shape[1])
     add_array(grid, "mark", numbers)
     return grid

@@ -55,7 +55,7 @@ def variables(record, balls):
 history.variables = variables
 resource.setrlimit(resource.RLIMIT_FSIZE, (2_000_000, 2_000_000))
 rng = np.random.default_rng(51_377)
-with history.HistoryWriter(Path({str(tmp_path / "a.nc")!r}), 9, {{"title": "made up"}}) as writer:
+with history.HistoryWriter(Path({str(tmp_path / "a.nc")!r}), 9, 10**6, {{"title": "made up"}}) as writer:
     for k in range(1000):
         writer.add(SimpleNamespace(time=128.0 * k + np.arange(128), v=rng.random((128, 9))))
 """

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from math import cos, radians
+
 import pytest
 from typer.testing import CliRunner
 
+from oilfilm.bearing.dynamics.statistics import table_limits
 from oilfilm.bearing.friction.tables import save_race_tables, save_temperature_tables
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.material import load_material
@@ -63,6 +66,16 @@ def test_tables_of_the_case_itself_are_taken(folder, tmp_path):
     for compute in ("dynamics", "torque"):
         points = sweep_from_text(SWEEP.format(compute), "sweep.toml", tmp_path).points
         assert len({point.tables for point in points}) == 1
+
+
+def test_tables_count_where_balls_roll_on_about_their_radius(folder):
+    """A clearance with a free angle of 60 degrees: taken, and contacts at that angle are counted as beyond the table."""
+    case = case_from_text(text_of("angle_deg = 15.0", "angle_deg = 60.0"), "case.toml")
+    friction = build_model(case, folder / "made.zip", lambda done, total, state: None).friction
+    for race, law in ((Race.INNER, friction.inner), (Race.OUTER, friction.outer)):
+        least, most = table_limits(law, case.bearing, race)[:, 2]
+        assert least < cos(radians(15.0)) < most
+        assert cos(radians(60.0)) < least
 
 
 @pytest.mark.parametrize(("what", "change"), FOREIGN.items(), ids=FOREIGN)
