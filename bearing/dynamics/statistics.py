@@ -158,17 +158,17 @@ class RunningStatistics:
         self.block_time.append(record.time[ends])
 
     def late_sums(self) -> Array:
-        """Sums over the last third of the time, and of samples.
+        """Sums over blocks of samples of the last third of the time.
 
         Returns
         -------
         Array
             sums of load [N], samples under a load, sliding [m/s], friction [N] and samples beyond
-            a table, shape (SUMS, 2, Z)
+            a table, shape (m, SUMS, 2, Z)
         """
         time = np.concatenate(self.block_time)
         late = time >= (1.0 - AVERAGED_SHARE) * time[-1]
-        sums: Array = np.concatenate(self.sums)[late].sum(axis=0)
+        sums: Array = np.concatenate(self.sums)[late]
         return sums
 
     def settled(self) -> bool:
@@ -246,6 +246,8 @@ class SimulationStatistics:
     energy_error: float  # [-]
     shares: Array  # of the time separated, in contact, in an impact, shape (2, Z, 3) [-]
     mean_load: Array  # over the last third, as all means [N], shape (2, Z)
+    # half width of the 95 % interval of the load of a race over it, the larger; None: few samples
+    load_interval: float | None  # [-]
     largest_load: Array  # [N]
     # at the centres of contacts while they are loaded, shape (2, Z); zero where one never is
     mean_sliding: Array  # [m/s]
@@ -420,7 +422,8 @@ def simulation_statistics(
     centres = np.concatenate(running.centres)[late]
     angle = float(np.concatenate(running.angle)[late].mean())
     span = float(time[late][-1] - time[late][0])
-    sums = running.late_sums()
+    blocks = running.late_sums()
+    sums = blocks.sum(axis=0)
     samples = float((time >= (1.0 - AVERAGED_SHARE) * time[-1]).sum())
     tables = running.limits is not None
     has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
@@ -454,6 +457,7 @@ def simulation_statistics(
         energy_error=_energy_error(running.residual, put_in, dissipated, running.start_energy),
         shares=state.shares / np.maximum(state.shares.sum(axis=2, keepdims=True), 1e-300),
         mean_load=sums[0] / samples,
+        load_interval=_load_interval(blocks[:, 0].mean(axis=2)),
         largest_load=running.load_largest,
         mean_sliding=sums[2] / np.maximum(sums[1], 1.0),
         largest_sliding=running.slide_largest,
@@ -477,6 +481,13 @@ def _stationarity(
     held = at.size == 1 or at[-1] <= time[0] or not np.ptp(simulation.data.schedule, axis=0).any()
     step = None if cage.relaxation is None else cage.relaxation * float(time[-1] - time[0])
     return {"steady": held and cage.steady and balls.steady, "left": cage.left, "relaxation": step}
+
+
+def _load_interval(loads: Array) -> float | None:
+    """Larger half width of the intervals of two loads over them, shape (m, 2); None of few."""
+    widths = [batch_interval(load) for load in loads.T]
+    means = np.maximum(loads.mean(axis=0), 1e-300)
+    return max((w / m for w, m in zip(widths, means, strict=True) if w is not None), default=None)
 
 
 def _gyroscopic(

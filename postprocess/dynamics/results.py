@@ -124,6 +124,7 @@ LEFT_OUT = (
     "no spectrum, no contact states over time, and largest_pocket_load_N is null",
 )
 SAME = 0.01  # of the cage speed of the equilibrium, beyond which a difference is told [-]
+LOADS = 0.05  # uncertainty of a mean load over it, above which it is told [-]
 HELD = 0.9  # gyroscopic couple over what friction holds, above which balls slip [-]
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
 
@@ -244,6 +245,11 @@ def _messages(numbers: SimulationStatistics | None, implicit: bool) -> Iterator[
         yield f"dynamics: not converged: the energies are off by {error}; {advice}"
     if numbers.steady is False:
         yield _transient(numbers)
+    elif (width := numbers.load_interval) is not None and width > LOADS:
+        yield (
+            f"dynamics: the mean load of a race is known to {100.0 * width:.2g} % only (95 %): it "
+            "changes widely, as of a ring that bounces; simulate longer"
+        )
     if numbers.table_exceeded:
         largest = numbers.largest_load.max(axis=1)
         yield (

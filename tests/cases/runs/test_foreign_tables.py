@@ -69,7 +69,7 @@ def test_tables_of_the_case_itself_are_taken(folder, tmp_path):
 
 
 def test_tables_count_where_balls_roll_on_about_their_radius(folder):
-    """A clearance with a free angle of 60 degrees: taken, and contacts at that angle are counted as beyond the table."""
+    """A free angle of 60 degrees: taken, and contacts at that angle are counted as beyond the table."""
     case = case_from_text(text_of("angle_deg = 15.0", "angle_deg = 60.0"), "case.toml")
     friction = build_model(case, folder / "made.zip", lambda done, total, state: None).friction
     for race, law in ((Race.INNER, friction.inner), (Race.OUTER, friction.outer)):
