@@ -457,7 +457,7 @@ def simulation_statistics(
         energy_error=_energy_error(running.residual, put_in, dissipated, running.start_energy),
         shares=state.shares / np.maximum(state.shares.sum(axis=2, keepdims=True), 1e-300),
         mean_load=sums[0] / samples,
-        load_interval=_load_interval(blocks[:, 0].mean(axis=2)),
+        load_interval=load_interval(blocks[:, 0].mean(axis=2)),
         largest_load=running.load_largest,
         mean_sliding=sums[2] / np.maximum(sums[1], 1.0),
         largest_sliding=running.slide_largest,
@@ -481,13 +481,6 @@ def _stationarity(
     held = at.size == 1 or at[-1] <= time[0] or not np.ptp(simulation.data.schedule, axis=0).any()
     step = None if cage.relaxation is None else cage.relaxation * float(time[-1] - time[0])
     return {"steady": held and cage.steady and balls.steady, "left": cage.left, "relaxation": step}
-
-
-def _load_interval(loads: Array) -> float | None:
-    """Larger half width of the intervals of two loads over them, shape (m, 2); None of few."""
-    widths = [batch_interval(load) for load in loads.T]
-    means = np.maximum(loads.mean(axis=0), 1e-300)
-    return max((w / m for w, m in zip(widths, means, strict=True) if w is not None), default=None)
 
 
 def _gyroscopic(
@@ -609,6 +602,23 @@ def batch_interval(values: Array) -> float | None:
     size = values.size // BATCHES
     means = values[values.size - size * BATCHES :].reshape(BATCHES, size).mean(axis=1)
     return STUDENT * float(means.std(ddof=1)) / BATCHES**0.5
+
+
+def load_interval(loads: Array) -> float | None:
+    """Uncertainty of the mean loads of the races, by the wider of their 95 % intervals.
+
+    Parameters
+    ----------
+    loads : Array
+        evenly sampled loads of the inner and the outer race, shape (m, 2) [any unit]
+
+    Returns
+    -------
+    float | None
+        half width over the mean [-]; None below `SMALLEST_SAMPLE` samples
+    """
+    pairs = [(batch_interval(load), max(float(load.mean()), 1e-300)) for load in loads.T]
+    return max((width / mean for width, mean in pairs if width is not None), default=None)
 
 
 class Stationarity(NamedTuple):

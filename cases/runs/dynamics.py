@@ -213,7 +213,8 @@ def _stream(
     attributes = _attributes(case)
 
     def kept(times: Array) -> NDArray[np.bool_]:
-        return np.rint(times / fine) % stride == 0
+        rows: NDArray[np.bool_] = np.rint(times / fine) % stride == 0
+        return rows
 
     def results() -> DynamicsResults:
         return DynamicsResults(

@@ -196,10 +196,11 @@ def _peaks(
     waves = spectral.expected_lines(run.solution, run.assembled, run.model.form)
     shaft = abs(shaft_frequency(run))
     named = spectral.sums_and_harmonics(spectral.passing(run.solution, run.assembled), shaft)
-    bodies = {line.name: line.body for line in named}
+    places = {spectral.BODIES_OF[d.place]: d.place for d in run.model.form.defects}
     sources = {
-        spectral.BODIES_OF[d.place]: spectral.DEFECT.format(d.place.value)
-        for d in run.model.form.defects
+        line.name: spectral.DEFECT.format(places[line.body].value)
+        for line in named
+        if line.body in places
     }
     rows = []
     for k in largest:
@@ -212,7 +213,7 @@ def _peaks(
                 "frequency_Hz": frequency,
                 "velocity_um_s": from_si("x_um_s", float(size[k])),
                 "name": line.name if line else name or UNKNOWN,
-                "source": line.source if line else sources.get(bodies.get(name or ""), UNKNOWN),
+                "source": line.source if line else sources.get(name or "", UNKNOWN),
             }
         )
     return rows

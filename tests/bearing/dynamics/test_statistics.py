@@ -18,6 +18,7 @@ from oilfilm.bearing.dynamics.statistics import (
     RunningStatistics,
     batch_interval,
     gyroscopic_motion,
+    load_interval,
     orbit_speeds,
     stationarity,
     whirl_speed,
@@ -136,3 +137,14 @@ def test_interval_of_known_means():
     """Batches of means 1, 2, .. n: the variance of the batches is n (n + 1)/12, with n - 1 as the divisor."""
     history = np.repeat(np.arange(1.0, BATCHES + 1.0), 50)
     assert batch_interval(history) == pytest.approx(STUDENT * ((BATCHES + 1) / 12.0) ** 0.5, rel=1e-12)
+
+
+def test_loads_that_come_and_go_are_known_less_well():
+    """Half width over the mean, of the race where it is larger; none of few samples."""
+    steady = np.full((400, 1), 20.0)
+    bounces = np.random.default_rng(11).exponential(5.0, (400, 1))
+    assert load_interval(np.hstack([steady, steady])) == 0.0
+    width = load_interval(np.hstack([bounces, steady]))
+    assert width == pytest.approx(batch_interval(bounces[:, 0]) / bounces.mean())
+    assert 0.02 < width < 0.3
+    assert load_interval(np.ones((5, 2))) is None

@@ -175,6 +175,8 @@ defects = [{ place = "outer ring", kind = "spall", width_mm = 0.4, depth_um = 10
     first = next(line for line in document["vibration"]["lines"] if line["source"] == "defect of the outer ring")
     assert_allclose(first["frequency_Hz"], passes["ball_pass_outer"], rtol=1e-3)
     assert any("BPFO" in peak["name"] for peak in document["vibration"]["envelope_peaks"][:3])
+    peaks = {peak["name"]: peak["source"] for peak in document["vibration"]["peaks"]}
+    assert not [name for name, source in peaks.items() if name.endswith("*BPFO") and source == "unknown"]
     assert len(document["balls"]) == 9
     assert document["balls"][0]["outer"]["mean_load_N"] > 1.0
     again = run(written(tmp_path, text), "--json", "--quiet")
