@@ -2,7 +2,8 @@
 
 The functions of `table` are evaluated once on a lattice of its slanted x for each of its patches,
 and contacts take a cubic through the nodes, which is within their error bars and takes some
-microsecond (`python benchmarks/film_atlas.py`).
+microsecond (`python benchmarks/film_atlas.py`). They cover `films.RANGE`, not what `range_of` adds
+for ball bearings.
 """
 
 from dataclasses import dataclass

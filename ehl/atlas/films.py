@@ -65,6 +65,13 @@ RANGE = {
     "roelands_z": (0.3, 1.1),
     "pressure_viscosity": (8e-9, 32e-9),
 }
+# L, and A up to so much, in the slim ellipses of ball bearings, where A is at most
+# (`LARGEST_PRESSURE`/L)^2, too: alpha p_h is some quarter of L sqrt(A) there
+BEARING_LOAD = 1300.0  # twice the largest A that was solved
+BEARING_L = (3.0, 42.0)  # softer contacts beyond A 160 were up to 8 % off
+BEARING_RATIO = (0.01, 0.1)
+BEARING_ALPHA = (7.5e-9, 32e-9)  # [1/Pa]
+LARGEST_PRESSURE = 400.0
 CASE_KEYS = {"pressure_viscosity": ("pressure_viscosity_1_GPa", 1e-9)}  # and the key's unit
 ALIGNED = 1e-9  # sine of the angle between entrainment and x that counts as none
 LAYERS = (8.0, 25.0, 400.0)  # of the tabulated moments, over 1 + H_c [-]
@@ -459,7 +466,8 @@ def _position(conditions_of_case: ContactConditions | MoesConditions) -> _Positi
     angle = conditions.entrainment_angle if skewed(conditions.entrainment_angle) else 0.0
     along = along_entrainment(load, contact.moes_lubricant, contact.radius_ratio, angle)
     alpha, z = oil_numbers(conditions.lubricant)
-    require_range((along.load, along.lubricant, along.ratio, z, alpha))
+    place = (along.load, along.lubricant, along.ratio, z, alpha)
+    require_range(place, RANGE if along.mixed else range_of(*place[1:3]))
     if along.mixed:
         require_range(along.slimmer, SKEW_RANGE)
     _require_density(conditions_of_case.lubricant, contact.hertz_pressure, along.load)
@@ -739,6 +747,35 @@ def _require_thin(film_over_radius: float) -> None:
         )
 
 
+def range_of(lubricant: float, ratio: float) -> Mapping[str, tuple[float, float]]:
+    """Give the range of contacts of an oil and an ellipse, as `RANGE`.
+
+    Parameters
+    ----------
+    lubricant : float
+        L [-]
+    ratio : float
+        Rx/Ry [-]
+
+    Returns
+    -------
+    Mapping[str, tuple[float, float]]
+        lowest and highest value by name
+    """
+    low, high = BEARING_RATIO
+    lowest, highest = BEARING_L
+    if not low <= ratio <= high or lubricant < lowest:
+        return RANGE
+    lightest = RANGE["A = a^2/(Rx^2 sqrt(2U))"][0]
+    heaviest = min(BEARING_LOAD, (LARGEST_PRESSURE / min(lubricant, highest)) ** 2)
+    return {
+        **RANGE,
+        "A = a^2/(Rx^2 sqrt(2U))": (lightest, heaviest),
+        "L": BEARING_L,
+        "pressure_viscosity": BEARING_ALPHA,
+    }
+
+
 def require_range(
     values: tuple[float, ...], ranges: Mapping[str, tuple[float, float]] = RANGE
 ) -> None:
@@ -823,14 +860,15 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     if skewed(conditions.entrainment_angle):
         return None, 0.0
     load = atlas_load(contact)
-    wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", load)
+    ranges = range_of(contact.moes_lubricant, contact.radius_ratio)
+    thick = _nearest("L", contact.moes_lubricant, ranges)
+    wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", load, ranges)
     slim = rotation_law(wanted, contact.radius_ratio)
     if slim is not None and contact.turning > slim.largest:
         wanted = max(wanted, LIGHT)
     # 1. the oil; that of an isoviscous one does not count
     alpha, z = oil_numbers(standing.lubricant)
-    thick = _nearest("L", contact.moes_lubricant)
-    rise = _nearest("roelands_z", z)
+    rise = _nearest("roelands_z", z, ranges)
     way = abs(log(load / wanted)) + abs(z - rise)
     oil = standing.lubricant
     if rise != z:
@@ -843,15 +881,15 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     nearest = replace(standing, load=conditions.load * (wanted / load) ** 1.5, lubricant=oil)
     try:
         require_covered(nearest, contact, wanted)
-        require_range((wanted, thick, contact.radius_ratio, rise, alpha))
+        require_range((wanted, thick, contact.radius_ratio, rise, alpha), ranges)
     except NotInAtlasError:
         return None, 0.0
     return (nearest, way) if way else (conditions, 0.0)
 
 
-def _nearest(name: str, value: float) -> float:
-    """Clip a value to the range, a little within it, so that rounding does not leave it."""
-    low, high = RANGE[name]
+def _nearest(name: str, value: float, ranges: Mapping[str, tuple[float, float]]) -> float:
+    """Clip a value to a range, a little within it, so that rounding does not leave it."""
+    low, high = ranges[name]
     if low <= value <= high:
         return value
     return low * (1.0 + EDGE) if value < low else high * (1.0 - EDGE)

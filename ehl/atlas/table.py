@@ -17,7 +17,7 @@ scales is added. Over `SEAM` one patch gives way to the other.
 """
 
 from functools import cache
-from math import log
+from math import log, sqrt
 from pathlib import Path
 from typing import NamedTuple
 
@@ -38,6 +38,9 @@ NO_STEP = np.array([0.0, 1.0, 0.0, 1.0, 1.0, 1.0])  # of a patch without a step 
 # interval of A in which the patch of light contacts gives way to that of heavy ones [-]
 SEAM = (7.0, 9.0)
 LIGHT = 7.0  # A below which contacts are light
+# A and L beyond which errors of slim ellipses were judged apart, and A where they change again
+BEYOND = (160.0, 30.0)
+FARTHER = (400.0, 650.0)
 STEP = 0.2  # of the slanted ln A, up to which light contacts count to the step of their film [-]
 
 
@@ -65,13 +68,16 @@ class Table(NamedTuple):
 
     light: Patch  # patch of light contacts
     heavy: Patch  # patch of heavy contacts
-    # (2, 3, 6) relative errors, of Hc - H0 absolute ones, within which nineteen of twenty fresh
+    # (2, 4, 6) relative errors, of Hc - H0 absolute ones, within which nineteen of twenty fresh
     # contacts lie, below and above the beginning of the seam: of the base oil with D up to 1, of
-    # that with D above 1, of other oils
+    # that with D above 1, likewise of other oils
     bars: Array
     # (2, 2, 6) likewise of light contacts that were drawn at the step of their film, with D up to
     # 1 and above: of the base oil, of others
     step_bars: Array
+    # (5, 6) likewise of slim ellipses beyond L 30, light and heavy, and beyond A 160 and 400;
+    # beyond 650 what a fit to A up to 350 leaves at twice as much
+    beyond_bars: Array
 
 
 @cache
@@ -82,7 +88,7 @@ def table() -> Table:
         Patch(**{name: file[f"{patch}_{name}"] for name in Patch._fields})
         for patch in ("light", "heavy")
     )
-    return Table(light=light, heavy=heavy, bars=file["bars"], step_bars=file["step_bars"])
+    return Table(light=light, heavy=heavy, **{name: file[name] for name in Table._fields[2:]})
 
 
 def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:
@@ -100,7 +106,7 @@ def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:
     Array
         errors, shape (m, 6) [-]
     """
-    light, _, tabulated, at_step = table()
+    light, _, tabulated, at_step, beyond = table()
     heavy = x[:, 0] >= log(SEAM[0])
     wide = x[:, 2] > 0.0
     away = np.abs(slanted(x, light.slant)[:, 0] - light.step[0])
@@ -109,7 +115,13 @@ def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:
     kinds = np.concatenate([plain, np.maximum(plain[:1], at_step)]).reshape(-1, tabulated.shape[2])
     # 2. kinds of these contacts
     first = np.where((away < STEP) & ~heavy, 2, heavy)
-    return np.asarray(kinds[4 * first + 2 * wide + ~base])
+    bars = kinds[4 * first + 2 * wide + ~base]
+    # 3. those beyond what others were judged by
+    load, thick = log(BEYOND[0]), sqrt(BEYOND[1])
+    far = np.where(x[:, 0] > load, 2 + np.searchsorted(np.log(FARTHER), x[:, 0]), heavy)
+    outside = (x[:, 0] > load) | (x[:, 1] > thick)
+    bars[outside] = beyond[far[outside]]
+    return np.asarray(bars)
 
 
 def heavy_weight(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:

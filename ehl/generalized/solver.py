@@ -12,8 +12,8 @@ Hence:
 Films with heat take another way, with this one as its fallback. The isothermal film is solved to
 its tolerance, on as many points as that takes. Heat is added on the same grids, on 257 points and
 on the level below where both resolve the film, from the isothermal pressure and what heat changed
-of it below. The ratio of both films of a level converges much faster than either film: it is
-extrapolated, and is the isothermal film's factor.
+of it below. The ratio of both films of a level converges much faster than either film; it is the
+isothermal film's factor. That film is the atlas's where this agrees and knows it better.
 
 Where the pressure falls steeply at the outlet, decompression cools the oil by tens of kelvins
 within a few nodes, and the pressure responds to the viscosity there. Temperatures of single
@@ -24,12 +24,14 @@ is tens of times the one at which the oil thins, a Poiseuille factor that follow
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import hypot, inf
 from time import perf_counter
 
 import numpy as np
 
 from ..arrays import Array
+from ..atlas.films import NotInAtlasError, atlas_films
 from ..closed_form.film import film_reduction_gupta, thermal_loading
 from ..closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_contact
 from ..conditions import ContactConditions
@@ -103,13 +105,21 @@ CHANGE_FRACTION = 0.05
 # largest change in a cycle [K] at which cycles are accelerated; none
 REST_TEMPERATURE_CHANGE = 1.0
 
-# Error bar of the ratio of a film with heat and the isothermal one, central and minimum film, by
-# 111 contacts on 129, 257 and 513 points (tools/heat): over the step of two levels, over what heat
-# takes, and over that where there is no second level; all of the central films and 95 % of the
-# minimum films lie within the first two, 95 % within the last
-RATIO_STEP = (0.25, 0.8)
-RATIO_LOSS = (0.01, 0.05)
+# Error bar of the ratio of a film with heat and the isothermal one, by 111 contacts on 129, 257
+# and 513 points (tools/heat). Central film: over the step of two levels and over what heat takes,
+# and over that where there is no second level. Minimum film: over what heat takes, at most
+# `LARGEST_RATIO_ERROR`, and over the correction by `MESH_POWER`; 95 to 98 % lie within
+RATIO_STEP = 0.25
+RATIO_LOSS = 0.01
 RATIO_ALONE = (0.1, 0.35)
+LARGEST_RATIO_ERROR = 0.015
+# A mesh errs more on the thinner film: relative error of the minimum film with heat over that of
+# the isothermal one, which is known, is the ratio to the power -1.5 (1 and 2 fit worse)
+MESH_POWER = 1.5
+CORRECTION_ERROR = 0.3
+# cycles at the end of which the minimum film may turn: in thick oils (L above 26) it wanders by
+# some per cent where the central one is at rest, relaxed or not
+TURNING_CYCLES = 5
 HEATED_BELOW = 2  # levels with heat below the finest one, where they resolve the film
 COLD_SHARE = 0.7  # of a tolerance, for the isothermal film: as much is left for the ratio
 
@@ -530,7 +540,7 @@ def _relative_to_isothermal(
         cold, levels = solve_levels(flow.conditions, cold_options, fewest=points)
         if not cold.converged:
             return replace(cold, message=f"the isothermal film is {cold.message}"), None
-        contact, state = _heated(flow, options, cold, levels, points)
+        contact, state = _heated(flow, options, _with_atlas(cold), levels, points)
         reached = tolerance is None or tolerance_reached(contact, tolerance)
         if reached or not contact.converged or points >= options.max_points:
             break
@@ -588,7 +598,7 @@ def _heated(
             break
     ratios = []
     for kind, (film, one) in enumerate(zip(_films(contact), _films(plain), strict=True)):
-        ratio, bar = _alone(film.finest / one.finest, kind)
+        ratio, bar = _alone(film.finest / one.finest, kind, one.value / one.finest)
         left = film.uncertainty - abs(ratio) * one.uncertainty  # by cycles and mesh
         ratios.append((ratio, bar + max(left, 0.0) / one.finest))
     return _with_films(contact, cold, ratios), flow_state
@@ -651,24 +661,63 @@ def _films(contact: ContactSolution) -> tuple[FilmValue, FilmValue]:
     return contact.film_central_dimensionless, contact.film_minimum_dimensionless
 
 
-def _ratio(pairs: Sequence[tuple[LevelHistory, LevelHistory]], kind: int) -> tuple[float, float]:
-    """Ratio of the films with heat and without, extrapolated from two levels where there are, and
-    its error bar [-].
+def _with_atlas(cold: ContactSolution) -> ContactSolution:
+    """An isothermal solution with films of the atlas where these agree with its own and have
+    narrower error bars.
     """
-    ratios = [hot.film[-1][kind] / cold.film[-1][kind] for hot, cold in pairs]
-    noises = [hot.noise(kind) for hot, _ in pairs]
-    if len(pairs) < 2:
-        value, bar = _alone(ratios[-1], kind)
+    try:
+        films = atlas_films(cold.conditions)
+    except NotInAtlasError:
+        return cold
+    unit = cold.film_scale or 1.0
+    values = []
+    for own, other in zip(_films(cold), (films.central, films.minimum), strict=True):
+        value, bar = other.value / unit, other.uncertainty / unit
+        better = bar < own.uncertainty and abs(value - own.value) <= bar + own.uncertainty
+        values.append(replace(own, value=value, uncertainty=bar) if better else own)
+    return replace(
+        cold,
+        film_central_dimensionless=values[CENTRAL],
+        film_minimum_dimensionless=values[MINIMUM],
+    )
+
+
+def _ratio(
+    pairs: Sequence[tuple[LevelHistory, LevelHistory]], kind: int, cold: float
+) -> tuple[float, float]:
+    """Ratio of the films with heat and without, `cold` at its limit, and its error bar [-]; of
+    central films extrapolated from two levels where there are.
+    """
+    ratios = [hot.film[-1][kind] / one.film[-1][kind] for hot, one in pairs]
+    noises = [hot.noise(kind) + _turns(hot, kind) for hot, _ in pairs]
+    if len(pairs) < 2 or kind == MINIMUM:
+        value, bar = _alone(ratios[-1], kind, cold / pairs[-1][1].film[-1][kind])
         return value, bar + noises[-1] * value
     step = ratios[-1] - ratios[-2]
     value = ratios[-1] + step / ORDER_STEP
-    bar = RATIO_STEP[kind] * abs(step) + RATIO_LOSS[kind] * abs(1.0 - value)
+    bar = RATIO_STEP * abs(step) + RATIO_LOSS * abs(1.0 - value)
     return value, bar + (4.0 * noises[-1] + noises[-2]) / 3.0 * value
 
 
-def _alone(ratio: float, kind: int) -> tuple[float, float]:
-    """Ratio of one level with its error bar [-]."""
-    return ratio, RATIO_ALONE[kind] * abs(1.0 - ratio)
+def _turns(history: LevelHistory, kind: int) -> float:
+    """Range of a film over the last cycles that do not move it one way, over the film [-]."""
+    films = [film[kind] for film in history.film[2:][-TURNING_CYCLES:]]
+    steps = [after - before for before, after in pairwise(films)]
+    turns = bool(steps) and min(steps) < 0.0 < max(steps)
+    return (max(films) - min(films)) / films[-1] if turns else 0.0
+
+
+def _alone(ratio: float, kind: int, rise: float) -> tuple[float, float]:
+    """Ratio of one level with its error bar [-], with the isothermal film's limit over that of the
+    level.
+    """
+    value = ratio
+    if kind == MINIMUM and rise > 0.0:
+        value *= rise ** (ratio**-MESH_POWER - 1.0)
+    bar = RATIO_ALONE[kind] * abs(1.0 - value)
+    if kind == MINIMUM:
+        bar = min(bar, LARGEST_RATIO_ERROR) + CORRECTION_ERROR * abs(value - ratio)
+    return value, bar
 
 
 def _in_ratio(
@@ -703,7 +752,8 @@ def _in_ratio(
         approach_dimensionless=approach,
         record=record,
     )
-    return _with_films(heated, cold, [_ratio(pairs, kind) for kind in (CENTRAL, MINIMUM)])
+    ratios = [_ratio(pairs, kind, film.value) for kind, film in enumerate(_films(cold))]
+    return _with_films(heated, cold, ratios)
 
 
 def _with_films(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
-from math import atan, exp, log, pi, sqrt
+from math import atan, exp, inf, log, pi, sqrt
 from pathlib import Path
 from typing import NamedTuple
 
@@ -38,17 +38,21 @@ class Part(NamedTuple):
     skewed: float | None = None
     angles: tuple[float, float] = (0.0, 1.0)  # over that angle
     step: bool = False  # whether the load is A exp(x_1 - ln A) of `STEP`
+    most: float = inf  # L sqrt(A) up to which L is drawn, alpha p_h of an ellipse
 
 
 HELD_OUT = 20261123  # seed of the contacts that judge: the date on which they were drawn
 HELD_OUT_SKEWED = 20261126
 HELD_OUT_STEP = 20261136
+HELD_OUT_FAR = 20261129
 HEAVY, LIGHT, WIDE = (6.3, 175.0), (2.2, 8.2), (1.0, 5.2)
 SLIM, LUBRICANT = (0.0092, 1.1), (0.0, 31.4)
 RIGID, ANY_RATIO = (0.32, 2.6), (0.0092, 5.2)
 SKEW, SKEW_RATIO, ACROSS = (9.0, 90.0), (0.045, 1.0), 5.0
 FIELDS = (7.0, 175.0)
 LIGHT_FIELDS = (2.5, 16.0)
+FAR, THICK, NARROW, FAR_MOST = (110.0, 720.0), (26.0, 46.0), (0.0092, 0.11), 410.0
+ALONG_OILS = (0.35, 1.0), (7e-9, 32e-9)
 STEP = (0.21, 0.042, 0.14, -0.004)  # of ln D, its square, sqrt L and L: light contacts, where their film rises
 HELD_SKEW, HELD_SKEW_RATIO = (10.0, 80.0), (0.05, 1.0)
 PARTS = {
@@ -100,6 +104,55 @@ PARTS = {
     "held step along oil": Part(
         (4.9, 6.9), (10.0, 30.0), (1.0, 5.0), any_oil=True, random=True, seed=HELD_OUT_STEP + 1, step=True
     ),
+    # slow heavy contacts of ball bearings, and those of thick oil; no oil of theirs is the base oil
+    "far": Part(FAR, (1.5, 46.0), NARROW, any_oil=False, random=False, seed=18, most=FAR_MOST),
+    "far oil": Part(FAR, (1.5, 46.0), NARROW, any_oil=True, random=False, seed=19, oils=ALONG_OILS, most=FAR_MOST),
+    "thick": Part((6.3, 200.0), THICK, NARROW, any_oil=False, random=False, seed=20, most=FAR_MOST),
+    "light thick": Part((0.32, 12.0), THICK, NARROW, any_oil=False, random=False, seed=21),
+    "thick oil": Part(
+        (0.32, 200.0), THICK, NARROW, any_oil=True, random=False, seed=22, oils=ALONG_OILS, most=FAR_MOST
+    ),
+    "along oil": Part((6.3, 175.0), LUBRICANT, (0.55, 5.2), any_oil=True, random=False, seed=23, oils=ALONG_OILS),
+    "light along oil": Part(LIGHT, LUBRICANT, (0.55, 5.2), any_oil=True, random=False, seed=24, oils=ALONG_OILS),
+    "held far": Part(
+        (160.0, 400.0),
+        (2.0, 42.0),
+        (0.01, 0.1),
+        any_oil=True,
+        random=True,
+        seed=HELD_OUT_FAR,
+        oils=ALONG_OILS,
+        most=400.0,
+    ),
+    "held farthest": Part(
+        (400.0, 650.0),
+        (2.0, 42.0),
+        (0.01, 0.1),
+        any_oil=True,
+        random=True,
+        seed=HELD_OUT_FAR + 1,
+        oils=ALONG_OILS,
+        most=400.0,
+    ),
+    "held thick": Part(
+        (7.0, 160.0),
+        (30.0, 42.0),
+        (0.01, 0.1),
+        any_oil=True,
+        random=True,
+        seed=HELD_OUT_FAR + 2,
+        oils=ALONG_OILS,
+        most=400.0,
+    ),
+    "held light thick": Part(
+        (0.35, 7.0), (30.0, 42.0), (0.01, 0.1), any_oil=True, random=True, seed=HELD_OUT_FAR + 3, oils=ALONG_OILS
+    ),
+    "held along oil": Part(
+        (7.0, 160.0), (0.0, 30.0), (1.0, 5.0), any_oil=True, random=True, seed=HELD_OUT_FAR + 4, oils=ALONG_OILS
+    ),
+    "held light along oil": Part(
+        (2.4, 7.0), (0.0, 30.0), (1.0, 5.0), any_oil=True, random=True, seed=HELD_OUT_FAR + 5, oils=ALONG_OILS
+    ),
     # whose pressure and film traction takes without a solve, `fields.py`
     "fields": Part(FIELDS, LUBRICANT, SLIM, any_oil=False, random=False, seed=101),
     "fields oil": Part(FIELDS, LUBRICANT, SLIM, any_oil=True, random=False, seed=102),
@@ -141,7 +194,7 @@ def places(kind, count, seed=None):
     found = []
     for number, u in enumerate(unit):
         A = exp(log(part.load[0]) + u[0] * log(part.load[1] / part.load[0]))
-        low, high = (sqrt(value) for value in part.lubricant)
+        low, high = (sqrt(min(value, part.most / sqrt(A))) for value in part.lubricant)
         D = exp(log(part.ratio[0]) + u[2] * log(part.ratio[1] / part.ratio[0]))
         L = (low + u[1] * (high - low)) ** 2
         if part.step:

@@ -12,6 +12,7 @@ import numpy as np
 from solves import LABELS, SOLVES
 
 from oilfilm.ehl.arrays import radial, trend_terms
+from oilfilm.ehl.atlas.films import BEARING_L, RANGE
 from oilfilm.ehl.atlas.table import (
     FILE,
     Patch,
@@ -23,12 +24,28 @@ from oilfilm.ehl.atlas.table import (
     slanted_radial,
     with_linear_terms,
 )
+from oilfilm.ehl.atlas.table import STEP as STEP_REACH
 from oilfilm.ehl.closed_form.hertz import hertz_coefficients
 
 COLUMNS = "kind number A L D alpha z central minimum approach t8 t25 t400 scale8 scale25 scale400".split()
-FITTED = ("heavy", "start", "along", "light", "step", "step along", "light along", "rigid")
-OILS = ("oil", "light oil", "rigid oil", "wide oil", "light wide oil", "rigid wide oil")
-LOADS = {"light": (0.3, 12.0), "heavy": (6.2, 175.0)}  # A that each patch is fitted to
+FITTED = (
+    "heavy",
+    "start",
+    "along",
+    "light",
+    "step",
+    "step along",
+    "light along",
+    "rigid",
+    "far",
+    "thick",
+    "light thick",
+)
+OILS = (
+    *("oil", "light oil", "rigid oil", "wide oil", "light wide oil", "rigid wide oil"),
+    *("far oil", "thick oil", "along oil", "light along oil"),
+)
+LOADS = {"light": (0.3, 12.0), "heavy": (6.2, 720.0)}  # A that each patch is fitted to
 # of the slanted x, of radial functions and, of light contacts, of those around the step: by the marginal likelihood
 # of the labels, the step's width by what held-out contacts and second differences along A say as well
 SCALES = {"light": (1.42, 7.4, 7.3), "heavy": (2.5, 4.0, 6.0)}
@@ -38,15 +55,23 @@ OIL_SCALES = {"light": (1.2, 3.0, 4.0), "heavy": (2.5, 4.0, 6.0)}  # likewise
 OIL_DEVIATION, OIL_NOISE = 0.025, {"light": 3e-3, "heavy": 2e-3}
 # that judge, by patch: the base oil with Rx/Ry up to 1 and above, other oils
 JUDGES = (
-    (("held light", "held rigid"), ("held light along", "held rigid"), ("held light oil", "held rigid oil")),
-    (("held",), ("held along",), ("held oil",)),
+    (
+        *(("held light", "held rigid"), ("held light along", "held rigid")),
+        *(("held light oil", "held rigid oil"), ("held light along oil", "held rigid oil")),
+    ),
+    (("held",), ("held along",), ("held oil",), ("held along oil",)),
 )
+# beyond L 30, light and heavy, beyond A 160 and beyond 400
+BEYOND_JUDGES = ("held light thick", "held thick", "held far", "held farthest")
+# beyond A 650, where none is solved: what a fit without A above the first is off by up to the largest solved, twice it
+EXTRAPOLATED = 350.0
 # at the step, with Rx/Ry up to 1 and above: the base oil, others
 STEP_JUDGES = (("held step", "held step oil"), ("held step along", "held step along oil"))
 DEVIATION, TREND = 0.3, 5.0  # prior deviations of the functions
 NOISE = {"light": 2e-4, "heavy": 1e-3}  # and of the labels
 MEDIAN = 0.67  # of the size of a normal deviate
-STEEP = 0.1  # step from mesh to mesh beyond which none is extrapolated
+LABELLED, SOFT = 175.0, 2.0  # beyond this A and below this L contacts do not settle on 1025 points: no label
+STEEP = 0.25  # step from mesh to mesh beyond which none is extrapolated
 OIL_RIDGE = 1e-4
 
 
@@ -60,7 +85,8 @@ def limit(coarse, fine, order):
 def label(entry):
     """One line of the labels: place, oil, ln(Hc A), ln(Hm A), H0, T/C - ln s, T/C; None where not resolved."""
     a, b = entry["meshes"][-2:]
-    if not (b["converged"] and b["resolved"]) or b["films"][1][0] <= 0.0:
+    soft = entry["A"] > LABELLED and entry["L"] < SOFT
+    if soft or not (b["converged"] and b["resolved"]) or b["films"][1][0] <= 0.0:
         return None
     A, D = entry["A"], entry["D"]
     f, g, _ = hertz_coefficients(D)
@@ -206,17 +232,35 @@ def main():
     kinds, rows = labels()
     light, heavy = (patch(name, kinds, rows) for name in ("light", "heavy"))
     x, y = places(rows), targets(rows)
-    known = Table(light, heavy, np.zeros((len(JUDGES), len(JUDGES[0]), y.shape[1])), np.zeros((2, 2, y.shape[1])))
+    known = Table(
+        light,
+        heavy,
+        np.zeros((len(JUDGES), len(JUDGES[0]), y.shape[1])),
+        np.zeros((2, 2, y.shape[1])),
+        np.zeros((len(BEYOND_JUDGES) + 1, y.shape[1])),
+    )
     error = relative(functions(x, rows[:, 3] * 1e-9, rows[:, 4], known) - y, rows)
     print("max/95 %/rms [%]: central, minimum, deflection (of a^2/Rx), moment within thin, thick, very thick layer")
     for kind in sorted(set(kinds)):
         table(kind, error[kinds == kind])
+    # at the step of their film light contacts are judged apart, and soft ones beyond A 160 are refused
+    kinds = kinds.copy()
+    away = np.abs(slanted(x, light.slant)[:, 0] - light.step[0])
+    kinds[(kinds == "held light along oil") & (away < STEP_REACH)] = "held step along oil"
+    kinds[(rows[:, 0] > RANGE["A = a^2/(Rx^2 sqrt(2U))"][1]) & (rows[:, 1] < BEARING_L[0])] = "soft"
     bars = [[_bar([error[kinds == kind] for kind in part]) for part in patch_parts] for patch_parts in JUDGES]
     stored = {
         f"{name}_{key}": v for name, own in (("light", light), ("heavy", heavy)) for key, v in own._asdict().items()
     }
     step_bars = [[bar(error[kinds == kind]) for kind in pair] for pair in STEP_JUDGES]
-    np.savez_compressed(FILE, bars=np.array(bars), step_bars=np.array(step_bars), **stored)
+    beyond_bars = [bar(error[kinds == kind]) for kind in BEYOND_JUDGES]
+    near = rows[:, 0] < EXTRAPOLATED
+    less = known._replace(heavy=patch("heavy", kinds[near], rows[near]))
+    beyond = relative(functions(x[~near], rows[~near, 3] * 1e-9, rows[~near, 4], less) - y[~near], rows[~near])
+    table("extrapolated", beyond)
+    beyond_bars.append(np.maximum(bar(beyond), beyond_bars[-1]))
+    judged = {"bars": bars, "step_bars": step_bars, "beyond_bars": beyond_bars}
+    np.savez_compressed(FILE, **{name: np.array(own) for name, own in judged.items()}, **stored)
 
 
 if __name__ == "__main__":

@@ -14,6 +14,9 @@ SOLVED = (
     *("held along 40", "light oil 130", "light along 360", "held light oil 60", "held light along 40", "rigid 360"),
     *("rigid oil 60", "held rigid 60", "held rigid oil 40", "wide oil 60", "light wide oil 40", "rigid wide oil 20"),
     *("step 70", "step along 120", "skew 480", "skew across 102", "skew oil 60", "held skew 200", "held skew oil 40"),
+    *("far 16", "far oil 5", "thick 8", "thick oil 6", "light thick 10", "along oil 14", "light along oil 10"),
+    *("held far 8", "held farthest 3", "held thick 8", "held light thick 8", "held along oil 10"),
+    "held light along oil 10",
     *("held step 40", "held step oil 40", "held step along 40", "held step along oil 40"),
 )
 
