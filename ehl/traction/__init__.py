@@ -7,7 +7,6 @@ _kernels              - sums over the nodes of a film, lookups in a table, Kapit
 _spline_kernels       - splines over the axes of a table, compiled
 film_quadrature       - quadrature over a solved film, and its sliding forces for many motions
 friction_coefficients - coefficients of friction by the local sliding, each law whole
-heated_film           - film solved with heat, ready to shear: lines that sliding heats
 instruments           - capacitance, breakdown voltage and sound of a solved film
 law                   - the law of traction: forces and moments over load and motion
 linear_response       - stiffness and damping of a lubricated contact along its normal, with error

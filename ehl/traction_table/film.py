@@ -30,6 +30,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array, lagrange_weights
+from ..generalized.heated_film import (
+    HeatedFilm,
+    HeatedLines,
+    heated_film,
+    heated_forces,
+    slide_axis,
+)
 from ..generalized.solver import solve_generalized
 from ..oil.rheology import Rheology, kernel_rheology
 from ..options import SolverOptions
@@ -38,7 +45,6 @@ from ..traction import _kernels
 from ..traction._kernels import AREA, SPREAD_X, SPREAD_Y, X, Y
 from ..traction._spline_kernels import COLUMNS
 from ..traction.film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
-from ..traction.heated_film import HeatedFilm, HeatedLines, heated_film, heated_forces, slide_axis
 from ..traction.linear_response import NormalResponse, normal_response
 from ..traction.rolling_moment import rolling_moment
 from . import _many_kernels

@@ -2,7 +2,8 @@
 
 The approximation: the film is that of the Newtonian oil without sliding, solved at each load and
 speed, isothermal or, with the thermal properties of both bodies, with its heat; the shear of the
-rheology is evaluated in it at each motion, then with the heat of sliding (`traction.heated_film`).
+rheology is evaluated in it at each motion, then with the heat of sliding
+(`generalized.heated_film`).
 Coordinates keep the nodes few: minus load^(-1/5), as light contacts change more with the load,
 ln(speed), and those of the motion, with scales of the film's own, which are splines over load and
 speed, too. Values are the forces and moments of sliding over units whose logarithms are splines:

@@ -19,10 +19,10 @@ import pytest
 from oilfilm import ehl
 from oilfilm.cases import load_case
 from oilfilm.ehl.conditions import ContactKinematics
+from oilfilm.ehl.generalized.heated_film import heated_film, heated_forces
 from oilfilm.ehl.generalized.solver import solve_generalized
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.solid.heat import SolidThermal
-from oilfilm.ehl.traction.heated_film import heated_film, heated_forces
 from oilfilm.ehl.traction.shear import integrate_traction
 
 CARREAU = Rheology(

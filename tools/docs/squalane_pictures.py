@@ -17,11 +17,11 @@ from oilfilm.bearing import load_lubricant
 from oilfilm.cases import load_case
 from oilfilm.ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from oilfilm.ehl.conditions import ContactKinematics
+from oilfilm.ehl.generalized.heated_film import heated_film, heated_forces
 from oilfilm.ehl.generalized.solver import solve_generalized
 from oilfilm.ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw
 from oilfilm.ehl.solid.heat import SolidThermal
-from oilfilm.ehl.traction.heated_film import heated_film, heated_forces
 from oilfilm.ehl.traction.shear import integrate_traction
 from oilfilm.postprocess.plot_style import PAGE_WIDTH, RC, save
 

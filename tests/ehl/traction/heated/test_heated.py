@@ -11,6 +11,7 @@ from scipy.integrate import quad, solve_ivp
 
 from oilfilm.ehl import Lubricant, SolverOptions
 from oilfilm.ehl.conditions import ContactKinematics
+from oilfilm.ehl.generalized.heated_film import heated_film, heated_forces, line_history
 from oilfilm.ehl.generalized.solver import solve_generalized
 from oilfilm.ehl.oil.lubricant import ThermalProperties
 from oilfilm.ehl.oil.rheology import Rheology, ShearLaw, thinning_by_gradient
@@ -18,7 +19,6 @@ from oilfilm.ehl.solid.heat import SolidThermal
 from oilfilm.ehl.traction import _heated_kernels
 from oilfilm.ehl.traction._heated_kernels import nahme
 from oilfilm.ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
-from oilfilm.ehl.traction.heated_film import heated_film, heated_forces, line_history
 from oilfilm.ehl.traction.shear import integrate_traction
 from oilfilm.ehl.traction_table.build import TableOptions, build_traction_table
 from oilfilm.ehl.traction_table.film import table_film, vectorised_heated_forces

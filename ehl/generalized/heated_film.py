@@ -7,8 +7,6 @@ import numpy as np
 import scipy
 
 from ..arrays import Array, lagrange_weights
-from ..generalized.film_heat import film_section
-from ..generalized.solver import GeneralizedSolution
 from ..oil.lubricant import Lubricant, heat_properties, log_viscosity_ratio
 from ..oil.rheology import (
     Rheology,
@@ -18,8 +16,8 @@ from ..oil.rheology import (
     thinning_by_gradient,
 )
 from ..solid.heat import SolidThermal, response_factor
-from . import _heated_kernels
-from .film_quadrature import (
+from ..traction import _heated_kernels
+from ..traction.film_quadrature import (
     SMALLEST_FILM,
     FilmQuadrature,
     HertzZone,
@@ -31,7 +29,7 @@ from .film_quadrature import (
     strip_positions,
     transverse_axis,
 )
-from .shear import (
+from ..traction.shear import (
     bounded_viscosity,
     dimensional_conditions,
     dimensional_grid,
@@ -39,6 +37,8 @@ from .shear import (
     with_outlet,
     with_outlet_values,
 )
+from .film_heat import film_section
+from .solver import GeneralizedSolution
 
 SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
 # slide-roll ratios of the factors of lines, mirrored: near 2 one body stands still, and the heat
