@@ -42,6 +42,7 @@ SWEEP = """case = "6206_radial_500N"
 """
 WITH_FILES = ("angular contact", "pair")
 CONTACTS = ("ball_on_disc", "ball_on_disc_starved", "squalane_ball_on_disc", "coated_steel", "moes_20_10")
+SHIPPED = ("6205_ceramic_dry_in_vacuum", "6206_axial_500N", "6208_duty_cycle")
 SOLVED = 1e-4
 
 
@@ -54,6 +55,11 @@ def test_bearings(name, tmp_path):
             assert write_results(results, tmp_path) == ()
         found |= {"files": tmp_path, "pictures": pictures}
     kept(f"bearing, {name}", found)
+
+
+@pytest.mark.parametrize("stem", SHIPPED)
+def test_shipped_bearings(stem):
+    kept(f"shipped, {stem}", summary(run_case(load_case(stem))))
 
 
 @pytest.mark.parametrize("stem", CONTACTS)
