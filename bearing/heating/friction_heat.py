@@ -13,6 +13,8 @@ from ..material import Material
 from ..quasistatic.solution import QuasistaticSolution
 from .network import Conductance, node_values
 
+PUMPED_TO_OIL = 0.5  # of the inlets' heat, where oil passes the cavity, assumed [-]
+
 
 class UndrivenBallsError(ValueError):
     """At a temperature the friction of films balances the balls at no motion."""
@@ -67,30 +69,33 @@ class FrictionHeat:
             conductance=self.conductance * conductance,
         )
 
-    def sources(self, ball_share: tuple[float, float], pumped_to_oil: float) -> Array:
+    def sources(self, ball_share: tuple[float, float], *, filled: bool) -> Array:
         """Heat into the nodes.
 
         Parameters
         ----------
         ball_share : tuple[float, float]
             fraction of the shear's heat that goes into the ball at inner and outer contacts [-]
-        pumped_to_oil : float
-            fraction of the inlets' heat that the oil takes, the rest goes as the shear's [-]
+        filled : bool
+            oil passes the cavity: it takes the drag's heat and a share of the inlets', whose rest
+            goes as the shear's; else the drag heats balls and rings, half each (assumed)
 
         Returns
         -------
         Array
             shape (nodes,) [W]
         """
-        solid = self.contact + (1.0 - pumped_to_oil) * self.pumped
+        to_oil = PUMPED_TO_OIL if filled else 0.0
+        dragged = 0.0 if filled else 0.5 * self.drag  # by the balls, as much by the rings
+        solid = self.contact + (1.0 - to_oil) * self.pumped
         shares = np.array(ball_share)
         ring = solid * (1.0 - shares)
         values = {
-            "balls": float((solid * shares).sum()),
-            "inner_ring": float(ring[:, 0].sum()) + self.seal,
-            "outer_ring_loaded": float(ring[:, 1] @ self.loaded),
-            "outer_ring_unloaded": float(ring[:, 1] @ (1.0 - self.loaded)),
-            "oil": float(pumped_to_oil * self.pumped.sum()) + self.drag,
+            "balls": float((solid * shares).sum()) + dragged,
+            "inner_ring": float(ring[:, 0].sum()) + self.seal + 0.5 * dragged,
+            "outer_ring_loaded": float(ring[:, 1] @ self.loaded) + 0.25 * dragged,
+            "outer_ring_unloaded": float(ring[:, 1] @ (1.0 - self.loaded)) + 0.25 * dragged,
+            "oil": float(to_oil * self.pumped.sum()) + self.drag - 2.0 * dragged,
             "cage": self.cage,
         }
         return node_values(values)

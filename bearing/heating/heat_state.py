@@ -530,7 +530,7 @@ def heat_state(
     friction = problem.friction(solution, contacts, oil)
     # 5. heat into the nodes, and their temperatures
     around = problem.around
-    sources = friction.sources(effusivity_shares(bearing), around.pumped_to_oil)
+    sources = friction.sources(effusivity_shares(bearing), filled=around.filled)
     paths = state_paths(bearing, around, oil, friction, solution.cage_speed, len(problem.rows))
     network = HeatNetwork(paths=(*fixed, *paths), boundaries=around.boundaries)
     return HeatState(

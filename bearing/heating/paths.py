@@ -38,7 +38,6 @@ from .network import (
 SEAT = Conductance(3e3, 1e3, 1e4)  # of seats [W/(m^2 K)], from memory, unverified
 # housing to still air: free convection 3 to 8 and radiation [W/(m^2 K)], from memory, unverified
 FREE_AIR = Conductance(5.0, 3.0, 8.0)
-PUMPED_TO_OIL = 0.5  # of the inlets' heat, where oil passes the cavity, assumed [-]
 EMISSIVITY = 0.9  # of a painted housing, assumed [-]
 SHAFT_LENGTH = 2.5  # of the shaft on each side over its diameter, assumed [-]
 HOUSING_DIAMETER = 1.6  # of the housing over the bearing's, assumed [-]
@@ -66,8 +65,6 @@ class Surroundings:
     seat: Conductance = SEAT  # [W/(m^2 K)]
     cavity: Conductance | None = None  # of all walls to the oil [W/(m^2 K)]
     filled: bool = True  # oil passes the walls of the cavity, else air
-    # fraction of the inlets' heat that the oil takes, the rest goes into the surfaces [-]
-    pumped_to_oil: float = PUMPED_TO_OIL
     # paths to other bearings on the shaft, and the temperatures of these [K]
     neighbours: tuple[tuple[HeatPath, float], ...] = ()
 

@@ -17,7 +17,7 @@ from oilfilm.bearing.fits.clearance import (
 )
 from oilfilm.bearing.geometry import Bearing, Race, shoulder_diameter
 from oilfilm.bearing.heating.limits import HIGHEST_TEMPERATURE
-from oilfilm.bearing.heating.paths import PUMPED_TO_OIL, Surroundings
+from oilfilm.bearing.heating.paths import Surroundings
 from oilfilm.bearing.library.bearings import (
     TOLERANCE_CLASSES,
     inner_interference,
@@ -509,6 +509,4 @@ def _surroundings(table: FrictionTable, oil: Lubricant, fit: Fit | None) -> Surr
         shaft_bore=0.0 if fit is None else fit.shaft_bore,
         housing_diameter=None if fit is None else fit.housing_outside_diameter,
         filled=filled,
-        # without oil that passes, that of the inlets stays on the tracks
-        pumped_to_oil=PUMPED_TO_OIL if filled else 0.0,
     )
