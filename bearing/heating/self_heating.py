@@ -361,8 +361,8 @@ def _scan(search: _Search) -> list[HeatState]:
 
 
 def _between_which_zero_may_lie(states: Sequence[HeatState]) -> set[float]:
-    """Film temperatures in the middle between states whose excess comes so near to zero that a
-    bend between them may hide two balances, beside one where it passes zero [K].
+    """Film temperatures in the middle between states where the excess passes zero, or comes so
+    near it that a bend may hide two balances [K].
     """
     at = np.array([one.film_temperature for one in states])
     excess = np.array([_excess(one) for one in states])
@@ -374,7 +374,8 @@ def _between_which_zero_may_lie(states: Sequence[HeatState]) -> set[float]:
     bend = np.concatenate([[0.0], bend, [0.0]])
     hidden = BEND * np.maximum(bend[1:], bend[:-1]) * step**2 / 4.0
     nearest = np.minimum(np.abs(excess[1:]), np.abs(excess[:-1]))
-    wanted = (step > SCAN_STEP) & (nearest <= hidden)
+    passes = excess[1:] * excess[:-1] <= 0.0
+    wanted = (step > SCAN_STEP) & (passes | (nearest <= hidden))
     return {float(middle) for middle in (0.5 * (at[1:] + at[:-1]))[wanted]}
 
 
