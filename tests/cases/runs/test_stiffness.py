@@ -96,4 +96,4 @@ def test_the_lines_for_the_rotor_code_have_the_damping_of_the_films(tmp_path):
 
 
 def test_every_number_is_kept(folder):
-    kept("stiffness", {"files": folder, **SHOWN})
+    kept("stiffness", {"files": folder, **SHOWN}, floor=1e-6)
