@@ -117,6 +117,8 @@ LARGEST_RATIO_ERROR = 0.015
 # the isothermal one, which is known, is the ratio to the power -1.5 (1 and 2 fit worse)
 MESH_POWER = 1.5
 CORRECTION_ERROR = 0.3
+# of hot to cold, below which a level is too coarse for the correction: the bar is the whole change
+LEAST_RATIO = 0.1
 # cycles at the end of which the minimum film may turn: in thick oils (L above 26) it wanders by
 # some per cent where the central one is at rest, relaxed or not
 TURNING_CYCLES = 5
@@ -711,9 +713,9 @@ def _alone(ratio: float, kind: int, rise: float) -> tuple[float, float]:
     """Ratio of one level with its error bar [-], with the isothermal film's limit over that of the
     level.
     """
-    value = ratio
-    if kind == MINIMUM and rise > 0.0:
-        value *= rise ** (ratio**-MESH_POWER - 1.0)
+    if kind == MINIMUM and not (rise > 0.0 and ratio > LEAST_RATIO):
+        return ratio, abs(1.0 - ratio)
+    value = ratio * rise ** (ratio**-MESH_POWER - 1.0) if kind == MINIMUM else ratio
     bar = RATIO_ALONE[kind] * abs(1.0 - value)
     if kind == MINIMUM:
         bar = min(bar, LARGEST_RATIO_ERROR) + CORRECTION_ERROR * abs(value - ratio)

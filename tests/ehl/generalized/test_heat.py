@@ -369,6 +369,15 @@ def test_tolerance_that_the_nodes_across_the_film_exceed_is_told_once(share, sai
     assert ("nodes across the film" in found.message) == said
 
 
+@pytest.mark.parametrize(("ratio", "rise"), [(-0.2, 1.1), (0.05, 1.5), (0.5, -1.0)])
+def test_a_mesh_without_a_heated_film_has_the_whole_change_as_its_bar(ratio, rise):
+    """As 65 points in a spindle bearing at 9 kN, where the heated minimum film is below zero."""
+    assert solver._alone(ratio, 1, rise) == (ratio, 1.0 - ratio)
+    value, bar = solver._alone(0.8, 1, 1.1)
+    assert 0.8 < value < 1.0
+    assert bar < 0.03
+
+
 def test_less_effusive_bodies_are_hotter():
     """Zirconia against silicon nitride against steel: wall temperatures by effusivity."""
     nitride = SolidThermal(conductivity=30.0, density=3290.0, specific_heat=740.0)
