@@ -78,7 +78,8 @@ class FrictionHeat:
             fraction of the shear's heat that goes into the ball at inner and outer contacts [-]
         filled : bool
             oil passes the cavity: it takes the drag's heat and a share of the inlets', whose rest
-            goes as the shear's; else the drag heats balls and rings, half each (assumed)
+            goes as the shear's, and the cage its own; else drag and cage heat balls and rings,
+            half each (assumed)
 
         Returns
         -------
@@ -86,17 +87,17 @@ class FrictionHeat:
             shape (nodes,) [W]
         """
         to_oil = PUMPED_TO_OIL if filled else 0.0
-        dragged = 0.0 if filled else 0.5 * self.drag  # by the balls, as much by the rings
+        rubbed = 0.0 if filled else 0.5 * (self.drag + self.cage)  # on balls, as much on rings
         solid = self.contact + (1.0 - to_oil) * self.pumped
         shares = np.array(ball_share)
         ring = solid * (1.0 - shares)
         values = {
-            "balls": float((solid * shares).sum()) + dragged,
-            "inner_ring": float(ring[:, 0].sum()) + self.seal + 0.5 * dragged,
-            "outer_ring_loaded": float(ring[:, 1] @ self.loaded) + 0.25 * dragged,
-            "outer_ring_unloaded": float(ring[:, 1] @ (1.0 - self.loaded)) + 0.25 * dragged,
-            "oil": float(to_oil * self.pumped.sum()) + self.drag - 2.0 * dragged,
-            "cage": self.cage,
+            "balls": float((solid * shares).sum()) + rubbed,
+            "inner_ring": float(ring[:, 0].sum()) + self.seal + 0.5 * rubbed,
+            "outer_ring_loaded": float(ring[:, 1] @ self.loaded) + 0.25 * rubbed,
+            "outer_ring_unloaded": float(ring[:, 1] @ (1.0 - self.loaded)) + 0.25 * rubbed,
+            "oil": float(to_oil * self.pumped.sum()) + self.drag if filled else 0.0,
+            "cage": self.cage if filled else 0.0,
         }
         return node_values(values)
 

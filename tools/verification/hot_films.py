@@ -161,7 +161,7 @@ def judged(lines: list[dict], film: int) -> dict[str, np.ndarray]:
     """Errors of the law against the oil that rolls and of the solved films, over the film, with their bars; what
     sliding and thinning take.
     """
-    keys = ("cold 257", "rolling 257", "hot 257", "hot 513")
+    keys = ("cold 513", "rolling 257", "hot 257", "hot 513")
     cold, plain, hot, fine = (np.array([line[key]["films"][film] for line in lines]).T for key in keys)
     law, own = np.array([line["law"][film] for line in lines]).T
     return {
@@ -244,7 +244,7 @@ def cells(line: dict) -> tuple[str, ...]:
     """One contact in the table of all."""
     groups = (f"{line['M']:.0f}", f"{line['L']:.1f}", f"{line['L_T']:.2f}")
     known = (line["hot 257"]["films"], line["rolling 257"]["films"])
-    cold = line["cold 257"]["films"]
+    cold = line["cold 513"]["films"]
     solved_ratios = (films[k][0] / cold[k][0] for films in known for k in (0, 1))
     ratios = (*solved_ratios, *(one[0] for one in line["law"]))
     return (line["text"], *groups, *(f"{ratio:.4f}" for ratio in ratios), f"{cost(line):.1f}", message(line))
