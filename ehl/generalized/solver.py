@@ -117,7 +117,7 @@ LARGEST_RATIO_ERROR = 0.015
 # the isothermal one, which is known, is the ratio to the power -1.5 (1 and 2 fit worse)
 MESH_POWER = 1.5
 CORRECTION_ERROR = 0.3
-# of hot to cold, below which a level is too coarse for the correction: the bar is the whole change
+# ratio below which a level is too coarse for the correction, and the bar is the whole change
 LEAST_RATIO = 0.1
 # cycles at the end of which the minimum film may turn: in thick oils (L above 26) it wanders by
 # some per cent where the central one is at rest, relaxed or not
