@@ -58,7 +58,7 @@ def temperatures(
     >>> results.heating.converged
     True
     >>> f"{results.heating.balance.temperature - 273.15:.0f} C"
-    '39 C'
+    '45 C'
     """
     start = perf_counter()
     notify = progress or (lambda done, total, state: None)
