@@ -87,7 +87,8 @@ class FrictionHeat:
             shape (nodes,) [W]
         """
         to_oil = PUMPED_TO_OIL if filled else 0.0
-        rubbed = 0.0 if filled else 0.5 * (self.drag + self.cage)  # on balls, as much on rings
+        drag, cage = (0.0, 0.0) if filled else (self.drag, self.cage)  # that rub on the parts
+        rubbed = 0.5 * (drag + cage)  # on balls, as much on rings
         solid = self.contact + (1.0 - to_oil) * self.pumped
         shares = np.array(ball_share)
         ring = solid * (1.0 - shares)
@@ -96,8 +97,8 @@ class FrictionHeat:
             "inner_ring": float(ring[:, 0].sum()) + self.seal + 0.5 * rubbed,
             "outer_ring_loaded": float(ring[:, 1] @ self.loaded) + 0.25 * rubbed,
             "outer_ring_unloaded": float(ring[:, 1] @ (1.0 - self.loaded)) + 0.25 * rubbed,
-            "oil": float(to_oil * self.pumped.sum()) + self.drag if filled else 0.0,
-            "cage": self.cage if filled else 0.0,
+            "oil": float(to_oil * self.pumped.sum()) + self.drag - drag,
+            "cage": self.cage - cage,
         }
         return node_values(values)
 

@@ -13,7 +13,6 @@ from . import terminal
 from .output import lock_output_directory, lock_output_file
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
-Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Print the files written as JSON.")]
 Contact = Annotated[
     str | None,
@@ -40,7 +39,7 @@ def _tell(files: dict[Path, str], *, as_json: bool, quiet: bool) -> None:
 
 
 @terminal.command()
-def report(directory: Directory, as_json: AsJson = False, quiet: Errors = False) -> None:
+def report(directory: Directory, as_json: AsJson = False, quiet: terminal.Errors = False) -> None:
     """Write one self-contained HTML page of results."""
     from oilfilm.postprocess.report.page import write_report
 
@@ -71,7 +70,7 @@ def compare(
         typer.Option("--output", "-o", metavar="FILE.png", help="Picture, of a measured table."),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
-    quiet: Errors = False,
+    quiet: terminal.Errors = False,
 ) -> int:
     """Compare two results, or results or a case with a measured table."""
     if second.is_file():
@@ -152,7 +151,7 @@ def cut(
         typer.Option(metavar="X", help="Where it crosses the other axis, in Hertz semi-axes."),
     ] = 0.0,
     as_json: AsJson = False,
-    quiet: Errors = False,
+    quiet: terminal.Errors = False,
 ) -> None:
     """Write film and pressure along a line through a contact as CSV."""
     from oilfilm.postprocess.contact.plots import write_line_cut
@@ -181,7 +180,7 @@ def interferogram(
         float, typer.Option("--refractive-index", metavar="X", help="Of the oil.")
     ] = 1.5,
     as_json: AsJson = False,
-    quiet: Errors = False,
+    quiet: terminal.Errors = False,
 ) -> None:
     """Draw the film of a contact as an optical interferometer would see it."""
     from oilfilm.ehl.units import NANOMETRE
@@ -217,7 +216,7 @@ def diagram(
         typer.Option(metavar="NAME", help="A column of batch.csv; default: film, torque, life."),
     ] = None,
     as_json: AsJson = False,
-    quiet: Errors = False,
+    quiet: terminal.Errors = False,
 ) -> None:
     """Draw numbers of a batch over its keys: film, torque and life over speed, a line per load."""
     from oilfilm.postprocess.batch.plots import write_diagram
@@ -252,7 +251,7 @@ def export(
     ] = None,
     fmi: Annotated[int, typer.Option(min=2, max=3, help="Version of FMI, for fmu.")] = 2,
     as_json: AsJson = False,
-    quiet: Errors = False,
+    quiet: terminal.Errors = False,
 ) -> None:
     """Write films as meshes, numbers as a workbook or a PDF, a batch as an FMU, or results into
     the drive in REXS that the case came from.
@@ -266,9 +265,11 @@ def export(
         files = _write_document(
             directory, file, file_format, model=model, fmi=fmi, quiet=quiet or as_json
         ) or _write_meshes(directory, file)
-    mesh = {True: "mesh", False: "values"}
-    kinds = {path: DOCUMENTS.get(file_format, mesh[path.suffix == file.suffix]) for path in files}
-    _tell(kinds, as_json=as_json, quiet=quiet)
+    kinds = ("mesh" if path.suffix == file.suffix else "values" for path in files)
+    told = {
+        path: DOCUMENTS.get(file_format, kind) for path, kind in zip(files, kinds, strict=True)
+    }
+    _tell(told, as_json=as_json, quiet=quiet)
 
 
 def _write_document(
@@ -338,7 +339,7 @@ def view(
         float, typer.Option(min=0.0, max=1e6, help="Factor of film height or displacement.")
     ] = 0.0,
     as_json: AsJson = False,
-    quiet: Errors = False,
+    quiet: terminal.Errors = False,
 ) -> int:
     """Look at results in three dimensions."""
     if not directory.is_dir():
@@ -353,27 +354,25 @@ def view(
     options = scene.SceneOptions(
         quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration
     )
-    small = replace(options, size=scene.MOVIE_SIZE)
-    asked = [
-        (file, kind, draw, choice)
-        for file, kind, draw, choice in (
-            (screenshot, "picture", scene.screenshot, options),
-            (html, "page", scene.export_html, options),
-            (movie, "movie", scene.movie, small),
-        )
-        if file is not None
-    ]
+    drawings = (
+        ("picture", scene.screenshot, screenshot, options),
+        ("page", scene.export_html, html, options),
+        ("movie", scene.movie, movie, replace(options, size=scene.MOVIE_SIZE)),
+    )
     drawn: dict[Path, str] = {}
     try:
         with terminal.reading(directory), terminal.progress_bar(quiet=quiet) as progress:
-            for file, kind, draw, choice in asked:
-                progress(0, 1, f"drawing {file}")
-                drawn[draw(directory, file, choice)] = kind
-            if not asked:
+            for kind, draw, file, choice in drawings:
+                if file is not None:
+                    progress(0, 1, f"drawing {file}")
+                    drawn[draw(directory, file, choice)] = kind
+        if not drawn:
+            with terminal.reading(directory):
                 scene.view(directory, options)
     except CaseError:
         raise
     except scene.RenderingError as error:
+        _tell(drawn, as_json=False, quiet=quiet or as_json)  # those before
         print_message(f"oilfilm: {error}")
         return terminal.FAILED
     _tell(drawn, as_json=as_json, quiet=quiet)

@@ -16,14 +16,10 @@ from oilfilm.ehl.units import from_si, to_si
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
 from .output import print_notes
-from .terminal import BAD_INPUT, command, print_json, print_lines
+from .terminal import BAD_INPUT, Answer, Errors, command, print_json, print_lines
 
 if TYPE_CHECKING:
     from oilfilm.bearing.material import Material
-
-
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON.")]
-Silent = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
 
 
 class Listing(StrEnum):
@@ -44,7 +40,7 @@ class Listing(StrEnum):
 @command("list")
 def list_names(
     what: Annotated[Listing | None, typer.Argument(help="What to list; all if left out.")] = None,
-    as_json: AsJson = False,
+    as_json: Answer = False,
 ) -> None:
     """List shipped cases, bearings, materials, oils, ..., and plug-ins."""
     names = {kind.value: listing(kind.value) for kind in (Listing if what is None else (what,))}
@@ -65,8 +61,8 @@ def validate(
     cases: Annotated[
         list[str], typer.Argument(metavar="CASE...", help="Case files or names of shipped cases.")
     ],
-    as_json: AsJson = False,
-    quiet: Silent = False,
+    as_json: Answer = False,
+    quiet: Errors = False,
 ) -> int:
     """Check case and sweep files without running them."""
     report = {}
@@ -129,8 +125,8 @@ def import_drive(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", metavar="CASE", help="The new case file.")
     ] = None,
-    as_json: AsJson = False,
-    quiet: Silent = False,
+    as_json: Answer = False,
+    quiet: Errors = False,
 ) -> None:
     """List the shafts and bearings of a drive in REXS, or write a case of one of them."""
     from ..rexs import bearing_text, drive, listing_of, read_rexs, shaft_text
@@ -197,8 +193,8 @@ def init(
     ] = None,
     density_15: Annotated[float | None, typer.Option(help="At 15 C [kg/m3].")] = None,
     base_oil: Annotated[str | None, typer.Option(help="mineral, PAO, ester, PAG or PFPE.")] = None,
-    as_json: AsJson = False,
-    quiet: Silent = False,
+    as_json: Answer = False,
+    quiet: Errors = False,
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
     from ..new_case import (

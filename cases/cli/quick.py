@@ -10,10 +10,9 @@ import typer
 
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
-from .terminal import command, print_json, print_lines
+from .terminal import Answer, command, print_json, print_lines
 
 NEEDED = ("trame_vtk", "trame_client", "aiohttp")
-Answer = Annotated[bool, typer.Option("--json", help="Print JSON.")]
 Silent = Annotated[bool, typer.Option("--quiet", "-q", help="Numbers only, no notes.")]
 STEEL = "bearing steel"
 NAMES = {

@@ -75,6 +75,8 @@ Json = Annotated[
     typer.Option("--json", help="Print the summary as JSON; files are then written with -o only."),
 ]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no table.")]
+Answer = Annotated[bool, typer.Option("--json", help="Print JSON.")]  # nothing is written for it
+Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
 Notes = Annotated[
     bool, typer.Option("--notes", help="Print assumptions and remarks below the table, too.")
 ]

@@ -713,13 +713,13 @@ def _alone(ratio: float, kind: int, rise: float) -> tuple[float, float]:
     """Ratio of one level with its error bar [-], with the isothermal film's limit over that of the
     level.
     """
-    if kind == MINIMUM and not (rise > 0.0 and ratio > LEAST_RATIO):
+    if kind == CENTRAL:
+        return ratio, RATIO_ALONE[kind] * abs(1.0 - ratio)
+    if not (rise > 0.0 and ratio > LEAST_RATIO):
         return ratio, abs(1.0 - ratio)
-    value = ratio * rise ** (ratio**-MESH_POWER - 1.0) if kind == MINIMUM else ratio
-    bar = RATIO_ALONE[kind] * abs(1.0 - value)
-    if kind == MINIMUM:
-        bar = min(bar, LARGEST_RATIO_ERROR) + CORRECTION_ERROR * abs(value - ratio)
-    return value, bar
+    value = ratio * rise ** (ratio**-MESH_POWER - 1.0)
+    error = min(RATIO_ALONE[kind] * abs(1.0 - value), LARGEST_RATIO_ERROR)
+    return value, error + CORRECTION_ERROR * abs(value - ratio)
 
 
 def _in_ratio(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from functools import partial
 from math import atan, exp, inf, log, pi, sqrt
 from pathlib import Path
 from typing import NamedTuple
@@ -55,6 +56,7 @@ FAR, THICK, NARROW, FAR_MOST = (110.0, 720.0), (26.0, 46.0), (0.0092, 0.11), 410
 ALONG_OILS = (0.35, 1.0), (7e-9, 32e-9)
 STEP = (0.21, 0.042, 0.14, -0.004)  # of ln D, its square, sqrt L and L: light contacts, where their film rises
 HELD_SKEW, HELD_SKEW_RATIO = (10.0, 80.0), (0.05, 1.0)
+HELD = partial(Part, any_oil=True, random=True, oils=ALONG_OILS)  # held out, of any oil
 PARTS = {
     "heavy": Part(HEAVY, LUBRICANT, SLIM, any_oil=False, random=False, seed=1),
     "start": Part((6.3, 13.0), (0.0, 8.0), SLIM, any_oil=False, random=False, seed=2),
@@ -114,45 +116,12 @@ PARTS = {
     ),
     "along oil": Part((6.3, 175.0), LUBRICANT, (0.55, 5.2), any_oil=True, random=False, seed=23, oils=ALONG_OILS),
     "light along oil": Part(LIGHT, LUBRICANT, (0.55, 5.2), any_oil=True, random=False, seed=24, oils=ALONG_OILS),
-    "held far": Part(
-        (160.0, 400.0),
-        (2.0, 42.0),
-        (0.01, 0.1),
-        any_oil=True,
-        random=True,
-        seed=HELD_OUT_FAR,
-        oils=ALONG_OILS,
-        most=400.0,
-    ),
-    "held farthest": Part(
-        (400.0, 650.0),
-        (2.0, 42.0),
-        (0.01, 0.1),
-        any_oil=True,
-        random=True,
-        seed=HELD_OUT_FAR + 1,
-        oils=ALONG_OILS,
-        most=400.0,
-    ),
-    "held thick": Part(
-        (7.0, 160.0),
-        (30.0, 42.0),
-        (0.01, 0.1),
-        any_oil=True,
-        random=True,
-        seed=HELD_OUT_FAR + 2,
-        oils=ALONG_OILS,
-        most=400.0,
-    ),
-    "held light thick": Part(
-        (0.35, 7.0), (30.0, 42.0), (0.01, 0.1), any_oil=True, random=True, seed=HELD_OUT_FAR + 3, oils=ALONG_OILS
-    ),
-    "held along oil": Part(
-        (7.0, 160.0), (0.0, 30.0), (1.0, 5.0), any_oil=True, random=True, seed=HELD_OUT_FAR + 4, oils=ALONG_OILS
-    ),
-    "held light along oil": Part(
-        (2.4, 7.0), (0.0, 30.0), (1.0, 5.0), any_oil=True, random=True, seed=HELD_OUT_FAR + 5, oils=ALONG_OILS
-    ),
+    "held far": HELD((160.0, 400.0), (2.0, 42.0), (0.01, 0.1), seed=HELD_OUT_FAR, most=400.0),
+    "held farthest": HELD((400.0, 650.0), (2.0, 42.0), (0.01, 0.1), seed=HELD_OUT_FAR + 1, most=400.0),
+    "held thick": HELD((7.0, 160.0), (30.0, 42.0), (0.01, 0.1), seed=HELD_OUT_FAR + 2, most=400.0),
+    "held light thick": HELD((0.35, 7.0), (30.0, 42.0), (0.01, 0.1), seed=HELD_OUT_FAR + 3),
+    "held along oil": HELD((7.0, 160.0), (0.0, 30.0), (1.0, 5.0), seed=HELD_OUT_FAR + 4),
+    "held light along oil": HELD((2.4, 7.0), (0.0, 30.0), (1.0, 5.0), seed=HELD_OUT_FAR + 5),
     # whose pressure and film traction takes without a solve, `fields.py`
     "fields": Part(FIELDS, LUBRICANT, SLIM, any_oil=False, random=False, seed=101),
     "fields oil": Part(FIELDS, LUBRICANT, SLIM, any_oil=True, random=False, seed=102),

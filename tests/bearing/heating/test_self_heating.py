@@ -18,9 +18,9 @@ from oilfilm.bearing import (
 )
 from oilfilm.bearing.films.operating_film import solved_films, with_formulas
 from oilfilm.bearing.friction.resistance import contact_rolling_power
-from oilfilm.bearing.heating.friction_heat import heat_of_torque
+from oilfilm.bearing.heating.friction_heat import FrictionHeat, heat_of_torque
 from oilfilm.bearing.heating.heat_state import SelfHeatingProblem, film_conductances, formula_conductances
-from oilfilm.bearing.heating.network import NODES
+from oilfilm.bearing.heating.network import NODES, node_values
 from oilfilm.bearing.heating.paths import Surroundings
 from oilfilm.bearing.heating.self_heating import solve_self_heating
 from oilfilm.bearing.supply.inlet_oil import PrescribedInlet, Supply
@@ -242,3 +242,19 @@ def test_a_solved_film_conducts_as_that_of_the_film_atlas(bearing):
     films = with_formulas(contacts, solved_films(contacts, [solved, *[None] * (len(contacts) - 1)]))
     own, atlas = film_conductances(solution, contacts, films), formula_conductances(solution, contacts)
     assert own[0, 0, 0] == pytest.approx(atlas[0, 0, 0], rel=0.04)
+
+
+@pytest.mark.parametrize("filled", [True, False])
+def test_heat_of_drag_and_cage_goes_where_it_can_leave(filled):
+    """Into oil and cage where oil passes them, else into balls and rings; all heat arrives."""
+    friction = FrictionHeat(
+        torque=1.0, speed=1.0, contact=np.ones((3, 2)), pumped=np.ones((3, 2)), drag=0.3, cage=0.7, seal=0.1,
+        conductance=np.ones((3, 3, 2)), loaded=np.array([1.0, 0.5, 0.0]),
+    )  # fmt: skip
+    quiet = replace(friction, drag=0.0, cage=0.0)
+    sources, without = (one.sources((0.4, 0.6), filled=filled) for one in (friction, quiet))
+    assert sources.sum() == pytest.approx(13.1, rel=1e-12)
+    places = {"oil": 0.3, "cage": 0.7}
+    if not filled:
+        places = {"balls": 0.5, "inner_ring": 0.25, "outer_ring_loaded": 0.125, "outer_ring_unloaded": 0.125}
+    assert sources - without == pytest.approx(node_values(places), abs=1e-12)
