@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import pi
 from types import SimpleNamespace
 
@@ -9,14 +10,27 @@ import numpy as np
 import pytest
 
 from oilfilm.bearing.contacts.electrical import bearing_electrical
-from oilfilm.bearing.dynamics.arrays import BODIES, FREE_TURN, Layout
+from oilfilm.bearing.dynamics import _implicit_kernels as implicit
+from oilfilm.bearing.dynamics.arrays import (
+    BODIES,
+    CONTACT,
+    EXPONENT,
+    FREE_TURN,
+    INNER,
+    KNOTS,
+    LINEAR,
+    OUTER,
+    STIFFNESS,
+    Layout,
+)
 from oilfilm.bearing.dynamics.reduction import solved_indices
-from oilfilm.bearing.films.film import ContactFilm
+from oilfilm.bearing.films.film import ContactFilm, FilmThickness, with_films
 from oilfilm.bearing.films.heavy_moment import elastic_moment, heavy_moment, moment_unit
 from oilfilm.bearing.heating import heat_state
 from oilfilm.bearing.heating.friction_heat import loaded_half
 from oilfilm.bearing.invariants import _frequencies
 from oilfilm.bearing.quasistatic.solution import _cage_speed
+from oilfilm.bearing.rating import dry_running
 from oilfilm.bearing.vibration.form import rolled
 
 
@@ -128,3 +142,59 @@ def test_the_cage_turns_with_the_loaded_balls():
     orbit = np.array([1.0, 2.0, 4.0])
     assert _cage_speed(orbit, np.array([0.0, 5.0, 3.0])) == 3.0
     assert _cage_speed(orbit, np.zeros(3)) == pytest.approx(7.0 / 3.0)
+
+
+@dataclass(frozen=True)
+class Field:
+    """A gap as a film needs it, in units of a micrometre."""
+
+    X: np.ndarray
+    Y: np.ndarray
+    H: np.ndarray
+    film_scale: float = 1e-6
+    film_central_dimensionless: object = None
+    film_minimum_dimensionless: object = None
+
+
+def test_a_field_of_other_films():
+    """Below the centre linear between both films, above it a shift; a film left out keeps its share of the centre."""
+    gap = np.array([[9.0, 3.0, 5.0], [2.0, 4.0, 3.0], [8.0, 3.0, 6.0]])
+    field = Field(X=np.array([-1.0, 0.0, 1.0]), Y=np.array([-1.0, 0.0, 1.0]), H=gap)
+    central = FilmThickness(2e-6, 1e-7)
+    other = with_films(field, central, FilmThickness(0.5e-6, 1e-7)).H
+    assert other[1, 1] == pytest.approx(2.0) and other[1, 0] == pytest.approx(0.5)
+    assert other[0, 1] == pytest.approx(1.25)  # half way
+    assert other[0] - 1.25 == pytest.approx([5.75, 0.0, 1.75])  # 9 and 5 of before, less two
+    halved = with_films(field, central, None)
+    assert halved.H.min() == pytest.approx(1.0)
+    assert halved.film_minimum_dimensionless.uncertainty == pytest.approx(0.05)
+
+
+@pytest.mark.parametrize(("share", "stiff"), [(0.99, False), (1.01, True)])
+def test_friction_is_stiff_where_a_step_is_longer_than_its_rates(monkeypatch, share, stiff):
+    """The rates of both races add; of the load of the slopes as it is, none where it has left them."""
+    for name in ("sliding_rate", "load_share"):
+        monkeypatch.setattr(implicit, name, getattr(implicit, name).py_func)
+    law = np.zeros((2, KNOTS))
+    law[:, STIFFNESS], law[:, EXPONENT] = 3.0, 1.0
+    linear = np.zeros((2, LINEAR.size))
+    linear[:, LINEAR.load] = 6.0
+    linear[INNER, LINEAR.rate], linear[OUTER, LINEAR.rate] = 10.0, 30.0
+    race_out = np.zeros((2, len(CONTACT)))
+    race_out[:, CONTACT.approach] = 2.0  # the load of the slopes
+    p = SimpleNamespace(implicit_step=[share * implicit.STIFF / 40.0], normal=law, constants=SimpleNamespace(balls=1))
+    balls = [SimpleNamespace(race_out=race_out, linear=linear)]
+    assert implicit.friction_is_stiff.py_func(p, balls) is stiff
+    race_out[:, CONTACT.approach] = 0.0
+    assert implicit.friction_is_stiff.py_func(p, balls) is False
+
+
+def test_life_of_the_film_that_a_cage_gives():
+    """Half the share of the pocket's play, D deep, over half the ball's surface, of Z pockets."""
+    bearing = SimpleNamespace(ball_diameter=2.0, balls=5)
+    play = dry_running.library_data(dry_running.TYPICAL)["cage_pocket_clearance_over_ball"]
+    found = dry_running._film_life(bearing, dry_running.Range(4.0, 2.0, 8.0))
+    volume = 0.5 * 2.0 * (2.0 * pi) * 5.0
+    assert found == pytest.approx(
+        (play["value"] * volume / 4.0, play["range"][0] * volume / 8.0, play["range"][1] * volume / 2.0)
+    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import exp, log, sqrt
+from math import atan, atanh, cos, exp, log, pi, sin, sqrt
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,7 +12,10 @@ from oilfilm.ehl import Lubricant
 from oilfilm.ehl.atlas import films, oils
 from oilfilm.ehl.atlas.table import BASE_ALPHA, BASE_Z, OIL_UNITS, oil_features
 from oilfilm.ehl.closed_form._starvation_kernels import radial_sums
+from oilfilm.ehl.closed_form.hertz_stress import hertz_edge_tension
+from oilfilm.ehl.conditions import contact_kinematics
 from oilfilm.ehl.finite_element.reynolds import _conductance
+from oilfilm.ehl.multigrid.far_field import far_field
 from oilfilm.ehl.multigrid.film_values import LOWEST_RATIO, _departure
 from oilfilm.ehl.oil.lubricant import ViscosityLaw
 from oilfilm.ehl.solid.bodies.compliance import _shape
@@ -133,6 +136,71 @@ def test_blocks_are_the_same_from_either_end():
     numbers = _blocks(65)
     assert (numbers[::-1] == numbers[-1] - numbers).all() and numbers[0] == 0
     assert numbers[-1] + 1 == pytest.approx(BLOCKS, abs=1)
+
+
+def test_tension_at_the_ends_of_an_ellipse():
+    """Johnson (1985), section 4.2: the ends keep their values when axes change names; a circle has p (1 - 2 nu)/3."""
+    ratio, pressure, nu = 0.25, 3.0, 0.2
+    e = sqrt(1.0 - ratio**2)
+    of_long = (1.0 - 2.0 * nu) * pressure * ratio / e**2 * (atanh(e) / e - 1.0)
+    of_short = (1.0 - 2.0 * nu) * pressure * ratio / e**2 * (1.0 - ratio / e * atan(e / ratio))
+    assert hertz_edge_tension((4.0, 1.0), pressure, nu) == pytest.approx((of_long, of_short))
+    assert hertz_edge_tension((1.0, 4.0), pressure, nu) == pytest.approx((of_short, of_long))
+    assert hertz_edge_tension((2.0, 2.0), pressure, nu) == pytest.approx((0.6, 0.6))
+
+
+def test_motion_in_the_frame_of_the_grid():
+    """Entrainment and sliding turn by the angle between entrainment and grid; without a grid they lie along x."""
+    given = SimpleNamespace(
+        entrainment_speed=2.0,
+        entrainment_angle=0.7,
+        slide_roll_ratio=0.5,
+        lateral_slide_ratio=0.25,
+        radius_x=4.0,
+        radius_y=8.0,
+        spin=5.0,
+        rotation=6.0,
+    )
+    own, turned = (contact_kinematics(given, grid_angle=angle) for angle in (None, 0.4))
+    assert (own.entrainment_speed, own.entrainment_lateral, own.sliding_x, own.sliding_y) == (2.0, 0.0, 1.0, 0.5)
+    c, s = cos(0.3), sin(0.3)
+    assert turned.entrainment_speed == pytest.approx(2.0 * c)
+    assert turned.entrainment_lateral == pytest.approx(2.0 * s)
+    assert turned.sliding_x == pytest.approx(c - 0.5 * s)
+    assert turned.sliding_y == pytest.approx(s + 0.5 * c)
+    assert turned.rolling == pytest.approx(2.0 * (cos(0.7) ** 2 / 4.0 + sin(0.7) ** 2 / 8.0))
+    assert (turned.spin, turned.mean_spin) == (5.0, 6.0)
+
+
+def kapitza(velocity_x, velocity_y, angle, ratio=0.5):
+    """Coefficients along and across the grid of the far field of a paraboloid, by its pressure per unit of lambda."""
+    c, s = cos(angle), sin(angle)
+    contact = SimpleNamespace(
+        velocity_x=velocity_x,
+        velocity_y=velocity_y,
+        frame_angle=angle,
+        radius_ratio=ratio,
+        speed=1.0,
+        rotation=0.0,
+        curvature_x=c * c + ratio * s * s,
+        curvature_y=s * s + ratio * c * c,
+        curvature_xy=(ratio - 1.0) * 2.0 * s * c,
+    )
+    field = far_field(contact)
+    return field.pressure_x, field.pressure_y
+
+
+def test_far_field_of_an_oblique_entrainment_is_that_of_its_parts():
+    """Kapitza (1955): 1/(3 + 2 D) of the part along x, D/(3 D + 2) of that along y, in the principal directions."""
+    assert kapitza(1.0, 0.0, 0.0) == pytest.approx((0.25, 0.0))
+    assert kapitza(0.0, 1.0, 0.0) == pytest.approx((0.0, 0.5 / 3.5))
+    angle = 0.5 * pi  # the grid's x is the principal y
+    assert kapitza(1.0, 0.0, angle) == pytest.approx((0.5 / 3.5, 0.0), abs=1e-12)
+    angle, along, across = 0.6, 0.25, 0.5 / 3.5
+    found = kapitza(cos(angle), -sin(angle), angle)  # along the principal x
+    assert found == pytest.approx((along * cos(angle), -along * sin(angle)))
+    found = kapitza(sin(angle), cos(angle), angle)  # along the principal y
+    assert found == pytest.approx((across * sin(angle), across * cos(angle)))
 
 
 def test_heat_of_a_solid():

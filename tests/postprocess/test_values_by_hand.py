@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from math import cos, pi
+from math import cos, pi, sin
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import xarray
 
 from oilfilm.bearing.contacts.contact import Race
 from oilfilm.bearing.heating.over_speed import SpeedBranch, SpeedLimit
@@ -20,6 +21,7 @@ from oilfilm.postprocess.files import plain
 from oilfilm.postprocess.report.page import _rows
 from oilfilm.postprocess.report.pdf_and_workbook import _is_table
 from oilfilm.postprocess.scene.patch import Patch
+from oilfilm.postprocess.scene.vtk_history import MovingBearing, shown_rows
 from oilfilm.postprocess.shaft.results import _heat
 from oilfilm.postprocess.temperatures.results import temperature_study_messages
 
@@ -159,3 +161,41 @@ def test_a_relief_has_its_quantity_as_height():
         points = Patch.relief(plane, quantity, 0.5)
         assert (points[..., 0] == x).all() and (points[..., 1] == y).all()
         assert points[..., 2] == pytest.approx(0.5 * values / top)
+
+
+def balls_of_a_history(azimuths, angle=0.0):
+    """Two samples of two balls on a pitch radius of 5, one race after the other under the same load."""
+    places = np.stack([[(0.0, 5.0 * cos(psi), 5.0 * sin(psi)) for psi in row] for row in azimuths])
+    size = (len(azimuths), 2, len(azimuths[0]))
+    return xarray.Dataset(
+        {
+            "ball_position": (("time", "ball", "direction"), places),
+            "contact_load": (("time", "race", "ball"), np.full(size, 7.0)),
+            "contact_contact_angle": (("time", "race", "ball"), np.full(size, angle)),
+        },
+        coords={"time": 0.5 * np.arange(len(azimuths)), "race": ["inner", "outer"], "ball": range(1, size[2] + 1)},
+        attrs={"ball_diameter": 2.0},
+    )
+
+
+def test_forces_of_the_races_on_balls():
+    """The outer race pushes inwards at the far side of the ball, the inner one outwards; both lean by the angle."""
+    data = balls_of_a_history([[0.0, 0.5 * pi]], angle=pi / 6.0)
+    moving = MovingBearing(data=data, ball=None, marks=None, cage=None, ring=None)
+    points, forces = moving.forces_at(0, "outer")
+    lean, rise = 0.5, cos(pi / 6.0)
+    assert points == pytest.approx(np.array([[lean, 5.0 + rise, 0.0], [lean, 0.0, 5.0 + rise]]))
+    assert forces == pytest.approx(-7.0 * np.array([[lean, rise, 0.0], [lean, 0.0, rise]]))
+    points, forces = moving.forces_at(0, "inner")
+    assert points[0] == pytest.approx([-lean, 5.0 - rise, 0.0])
+    assert forces[0] == pytest.approx([7.0 * lean, 7.0 * rise, 0.0])
+
+
+def test_samples_shown_are_those_of_the_last_turns_or_of_a_window():
+    """Ten samples a turn, of three turns the last; a window in seconds with both ends; not more than asked."""
+    history = balls_of_a_history([[0.2 * pi * k, 0.0] for k in range(31)])
+    assert shown_rows(history, 100, 1.0).tolist() == list(range(21, 31))
+    assert shown_rows(history, 3, 1.0).tolist() == [21, 26, 30]
+    assert shown_rows(history, 100, 9.0, (1.0, 3.0)).tolist() == [2, 3, 4, 5, 6]
+    with pytest.raises(ValueError, match="1000 to 1200 ms"):
+        shown_rows(history, 100, 1.0, (1.0, 1.2))

@@ -10,6 +10,7 @@ import sqlite3
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from pathlib import Path
 
@@ -18,6 +19,7 @@ import pytest
 from typer.testing import CliRunner
 
 from oilfilm import postprocess
+from oilfilm.cases.batch import pools
 from oilfilm.cases.batch.engine import run_batch
 from oilfilm.cases.batch.pools import ClusterPool, LocalPool
 from oilfilm.cases.batch.results import load_results, write_batch
@@ -222,3 +224,12 @@ def test_no_scheduler_is_told(monkeypatch):
     answer = CliRunner().invoke(app, ["batch", "6208_load_and_speed", "--scheduler", "1", "--json"])
     assert answer.exit_code == 2
     assert "no Dask scheduler answers" in answer.stderr
+
+
+def test_one_point_goes_first_where_kernels_are_not_compiled(tmp_path, monkeypatch):
+    """Two workers and no mark of compiled kernels: one block at a time; with the mark, or alone, all at once."""
+    monkeypatch.setattr(pools.LocalPool, "_processes", lambda self: ThreadPoolExecutor(self.workers))
+    mark = tmp_path / "compiled"
+    first = [pools.LocalPool(workers, mark).capacity() for workers in (2, 1)]
+    mark.touch()
+    assert first[0] == 1 < first[1] == pools.LocalPool(1, mark).capacity() < pools.LocalPool(2, mark).capacity()
