@@ -74,7 +74,7 @@ class GridTable(Table):
     """Grid of the contacts, and their films behind a layer."""
 
     points: Points = described(
-        "nodes along the entrainment on the finest level, 2^k + 1; with a tolerance the most", 1025
+        "nodes along the entrainment, 2^k + 1; with a tolerance the most", 1025
     )
     tolerance: float | None = between(
         1e-5, 0.5, "relative error bar of the films; 0.01 where `points` is left out"
@@ -84,16 +84,15 @@ class GridTable(Table):
     )
 
     certify: bool = described(
-        "after the cycles, Newton's method until the equations of the grid hold to 1e-8", False
+        "Newton's method until the equations of the grid hold to 1e-8", False
     )
     film_model: Annotated[str, OneOf(FilmModel)] = described(
         "physics of the film: oil by [lubricant] rheology, and with heat", "newtonian"
     )
 
     starvation: Annotated[str, OneOf(Starvation)] | None = described(
-        "with an inlet film, or a flow of oil: solved (default of a single contact); tabulated: "
-        "flooded films and the law of starvation (default of a bearing with an inlet film); none: "
-        "flooded films, and the starved ones separately (default with a flow)"
+        "films behind a layer: solved (default of a contact); tabulated: by the law of starvation "
+        "(default of a bearing with an inlet film); none: starved films separately (default with a flow)"
     )
 
     @model_validator(mode="before")
@@ -143,14 +142,13 @@ class EhlTable(GridTable):
 
     film_maps: FilmMaps = described("balls whose films have maps of pressure and gap", "all")
     films: Annotated[str, OneOf(FilmSource)] = described(
-        "source of these films: auto: the film atlas where it covers a contact, solved are the "
-        "heaviest contact of each race and those that it does not cover; solved: all are solved; "
-        "atlas: none, and what it does not cover is by formula; default: solved with points, "
-        "tolerance, domain, certify, starvation, or films of shear or heat, else auto",
+        "auto: the film atlas where it covers a contact, solved are the heaviest contact of each race "
+        "and those beyond it; atlas: none is solved, a formula beyond it; default: solved with "
+        "points, tolerance, domain, certify, starvation, or films of shear or heat, else auto",
         "auto",
     )
     subsurface_stress: bool = described(
-        "also write the stress in the races below every solved pressure, for ParaView", False
+        "stress in the races below every solved pressure, for ParaView", False
     )
     finite_bodies: bool = described(
         "films with the curvatures that rings, on rigid seats, and balls have beyond half-spaces",

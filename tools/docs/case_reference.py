@@ -19,7 +19,7 @@ SYMBOLS = {
 }  # fmt: skip
 SPECIAL = {
     "force_N": "three numbers, ±1e8",
-    "moment_N_mm": "two numbers, ±1e10",
+    "moment_N_mm": "±1e10",
     "displacement_um": "three numbers ±1e5, or `free`",
     "tilt_mrad": "two numbers ±100, or `free`",
     "points": "33, 65, 129, 257, 513, 1025, 2049, 4097",
@@ -82,12 +82,13 @@ NAMED = {
     "materials": "materials.NAME",
     "lubricants": "lubricants.NAME",
 }
+LIKE = {"load_cases": "operation", "lubricants": "lubricant"}  # tables with keys of another one
 
 
 def unit(key: str) -> str:
-    """Unit that a key ends in; a dash if it has none."""
+    """Unit that a key ends in."""
     unit = unit_of(key)
-    return SYMBOLS.get(unit, unit) or "–"
+    return SYMBOLS.get(unit, unit)
 
 
 def default(key: str, node: dict[str, Any], required: list[str]) -> str:
@@ -95,7 +96,7 @@ def default(key: str, node: dict[str, Any], required: list[str]) -> str:
     if key in required:
         return "required"
     value = node.get("default")
-    return "–" if value is None or value == "" or value == [] else f"`{value}`"
+    return "" if value is None or value == "" or value == [] else f"`{value}`"
 
 
 def row(key: str, node: dict[str, Any], schema: dict[str, Any], required: list[str]) -> str:
@@ -103,17 +104,29 @@ def row(key: str, node: dict[str, Any], schema: dict[str, Any], required: list[s
     of_films = key != "points" or node.get("minimum") == 33  # the slip maps have points of their own
     text = (SPECIAL.get(key) if of_films else None) or allowed_values(resolved(schema, node))
     text = text.replace("a whole number ", "").replace("a number ", "").replace("whole number ", "")
+    text = re.sub(r">= (\S+) and <= (\S+)", r"\1 to \2", text)
+    text = re.sub(r"> (\S+) and <= (\S+)", r"> \1 to \2", text)
     text = re.sub(r'"([^"]*)"', r"`\1`", text.replace("text in quotes", "text"))
     meaning = re.sub(r'"([^"]*)"', r"`\1`", node.get("description", ""))
-    return f"| `{key}` | {unit(key)} | {default(key, node, required)} | {text} | {meaning} |"
+    if unit(key):
+        text += (" " if text[-1].isdigit() else ", ") + unit(key)
+    return f"| `{key}` | {default(key, node, required)} | {text} | {meaning} |"
 
 
-def table(name: str, node: dict[str, Any], schema: dict[str, Any]) -> list[str]:
-    """Heading and keys of one table of the file."""
-    required = node.get("required", [])
+def table(name: str, node: dict[str, Any], schema: dict[str, Any], like: str = "") -> list[str]:
+    """Heading and keys of one table of the file; those that it has of another table are named by that."""
+    required, keys = node.get("required", []), node["properties"]
     lines = [f"### {name}", "", " ".join(node.get("description", "").split()), ""]
-    lines += ["| key | unit | default | range | meaning |", "|---|---|---|---|---|"]
-    return [*lines, *(row(key, item, schema, required) for key, item in node["properties"].items()), ""]
+    if like:
+        bearing = BearingFile.model_json_schema()
+        known = _content(bearing, bearing["properties"][like])["properties"]
+        shared = [key for key in keys if key in known]
+        keys = {key: item for key, item in keys.items() if key not in known}
+        lines += [f"It takes the keys of [[{like}]](#{like}) from `{shared[0]}` to `{shared[-1]}`.", ""]
+    if not keys:
+        return lines
+    lines += ["| key | default | range | meaning |", "|---|---|---|---|"]
+    return [*lines, *(row(key, item, schema, required) for key, item in keys.items()), ""]
 
 
 def tables() -> str:
@@ -124,7 +137,10 @@ def tables() -> str:
     lines = table("Top of the file", top, bearing)
     for key in ORDER:
         schema = contact if key in OF_CONTACTS else bearing
-        lines += table(f"[{NAMED.get(key, key)}]", _content(schema, schema["properties"][key]), schema)
+        name = f"[{NAMED.get(key, key)}]"
+        lines += table(name, _content(schema, schema["properties"][key]), schema, LIKE.get(key, ""))
+        if key == "ehl":
+            lines += table("[ehl] of a contact", _content(contact, contact["properties"][key]), contact, key)
     shaft = ShaftFile.model_json_schema()
     sections = _content(shaft, shaft["properties"]["shaft"])
     lines += table("[shaft]", sections, shaft)
