@@ -92,7 +92,8 @@ class GridTable(Table):
 
     starvation: Annotated[str, OneOf(Starvation)] | None = described(
         "films behind a layer: solved (default of a contact); tabulated: by the law of starvation "
-        "(default of a bearing with an inlet film); none: starved films separately (default with a flow)"
+        "(default of a bearing with an inlet film); none: starved films separately (default with "
+        "a flow)"
     )
 
     @model_validator(mode="before")
@@ -142,9 +143,9 @@ class EhlTable(GridTable):
 
     film_maps: FilmMaps = described("balls whose films have maps of pressure and gap", "all")
     films: Annotated[str, OneOf(FilmSource)] = described(
-        "auto: the film atlas where it covers a contact, solved are the heaviest contact of each race "
-        "and those beyond it; atlas: none is solved, a formula beyond it; default: solved with "
-        "points, tolerance, domain, certify, starvation, or films of shear or heat, else auto",
+        "auto: the film atlas where it covers a contact, solved are the heaviest contact of each "
+        "race and those beyond it; atlas: none is solved, a formula beyond it; default: solved "
+        "with points, tolerance, domain, certify, starvation, films of shear or heat, else auto",
         "auto",
     )
     subsurface_stress: bool = described(

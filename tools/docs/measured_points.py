@@ -1,4 +1,4 @@
-"""Write docs/validation/measured_points.md and its picture: computed over published values with both bars.
+"""Write docs/validation/measured_points.md, its table and its picture: computed over published values with both bars.
 
 Run it with `python tools/docs/measured_points.py`; it takes some minutes. Each source is a CSV in
 docs/validation/measured: value, its bar and where it stands; the function of its name here computes the same points,
@@ -48,6 +48,9 @@ DOCS = Path(__file__).parents[2] / "docs"
 DATA = DOCS / "validation" / "measured"
 PAGE = DOCS / "validation" / "measured_points.md"
 TEMPLATE = PAGE.with_suffix(".md.in")
+TABLE = PAGE.with_suffix(".csv")
+HEAD = "source,quantity,conditions,unit,kind,published,bar,computed,least,most,computed / published,bars meet,where"
+SHOWN = 4  # rows of a source on the page
 PICTURE = DOCS / "validation" / "images" / "measured_points.png"
 GLASS = 102.4e9  # E' of steel on glass, 206 and 63 GPa, 0.3 and 0.22 [Pa]
 SAPPHIRE = 291e9  # E' of steel on sapphire, 207 and 380 GPa, 0.3 and 0.27 [Pa]
@@ -336,79 +339,85 @@ def summary_line(name: str, rows: list[Row]) -> str:
 
 
 def block(name: str, rows: list[Row]) -> str:
-    """Section of a source."""
+    """Section of a source, with its rows that are farthest off."""
     title, _ = published(name)
-    lines = [f"### {name}", "", f"{title}. {NOTES[name]}", ""]
-    lines += [
-        "| quantity | conditions | published | computed | computed / published | bars meet |",
-        "|---|---|---|---|---|---|",
-    ]
-    for row in rows:
+    shown = sorted(rows, key=lambda row: abs(log(row.ratio)), reverse=True)[:SHOWN]
+    lines = [f"### {name}", "", f"{title}. {NOTES[name]}".strip(), ""]
+    lines += ["| quantity | conditions | published | computed | ratio |", "|---|---|---|---|---|"]
+    for row in (row for row in rows if row in shown):
         found = f"{row.found.value:.4g} ({row.found.low:.4g} to {row.found.high:.4g})"
-        value = f"{row.value:.4g} ± {row.bar:.2g} {row.unit}".strip()
-        meet = "yes" if row.agrees else "**no**"
-        lines.append(f"| {row.quantity} | {row.conditions} | {value} | {found} | {row.ratio:.3f} | {meet} |")
+        value = f"{row.value:.4g} ± {row.bar:.3g} {row.unit}".strip()
+        ratio = f"{row.ratio:.3f}" if row.agrees else f"**{row.ratio:.3f}**"
+        lines.append(f"| {row.quantity} | {row.conditions} | {value} | {found} | {ratio} |")
     places = dict.fromkeys(row.where for row in rows)
-    return "\n".join([*lines, "", f"Where it stands: {'; '.join(places)}."])
+    return "\n".join([*lines, "", f"Source: {'; '.join(places)}."])
+
+
+def line(name: str, row: Row) -> list[str]:
+    """A point in the table of all."""
+    numbers = (row.found.value, row.found.low, row.found.high)
+    found = [*(f"{number:.4g}" for number in numbers), f"{row.ratio:.3f}", "yes" if row.agrees else "no"]
+    return [
+        name,
+        row.quantity,
+        row.conditions,
+        row.unit,
+        row.kind,
+        f"{row.value:.4g}",
+        f"{row.bar:.3g}",
+        *found,
+        row.where,
+    ]
 
 
 NOTES = {
     "nasa_35mm": (
-        "Three numbers of the heat network were chosen with these values known, so this is no blind test "
-        "([heat_of_bearings.md](heat_of_bearings.md)). Open: the outer ring at the highest speed is 28 K "
-        "too warm."
+        "Three numbers of the heat network were chosen with these values known "
+        "([heat_of_bearings.md](heat_of_bearings.md)). Open: the outer ring at the highest speed is 28 K too warm."
     ),
     "gao_2026_films": (
-        "A glass disc, Newton's oil with the viscosity that the table gives the grease, and a film by "
-        "formula are assumed. Open: between 150 and 200 mm/s the film of the one grease grows as the "
-        "power 0.2 of the speed, of the other 1.1; the formula has 0.7."
+        "Assumed: a glass disc, Newton's oil with the viscosity of the grease, a film by formula. Open: between 150 "
+        "and 200 mm/s one grease has the power 0.2 of the speed, the other 1.1; the formula has 0.7."
     ),
     "yao_2022_supply": (
-        "The loss between balls is fitted to the point under 3000 N at 5000 r/min, the other seven are predicted. "
-        "Range: roughness 0.1 to 0.4 µm, friction of asperities 0.05 to 0.2; 0.05 mL/min: none found above. Open: "
-        "light loads ([validation_002_supply.md](validation_002_supply.md))."
+        "The loss between balls is fitted to the point under 3000 N at 5000 r/min. Range: roughness 0.1 to 0.4 µm, "
+        "friction of asperities 0.05 to 0.2. Open: light loads ([validation_002_supply.md](validation_002_supply.md))."
     ),
     "shan_2023_cage": (
-        "Simulated cage with the geometry of the paper. The drag of a ball, 0.005 N, was chosen with the result known; "
-        "range 0.005 to 0.5 N ([validation_001.md](validation_001.md))."
+        "The drag of a ball, 0.005 N, was chosen with the result known; range 0.005 to 0.5 N "
+        "([validation_001.md](validation_001.md))."
     ),
     "cwru_features": (
-        "Load, clearance, form, mounting and the way to the sensor are not published; here 150 N radial (50 to 300), "
-        "50 N axial, form of grade G10, a seat of 100 N/µm and 2 kg. Nothing is fitted. Measured, the spall of 0.36 mm "
-        "hardly shows and that of 0.18 mm shakes most: mountings of the same rig differ, which no model has."
+        "Assumed: 150 N radial (50 to 300), 50 N axial, form of grade G10, a seat of 100 N/µm and 2 kg. Measured, the "
+        "spall of 0.36 mm hardly shows and that of 0.18 mm shakes most: mountings of the same rig differ."
     ),
     "hybrid_35mm": (
-        "The bearing of NASA above with balls of either material and its range of shielding; half of its heat is drag, "
-        "which the material hardly changes."
+        "The bearing of NASA above with balls of either material; half of its heat is drag, which the material hardly "
+        "changes."
     ),
     "ellipses_57": (
-        "Conditions are not in the abstract: 57 draws of load, radii, speed and oil, films of the atlas; range: their "
-        "scatter. Open: the films of this program are on average 6 % below the formula, not 30 % above it."
+        "Conditions are not in the abstract: 57 draws of load, radii, speed and oil; range: their scatter. Open: the "
+        "films of this program are on average 6 % below the formula."
     ),
     "arana_2019_traction": (
-        "The published value is their formula's, which they found within 10 % of the discs, with the film"
-        " of this program. One pressure stands for all in it: where the oil is not near its limiting "
-        "stress (PAO 100, slide 0.02) the mean of the stresses is larger than the stress at the mean "
-        "pressure; at 16 m/s the inlet carries load without reaching the limit."
+        "The published value is their formula's with the film of this program. The formula has one pressure: where "
+        "the oil is not near its limiting stress (PAO 100, slide 0.02) the mean of the stresses is larger than the "
+        "stress at the mean pressure; at 16 m/s the inlet carries load without reaching the limit."
     ),
-    "skf_torque": ("Explained part by part in [torque_of_bearings.md](torque_of_bearings.md); open which is right."),
-    "palmgren_torque": ("The same totals."),
+    "skf_torque": "Part by part in [torque_of_bearings.md](torque_of_bearings.md); open which is right.",
+    "palmgren_torque": "",
     "spindle_pairs": (
-        "The groove radii are not published: value at 0.53 of the ball's diameter, range 0.52 to 0.54; "
-        "the balls are the estimate of the designation."
+        "Assumed: groove radii of 0.53 (range 0.52 to 0.54) of the ball's diameter, the estimated balls."
     ),
-    "hertz_area_6008": (
-        "Value with a clearance of 13 µm, range 6 to 20; all contacts of both races. The source does not "
-        "say which contacts it sums: open."
-    ),
+    "hertz_area_6008": ("Assumed: a clearance of 13 µm (6 to 20), all contacts of both races."),
     "yao_2022_stress": (
-        "The level of the printed table does not follow from the paper's inputs; it is that of 8 F/Z on "
-        "one ball, where the equilibrium has 4.8 ([validation_002.md](validation_002.md))."
+        "The printed level is that of 8 F/Z on one ball, where the equilibrium has 4.8 "
+        "([validation_002.md](validation_002.md))."
     ),
     "wang_2024_moment": ("Printed in N m; N mm fit. Range: without centrifugal force and at 20 000 r/min."),
     "sliding_friction_6206": (
-        "Groove radii and clearance are not given; 25 % stands for that. Its own radial values are half, as are those "
-        "that it prints of SKF's formula ([validation_004.md](validation_004.md)): explained, not tuned."
+        "Assumed: 25 % for groove radii and clearance. The radial values of the paper are half, as are those that it "
+        "prints of SKF's formula ([validation_004.md](validation_004.md))."
     ),
 }
 
@@ -473,6 +482,10 @@ def main() -> None:
         "summary": "\n".join(summary_line(name, rows) for name, rows in sources.items()),
         "blocks": "\n\n".join(block(name, rows) for name, rows in sources.items()),
     }
+    with TABLE.open("w", encoding="utf-8", newline="") as file:
+        points = csv.writer(file, lineterminator="\n")
+        points.writerow(HEAD.split(","))
+        points.writerows(line(name, row) for name, rows in sources.items() for row in rows)
     PAGE.write_text(TEMPLATE.read_text(encoding="utf-8").format(**fields), encoding="utf-8")
     draw(sources)
 
