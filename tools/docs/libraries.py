@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -174,11 +175,16 @@ def oils() -> Iterator[Sequence[str]]:
 
 
 def oil_sources() -> Iterator[Sequence[str]]:
-    """Law and source of every property of every oil."""
+    """Law and source of every property, oils and properties of one source in a row."""
+    oils_of, properties_of = defaultdict(list), defaultdict(list)
     for name in list_lubricants():
         data = lubricant_data(name)
         for field in PROPERTIES:
-            yield name, field.replace("_", " "), data[field]["law"], data[field]["source"]
+            oils_of[f"{field.replace('_', ' ')} ({data[field]['law']})", data[field]["source"]].append(name)
+    for (words, source), names in oils_of.items():
+        properties_of[", ".join(names), source].append(words)
+    for (names, source), words in properties_of.items():
+        yield names, ", ".join(words), source
 
 
 HEADS = {
@@ -191,7 +197,7 @@ HEADS = {
     "|bending strength, MPa|Weibull modulus|fracture toughness, MPa √m",
     "oils": "name|range, °C|ν at 40 / 100 °C, mm²/s|−∂ln η/∂T, 10⁻³/K|α, 1/GPa|ρ, kg/m³"
     "|expansion, 10⁻⁴/K|conductivity, W/(m K)|specific heat, J/(kg K)",
-    "sources of the oils": "oil|property|law|source",
+    "sources of the oils": "oils|properties (laws)|source",
 }
 ROWS = {
     "checks": checks,
