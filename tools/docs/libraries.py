@@ -129,15 +129,18 @@ def clearances() -> Iterator[Sequence[str]]:
 
 
 def materials() -> Iterator[Sequence[str]]:
-    """Every material; a dagger where no source was read."""
+    """Every material, names of one material in a row; a dagger where no source was read."""
+    names_of: dict[tuple[str, ...], list[str]] = defaultdict(list)
     for name in list_materials():
         data = material_data(name)
-        cells = []
+        cells = [str(data["kind"])]
         for key in FIELDS.values():
             number = data.get(key)
             low, high = number["range"] if number else (0.0, 0.0)
             cells.append("–" if not number else f"{number['value']:g} ({low:g}–{high:g}){_dagger(number)}")
-        yield name, str(data["kind"]), *cells
+        names_of[tuple(cells)].append(name)
+    for properties, names in names_of.items():
+        yield ", ".join(names), *properties
 
 
 def _dagger(data: dict[str, Any]) -> str:
@@ -176,7 +179,8 @@ def oils() -> Iterator[Sequence[str]]:
 
 def oil_sources() -> Iterator[Sequence[str]]:
     """Law and source of every property, oils and properties of one source in a row."""
-    oils_of, properties_of = defaultdict(list), defaultdict(list)
+    oils_of: dict[tuple[str, str], list[str]] = defaultdict(list)
+    properties_of: dict[tuple[str, str], list[str]] = defaultdict(list)
     for name in list_lubricants():
         data = lubricant_data(name)
         for field in PROPERTIES:
