@@ -13,7 +13,7 @@ pressure falls with the square of the gap.
 Contacts lighter than the tables are nearly rigid. On each line along x stands the pressure of a
 rigid cylinder at the film of that line (Reynolds), all lines together carry the load, and the gap
 is that of the film equation with the central film of the atlas. Against films solved on 257
-points: section "Maps" of `docs/theory/film_atlas.md`.
+points; see `docs/theory/film_atlas.md`.
 """
 
 from collections.abc import Sequence
