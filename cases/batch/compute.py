@@ -52,10 +52,10 @@ from ..runs.shaft import run_shaft
 from ..runs.stiffness_and_slip import run_slip
 from ..runs.traction_table import run_table
 from ..runs.vibration import run_vibration
-from .keys import digest, program_digest, value_in
+from .keys import CONTACTS, digest, program_digest, value_in
 from .points import Limits, PointResult, Task
 from .shared_tables import ContactCache, tables_once
-from .store import CONTACTS, write_file, write_files
+from .store import write_file, write_files
 
 Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 

@@ -23,11 +23,11 @@ from ..format.rules import CaseError
 from ..runs.films import Progress
 from ..runs.output_directory import one_writer
 from .compute import failure
+from .keys import SWEEP_FILE
 from .points import NO_LIMITS, Limits, PointResult, Sweep, Task
 from .pools import Pool
 from .shared_tables import prepare_tables, table_path
 from .store import (
-    SWEEP_FILE,
     finished_points,
     open_folder,
     open_store,

@@ -1,4 +1,4 @@
-"""Names of points, tables and contacts on disk: hashes of all they depend on.
+"""Names on disk: files of a batch; of points, tables and contacts hashes of all they depend on.
 
 The program is among it, as one word: results of different code never mix.
 """
@@ -16,6 +16,17 @@ from typing import Any
 from oilfilm.bearing.library.plugins import plugin_sources
 
 from ..format.changes import case_path
+
+POINTS = "points"
+CONTACTS = "contacts"
+TABLES = "tables"
+FOLDERS = (POINTS, CONTACTS, TABLES)
+SWEEP_FILE = "sweep.toml"
+SUMMARY = "summary.json"
+TABLE = "batch.csv"
+DATA = "results.nc"
+PARQUET = "batch.parquet"
+STORES = "*.sqlite"  # finished points
 
 PACKAGES = ("ehl", "bearing", "postprocess", "cases")
 SUFFIXES = (".py", ".npz", ".csv", ".toml")

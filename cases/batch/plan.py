@@ -1,4 +1,4 @@
-"""The points of a sweep, each made when it is asked for.
+"""The variations of a sweep, documents and names of their points.
 
 A block of a sweep file (factorial, listed, sampled, differences) gives variations; a variation
 gives the document of a case, in which a value of the point replaces alternatives of the case's.
@@ -7,26 +7,22 @@ Faults of a point are faults of the sweep file, at the key that the point varies
 
 import hashlib
 import json
-from bisect import bisect_right
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import accumulate, product
+from itertools import product
 from math import prod
 from pathlib import Path
 from typing import Any, overload
 
 from oilfilm.ehl.foreign_files import read_file
-from oilfilm.ehl.units import unit_of
-from oilfilm.postprocess.batch.results import result_names
 
 from ..format.bearing import GEOMETRY
 from ..format.changes import alternatives, case_path, changed_document
 from ..format.fields import is_number
-from ..format.rules import CaseProblem, KeyPath, nearest_name, shown
+from ..format.rules import CaseProblem, KeyPath, shown
 from ..format.shipped import table_path
 from .keys import DESCRIBING, NOT_IN_TRACTION_TABLES, digest, document_text, program_digest
-from .points import Point
 from .sweep_file import SensitivityTable, SweepFile
 
 MOST_POINTS = 10_000_000
@@ -50,7 +46,6 @@ INPUT_FILES = (  # table and key of files that a case reads
 SIMPLE = frozenset((float, int, str))  # a truth value equals a number
 BITS = 256  # of the sum of hashes
 Document = dict[str, Any]
-MOST_PANELS = 3  # of a figure
 
 
 @dataclass(frozen=True, slots=True)
@@ -434,72 +429,6 @@ def _meets(path: KeyPath, problem: KeyPath) -> bool:
     return shorter > 0 and path[:shorter] == tuple(problem[:shorter])
 
 
-class Plan(Sequence[Point]):
-    """Points of blocks of variations, one block after the other."""
-
-    def __init__(
-        self,
-        blocks: Sequence[Sequence[Variation]],
-        document: Callable[[Variation], Document],
-        name: Callable[[Document], str],
-        keys: tuple[str, ...],
-    ) -> None:
-        self.blocks = [block for block in blocks if len(block)]
-        self.ends = list(accumulate(map(len, self.blocks)))
-        self.document = document
-        self.name = name
-        self.keys = keys
-
-    def __len__(self) -> int:
-        return self.ends[-1] if self.ends else 0
-
-    @overload
-    def __getitem__(self, index: int) -> Point: ...
-
-    @overload
-    def __getitem__(self, index: slice) -> list[Point]: ...
-
-    def __getitem__(self, index: int | slice) -> Point | list[Point]:
-        if isinstance(index, slice):
-            return [self[k] for k in range(*index.indices(len(self)))]
-        index = range(len(self))[index]
-        return self._point(index, self.variation(index))
-
-    def __iter__(self) -> Iterator[Point]:
-        index = 0
-        for block in self.blocks:
-            for variation in block:
-                yield self._point(index, variation)
-                index += 1
-
-    def variation(self, index: int) -> Variation:
-        """The values by which a point differs from the case.
-
-        Parameters
-        ----------
-        index : int
-            Index of the point, from 0 [-].
-
-        Returns
-        -------
-        Variation
-            The variation.
-        """
-        number = bisect_right(self.ends, index)
-        start = self.ends[number - 1] if number else 0
-        return self.blocks[number][index - start]
-
-    def _point(self, index: int, variation: Variation) -> Point:
-        document = self.document(variation)
-        return Point(
-            number=index + 1,
-            block=variation.block,
-            keys=self.keys,
-            document=document,
-            key=self.name(document),
-        )
-
-
 class PointName:
     """Names of points: hashes of all that their results depend on, the program included.
 
@@ -629,35 +558,3 @@ def _current_digest(name: str) -> str:
 @lru_cache(maxsize=64)
 def _file_digest(name: str, _changed: int, _size: int) -> str:
     return digest(read_file(Path(name)))
-
-
-def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseProblem]:
-    """Problems of the names of numbers to draw.
-
-    Parameters
-    ----------
-    names : tuple[str, ...]
-        Names of columns of batch.csv.
-    kind : str
-        Quantity that is computed; "contact" for a single contact.
-
-    Yields
-    ------
-    Iterator[CaseProblem]
-        The problems.
-    """
-    known = result_names(kind)
-    for k, name in enumerate(names):
-        if name not in known:
-            allowed = "allowed: main results, torque_N_mm, supply and self_heating of batch.csv"
-            longer = (whole for whole in known if whole.endswith(f".{name}"))
-            nearest = next(longer, nearest_name(name, known))
-            yield CaseProblem(("plot", k), f"found {shown(name)}", allowed, nearest=nearest)
-        elif name in names[:k]:
-            yield CaseProblem(("plot", k), f"found {shown(name)} twice", "allowed: once")
-    units = [unit_of(name) for name in names]
-    if 1 < len(set(units)) and (len(set(units)) < len(units) or len(units) > MOST_PANELS):
-        names_of_units = ", ".join(unit or "no unit" for unit in dict.fromkeys(units))
-        finding = f"found {len(units)} numbers in {names_of_units}"
-        allowed = f"allowed: all in one unit, or up to {MOST_PANELS} in one unit each"
-        yield CaseProblem(("plot",), finding, allowed)

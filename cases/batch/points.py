@@ -1,15 +1,18 @@
 """A sweep, its points, and what a worker is sent and sends back: plain data."""
 
-from collections.abc import Sequence
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 from pathlib import Path
-from typing import Any
+from typing import Any, overload
 
-from oilfilm.postprocess.batch.results import Design
+from oilfilm.postprocess.batch.design import Design
 from oilfilm.postprocess.batch.store import Record
 
 from ..format.shaft_case import any_case_of_document
 from .keys import program_digest, value_in
+from .plan import Document, Variation
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,6 +42,72 @@ class Point:
     def given(self) -> dict[str, Any]:
         """Value of every varied key as given, unchecked; None for a default."""
         return {key: value_in(self.document, key) for key in self.keys}
+
+
+class Plan(Sequence[Point]):
+    """Points of blocks of variations, one block after the other."""
+
+    def __init__(
+        self,
+        blocks: Sequence[Sequence[Variation]],
+        document: Callable[[Variation], Document],
+        name: Callable[[Document], str],
+        keys: tuple[str, ...],
+    ) -> None:
+        self.blocks = [block for block in blocks if len(block)]
+        self.ends = list(accumulate(map(len, self.blocks)))
+        self.document = document
+        self.name = name
+        self.keys = keys
+
+    def __len__(self) -> int:
+        return self.ends[-1] if self.ends else 0
+
+    @overload
+    def __getitem__(self, index: int) -> Point: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[Point]: ...
+
+    def __getitem__(self, index: int | slice) -> Point | list[Point]:
+        if isinstance(index, slice):
+            return [self[k] for k in range(*index.indices(len(self)))]
+        index = range(len(self))[index]
+        return self._point(index, self.variation(index))
+
+    def __iter__(self) -> Iterator[Point]:
+        index = 0
+        for block in self.blocks:
+            for variation in block:
+                yield self._point(index, variation)
+                index += 1
+
+    def variation(self, index: int) -> Variation:
+        """The values by which a point differs from the case.
+
+        Parameters
+        ----------
+        index : int
+            Index of the point, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
+        number = bisect_right(self.ends, index)
+        start = self.ends[number - 1] if number else 0
+        return self.blocks[number][index - start]
+
+    def _point(self, index: int, variation: Variation) -> Point:
+        document = self.document(variation)
+        return Point(
+            number=index + 1,
+            block=variation.block,
+            keys=self.keys,
+            document=document,
+            key=self.name(document),
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

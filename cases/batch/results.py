@@ -33,9 +33,8 @@ from oilfilm.postprocess.files import write_json
 from ..runs.output_directory import write_digests
 from .compute import document_of
 from .engine import Batch
-from .keys import value_in
+from .keys import DATA, POINTS, SUMMARY, TABLE, value_in
 from .points import Point
-from .store import DATA, POINTS, SUMMARY, TABLE
 from .sweep import Shard
 
 LARGE = 10_000  # points from which on a batch is not held in memory: 1 GB of summaries
@@ -301,7 +300,7 @@ def write_batch(
     others: Mapping[str, Writer] = MappingProxyType({}),
     *,
     table: bool = True,
-) -> None:
+) -> dict[str, Any]:
     """Write the table, the data set and, last, the summary of a batch.
 
     Parameters
@@ -316,6 +315,11 @@ def write_batch(
         Writers of further files by their names.
     table : bool, default True
         True: also the CSV file.
+
+    Returns
+    -------
+    dict[str, Any]
+        The summary.
     """
     columns = columns or columns_of(InMemory(results))
     writers = ({TABLE: write_batch_csv} if table else {}) | dict(others)
@@ -325,5 +329,7 @@ def write_batch(
         write(columns, directory / name)
     whole = results.counts is None
     write_batch_netcdf(columns, directory / DATA, results, whole=whole, points=directory / POINTS)
-    write_json(batch_summary(results, columns), directory / SUMMARY)
+    document = batch_summary(results, columns)
+    write_json(document, directory / SUMMARY)
     write_digests(directory, [*writers, DATA, SUMMARY])
+    return document

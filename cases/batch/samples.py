@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from oilfilm.ehl.arrays import Array
-from oilfilm.postprocess.batch.results import Design
+from oilfilm.postprocess.batch.design import Design
 
 from ..format.fields import is_number, validated
 from ..format.rules import CaseProblem, KeyPath, shown

@@ -20,7 +20,6 @@ from oilfilm.bearing.friction.tables import (
     table_contacts,
     table_range,
 )
-from oilfilm.bearing.operation import BallKinematics
 from oilfilm.ehl import ContactConditions, ContactSolution, Lubricant, SolverOptions
 from oilfilm.ehl.data_files import object_as_bytes, read_object
 from oilfilm.ehl.foreign_files import DamagedFileError, read_file
@@ -31,14 +30,22 @@ from oilfilm.ehl.traction_table.table import TableContact, TableRange
 
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.film_model import FilmPhysics
+from ..format.shaft_case import ShaftCase
 from ..format.traction import require_fitting_tables, tables_of_file
 from ..runs.equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 from ..runs.films import Progress
 from ..runs.interrupt import print_message
 from ..runs.traction_table import asked_films, films_of_atlas
-from .keys import NOT_IN_TRACTION_TABLES, content_key, digest, document_text, program_digest
+from .keys import (
+    NOT_IN_TRACTION_TABLES,
+    TABLES,
+    content_key,
+    digest,
+    document_text,
+    program_digest,
+)
 from .points import Point, Sweep
-from .store import TABLES, write_file
+from .store import write_file
 
 SUFFIX = ".contact"
 MOST_BYTES = 4_000_000_000  # the contacts of a batch grow no further
@@ -170,15 +177,18 @@ def stored_film_sampler(
     return sample
 
 
-def needs_tables(case: Case | ContactCase, compute: str) -> bool:
-    """Tell whether a point uses shared tables; torque does unless the case names a law.
+def needs_tables(case: Case | ContactCase | ShaftCase, compute: str, *, asked: bool) -> bool:
+    """Tell whether a point uses shared tables: a simulation by tables; torque where the sweep or
+    the case asks for them, and in traction equilibrium, unless the case names a law.
 
     Parameters
     ----------
-    case : Case | ContactCase
+    case : Case | ContactCase | ShaftCase
         The case of the point.
     compute : str
         Quantity that is computed.
+    asked : bool
+        True: the sweep asks for tables.
 
     Returns
     -------
@@ -188,29 +198,11 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
     if not isinstance(case, Case):
         return False
     if compute == "torque":
-        return case.traction is None or isinstance(case.traction.source, FilmTraction)
+        if case.traction is None:
+            return asked or films_of_atlas(case)
+        return isinstance(case.traction.source, FilmTraction)
     simulated = case.file.dynamics
     return compute == "dynamics" and simulated is not None and simulated.friction == "table"
-
-
-def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
-    """The document of a torque point: traction equilibrium, unless the case says otherwise.
-
-    Parameters
-    ----------
-    document : dict[str, Any]
-        Document of the point.
-
-    Returns
-    -------
-    dict[str, Any]
-        The document with its ball kinematics.
-    """
-    model = document.get("model", {})
-    if "bearing" not in document or not isinstance(model, dict) or "ball_kinematics" in model:
-        return document
-    balanced = {**model, "ball_kinematics": BallKinematics.TRACTION_EQUILIBRIUM.value}
-    return {**document, "model": balanced}
 
 
 def bodies_and_oil(case: Case) -> str:

@@ -31,17 +31,7 @@ from oilfilm.postprocess.batch.store import (
 from ..format.rules import CaseError
 from ..runs.interrupt import print_message
 from ..runs.output_directory import DIGESTS, check_output
-from .keys import digest
-
-POINTS = "points"
-CONTACTS = "contacts"
-TABLES = "tables"
-FOLDERS = (POINTS, CONTACTS, TABLES)
-SWEEP_FILE = "sweep.toml"
-SUMMARY = "summary.json"
-TABLE = "batch.csv"
-DATA = "results.nc"
-PARQUET = "batch.parquet"
+from .keys import DATA, FOLDERS, PARQUET, POINTS, SUMMARY, SWEEP_FILE, TABLE, digest
 
 
 def open_folder(directory: Path, *, resume: bool, single_writer: bool = True) -> None:

@@ -5,76 +5,58 @@ Shards are parts of a batch that are computed by programs which do not know of e
 
 import random
 import re
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
 
 from oilfilm.ehl.foreign_files import read_file
-from oilfilm.postprocess.batch.results import Design, point_kind
+from oilfilm.ehl.units import unit_of
+from oilfilm.postprocess.batch.results import point_kind, result_names
 
 from ..format.case import Case, ContactCase
-from ..format.document import parse, read_text
-from ..format.fields import validated
-from ..format.rules import CaseError, CaseProblem, faults_error
+from ..format.document import read_text
+from ..format.rules import CaseError, CaseProblem, nearest_name, shown
 from ..format.shaft_case import ShaftCase, any_case_of_document
-from ..format.shipped import find_case, find_sweep
+from ..format.shipped import find_sweep
+from .expansion import (
+    Source,
+    assumed_keys,
+    expanded,
+    may_share_tables,
+    of_each_kind,
+    sweep_title,
+    torque_document,
+    varied_keys,
+    wants_tables,
+)
 from .keys import WITHOUT_CONTACTS, digest, value_in
 from .plan import (
-    MOST_POINTS,
     Document,
     Factorial,
-    Plan,
     PointDocuments,
     PointName,
     Sampled,
     Variation,
-    block_settings,
     differences,
-    factorial,
-    listed,
     located_faults,
     overridden_names,
-    plot_problems,
     replaced_keys,
-    with_values,
 )
-from .points import Point, Sweep
-from .samples import sampled_blocks
-from .shared_tables import (
-    bodies_and_oil,
-    foreign_points,
-    needs_tables,
-    with_equilibrium,
-    with_table_names,
-)
+from .points import Plan, Point, Sweep
+from .shared_tables import bodies_and_oil, foreign_points, needs_tables, with_table_names
 from .sweep_file import SensitivityTable, SweepFile
 
 MOST_FAULTS = 1000  # from which on no further point is checked
 CHECKED = 1000  # points of a sweep up to which all are checked before anything runs
 SAMPLE = 200  # of a larger one that are, beside its ends
 SEED = 70_241_903  # of their choice
-MOST_CHECKED = 100_000  # points of kinds that are checked one by one, 2 ms each
-EVERY_POINT = ("torque", "dynamics")  # kinds whose tables depend on all points: all are checked
+MOST_PANELS = 3  # of a figure
 
 AnyCase = Case | ContactCase | ShaftCase
 Checked = dict[int, tuple[str | None, AnyCase]]
 MOST_SHARDS = 100_000
 DIGITS = 8  # of a point's name that tell its shard
-
-
-@dataclass(frozen=True, slots=True)
-class _Source:
-    """Text and name of a sweep file, the folder where its files are sought first."""
-
-    text: str
-    name: str
-    folder: Path
-
-    def error(self, faults: Iterable[CaseProblem]) -> CaseError:
-        """The faults with their lines."""
-        return faults_error(faults, self.name, self.text)
 
 
 def read_sweep(name_or_path: str | Path) -> Sweep:
@@ -106,16 +88,6 @@ def read_sweep(name_or_path: str | Path) -> Sweep:
     return sweep_from_text(read_text(path), str(path), path.parent)
 
 
-def _sweep_tables(text: str, name: str) -> dict[str, Any]:
-    """The tables of a sweep file; `CaseError` if they are those of a case."""
-    document = parse(text, name)
-    if "case" not in document:
-        for table, command in (("bearing", "run"), ("contact", "contact"), ("shaft", "shaft")):
-            if table in document:
-                raise CaseError(f"{name}:1: a case, not a sweep; run it with 'oilfilm {command}'")
-    return document
-
-
 def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
     """The sweep that the text of a file describes.
 
@@ -138,21 +110,21 @@ def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
     CaseError
         If something is wrong, with one line for every error.
     """
-    source = _Source(text, name, folder or Path())
-    file = _file(source)
-    case_file = _case_file(file.case, source)
-    fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
-    case = parse(read_text(case_file), str(case_file))
-    base = with_values(case, fixed)
-    blocks, designs, notes, problems = _blocks(file, base)
-    examples = [variation for block in blocks for variation in _of_each_kind(block)]
+    source = Source(text, name, folder or Path())
+    file, case, fixed, base, blocks, designs, problems = expanded(source)
+    notes: list[str] = []
+    if file.sensitivity is not None and not problems:
+        changed, notes, problems = _sensitivity(file.sensitivity, base)
+        blocks.append(changed)
+    examples = [variation for block in blocks for variation in of_each_kind(block)]
     notes += [*replaced_keys(case, [fixed]), *replaced_keys(base, examples)]
     problems += plot_problems(file.plot, point_kind(base, file.compute))
     if problems:
         raise source.error(problems)
-    keys = tuple(dict.fromkeys(s.key for variation in examples for s in variation.settings))
-    document = partial(_document, PointDocuments(base), torque=file.compute == "torque")
-    plan = Plan(blocks, document, PointName(file, base).name_of, keys)
+    keys = varied_keys(blocks)
+    plan = Plan(blocks, PointDocuments(base).document, PointName(file, base).name_of, keys)
+    if file.compute == "torque":
+        plan.document = partial(_torque_document, plan.document, tables=wants_tables(file))
     checked = _checked(plan, file, base, fixed, source)
     sharing = {number: common for number, (common, _) in checked.items() if common is not None}
     points: Sequence[Point] = plan
@@ -162,14 +134,14 @@ def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
         table, points = _with_tables(file, several, checked, source)
     return Sweep(
         text=text,
-        title=file.title or _title(str(base.get("title") or file.case), keys),
+        title=sweep_title(file, base, keys),
         case=file.case,
         compute=file.compute,
         fields=file.fields,
         keys=keys,
         points=points,
         messages=tuple(notes),
-        assumed=tuple(key for key in base.get("assumed", ()) if isinstance(key, str)),
+        assumed=assumed_keys(base),
         table=table,
         table_points=file.table_points,
         plot=file.plot,
@@ -179,19 +151,10 @@ def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
     )
 
 
-def _file(source: _Source) -> SweepFile:
-    """The content of a sweep file, checked against its format."""
-    tables = _sweep_tables(source.text, source.name)
-    file, faults = validated(SweepFile, tables)
-    if file is None:
-        raise source.error(faults)
-    return file
-
-
-def _document(documents: PointDocuments, variation: Variation, *, torque: bool) -> Document:
-    """A point as a case; one of torque in traction equilibrium."""
-    document = documents.document(variation)
-    return with_equilibrium(document) if torque else document
+def _torque_document(
+    made: Callable[[Variation], Document], variation: Variation, *, tables: bool
+) -> Document:
+    return torque_document(made(variation), tables=tables)
 
 
 def _may_share_contacts(blocks: Sequence[Sequence[Variation]], keys: tuple[str, ...]) -> bool:
@@ -206,13 +169,8 @@ def _film_model(case: AnyCase) -> str:
     return str(case.document.get("ehl", {}).get("film_model"))
 
 
-def _of_each_kind(block: Sequence[Variation]) -> Sequence[Variation]:
-    """Variations of a block that name all its keys: one where all have the same."""
-    return block[:1] if isinstance(block, Factorial | Sampled) else block
-
-
 def _with_tables(
-    file: SweepFile, points: list[Point], checked: Checked, source: _Source
+    file: SweepFile, points: list[Point], checked: Checked, source: Source
 ) -> tuple[Path | None, tuple[Point, ...]]:
     """The file of traction tables that is given, and all points with the names of theirs."""
     examples: dict[str, Case] = {}
@@ -228,7 +186,7 @@ def _with_tables(
 
 
 def _table_file(
-    file: SweepFile, common: dict[int, str], examples: dict[str, Case], source: _Source
+    file: SweepFile, common: dict[int, str], examples: dict[str, Case], source: Source
 ) -> Path | None:
     """The traction tables that the sweep file names, which must be those of its points."""
     if file.table is None:
@@ -261,57 +219,6 @@ def _foreign(reason: str, numbers: list[int]) -> CaseProblem:
     return CaseProblem(("table",), f"{reason}: point {numbers[0]}{others}", allowed)
 
 
-def _title(case: str, keys: tuple[str, ...]) -> str:
-    """The title of the case and what is varied of it."""
-    names = [key.rpartition(".")[2] for key in keys]
-    return f"{case}; varied: {', '.join(names[:4])}{' ...' if len(names) > 4 else ''}"
-
-
-def _case_file(case: str, source: _Source) -> Path:
-    """The case beside the sweep file if there is one, else as every command finds it."""
-    try:
-        return find_case(case, source.folder)
-    except (CaseError, OSError, ValueError) as error:
-        raise source.error([CaseProblem(("case",), str(error).partition("\n")[0])]) from None
-
-
-class _Blocks(NamedTuple):
-    """The variations of all blocks, those that are designs, notes, faults."""
-
-    variations: list[Sequence[Variation]]
-    designs: list[Design]
-    notes: list[str]
-    problems: list[CaseProblem]
-
-
-def _blocks(file: SweepFile, base: Document) -> _Blocks:
-    """The variations of all blocks, in the order of the format's description."""
-    combinations, problems = factorial(file)
-    notes: list[str] = []
-    sampled, faults = sampled_blocks(file)
-    problems += faults
-    count = len(combinations) + len(file.combinations) + sum(len(one) for one, _ in sampled)
-    most = MOST_CHECKED if file.compute in EVERY_POINT else MOST_POINTS
-    if count > most:
-        allowed = f"allowed: at most {most}"
-        problems.append(CaseProblem((), f"{count} points", allowed, line=1))
-    if problems:
-        return _Blocks([], [], [], problems)
-    blocks: list[Sequence[Variation]] = [combinations, listed(file)]
-    designs = []
-    for block, design in sampled:
-        designs.append(replace(design, start=sum(map(len, blocks))))
-        blocks.append(block)
-    if file.sensitivity is not None:
-        changed, notes, faults = _sensitivity(file.sensitivity, base)
-        blocks.append(changed)
-        problems += faults
-    if not any(map(len, blocks)) and not problems:
-        allowed = "needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys"
-        problems.append(CaseProblem((), "no points", allowed, line=1))
-    return _Blocks(blocks, designs, notes, problems)
-
-
 def _sensitivity(
     table: SensitivityTable, base: Document
 ) -> tuple[list[Variation], list[str], list[CaseProblem]]:
@@ -330,7 +237,7 @@ def _faults(error: CaseError) -> list[CaseProblem]:
 
 
 def _checked(
-    plan: Plan, file: SweepFile, base: Document, fixed: Variation, source: _Source
+    plan: Plan, file: SweepFile, base: Document, fixed: Variation, source: Source
 ) -> Checked:
     """Points checked as cases, by their places: with what those that share traction tables must
     have in common.
@@ -342,7 +249,8 @@ def _checked(
     ends = [plan.variation(0), plan.variation(len(plan) - 1)]
     problems = list(overridden_names(base, ends))
     checked: Checked = {}
-    for index in _checked_indices(plan, file.compute):
+    every = may_share_tables(file, base, plan.keys)
+    for index in _checked_indices(plan, every=every):
         variation = plan.variation(index)
         try:
             case = any_case_of_document(plan.document(variation), f"point {index + 1}")
@@ -353,7 +261,7 @@ def _checked(
             continue
         if problems:
             continue
-        shares = isinstance(case, Case) and needs_tables(case, file.compute)
+        shares = needs_tables(case, file.compute, asked=wants_tables(file))
         common = bodies_and_oil(case) if shares and isinstance(case, Case) else None
         checked[index] = (common, case)
         problems += _kind(file, case, index + 1)
@@ -362,12 +270,12 @@ def _checked(
     return checked
 
 
-def _checked_indices(plan: Plan, compute: str) -> Sequence[int]:
+def _checked_indices(plan: Plan, *, every: bool) -> Sequence[int]:
     """Places of the points that are checked at once: of a large sweep first of all those where a
     key of a factorial block takes each end of its list, then a sample.
     """
     whole = range(len(plan))
-    if len(plan) <= CHECKED or compute in EVERY_POINT:
+    if len(plan) <= CHECKED or every:
         return whole
     chosen = {0, len(plan) - 1, *random.Random(SEED).sample(whole, min(SAMPLE, CHECKED))}
     start = 0
@@ -453,3 +361,35 @@ def shard_of(text: str) -> Shard:
             return Shard(number, count)
     allowed = "allowed: I/N with I from 1 to N, as 3/8"
     raise CaseError(f"--shard {text}: names no share of the points; {allowed}")
+
+
+def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseProblem]:
+    """Problems of the names of numbers to draw.
+
+    Parameters
+    ----------
+    names : tuple[str, ...]
+        Names of columns of batch.csv.
+    kind : str
+        Quantity that is computed; "contact" for a single contact.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
+    known = result_names(kind)
+    for k, name in enumerate(names):
+        if name not in known:
+            allowed = "allowed: main results, torque_N_mm, supply and self_heating of batch.csv"
+            longer = (whole for whole in known if whole.endswith(f".{name}"))
+            nearest = next(longer, nearest_name(name, known))
+            yield CaseProblem(("plot", k), f"found {shown(name)}", allowed, nearest=nearest)
+        elif name in names[:k]:
+            yield CaseProblem(("plot", k), f"found {shown(name)} twice", "allowed: once")
+    units = [unit_of(name) for name in names]
+    if 1 < len(set(units)) and (len(set(units)) < len(units) or len(units) > MOST_PANELS):
+        names_of_units = ", ".join(unit or "no unit" for unit in dict.fromkeys(units))
+        finding = f"found {len(units)} numbers in {names_of_units}"
+        allowed = f"allowed: all in one unit, or up to {MOST_PANELS} in one unit each"
+        yield CaseProblem(("plot",), finding, allowed)

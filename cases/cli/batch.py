@@ -19,9 +19,11 @@ from ..runs.interrupt import finish_first, print_message
 from ..runs.output_directory import scratch_folder
 from ..runs.processes import POINTS, fork_server
 from . import terminal
-from .output import batch_cost, lock_output_directory, report, report_cost
+from .output import batch_cost, lock_output_directory, report, report_cost, table_cost
 
 if TYPE_CHECKING:
+    from rich.console import Group
+
     from oilfilm.postprocess.batch.packed_columns import Columns
     from oilfilm.postprocess.batch.results import BatchResults
 
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
     from ..batch.pools import Pool
 
 MOST_LISTED = 10  # points without a result that are named
+WITHOUT_RESULT = "points without a result"  # of a message of a large batch
 Workers = Annotated[
     int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")
 ]
@@ -105,55 +108,62 @@ def batch(
     notes: terminal.Notes = False,
 ) -> int:
     """Run many points of one case: factorial, listed, sampled."""
-    # loads while this process plans
-    with fork_server(POINTS, wanted=not (scheduler or executor or collect)):
-        from ..batch.engine import PointSelection, computed_before
-        from ..batch.points import Limits
-        from ..batch.results import collect_results
-        from ..batch.sweep import SINGLE_WRITER, read_sweep, shard_of
+    wanted = _Wanted(
+        workers=workers,
+        scheduler=scheduler,
+        executor=executor,
+        plot=plot,
+        parquet=parquet,
+        csv=csv,
+    )
+    limited = bool(point_seconds or point_memory)
+    _check(wanted, limited=limited, single_writer=shard is None)
+    again = resume or retry_failed or collect or shard is not None
+    keep = output is not None or again or not as_json
+    directory = output or Path(f"{Path(sweep).stem}_results")
+    with _folder(directory, keep=keep, shared=shard is not None) as folder:
+        named = folder if keep else None
+        if resume and shard is None and not plot:
+            from ..batch.finished import finished_summary
+            from ..batch.keys import DATA, PARQUET, SUMMARY, TABLE
 
-        wanted = _Wanted(
-            workers=workers,
-            scheduler=scheduler,
-            executor=executor,
-            plot=plot,
-            parquet=parquet,
-            csv=csv,
-        )
-        limits = Limits(seconds=point_seconds, memory=point_memory)
-        _check(wanted, limits, single_writer=shard is None)
-        choice = PointSelection(
-            resume=resume or retry_failed or collect or shard is not None,
-            only_failed=retry_failed,
-            shard=SINGLE_WRITER if shard is None else shard_of(shard),
-            limits=limits,
-            keep_json=keep_json,
-        )
-        plan = read_sweep(sweep)
-        keep = output is not None or choice.resume or not as_json
-        directory = output or Path(f"{Path(sweep).stem}_results")
-        with _folder(directory, keep=keep, shared=shard is not None) as folder:
+            files = (TABLE, DATA, SUMMARY, *((PARQUET,) if parquet else ()))
+            finished = finished_summary(sweep, folder, files)
+            if finished is not None:
+                return _report(finished, named, as_json, quiet, notes)
+        # loads while this process plans
+        with fork_server(POINTS, wanted=not (scheduler or executor or collect)):
+            from ..batch.engine import PointSelection, computed_before
+            from ..batch.points import Limits
+            from ..batch.results import collect_results
+            from ..batch.sweep import SINGLE_WRITER, read_sweep, shard_of
+
+            choice = PointSelection(
+                resume=again,
+                only_failed=retry_failed,
+                shard=SINGLE_WRITER if shard is None else shard_of(shard),
+                limits=Limits(seconds=point_seconds, memory=point_memory),
+                keep_json=keep_json,
+            )
+            plan = read_sweep(sweep)
             if collect:
                 done = computed_before(plan, folder)
             else:
                 done = _compute(plan, folder, wanted, choice, keep=keep, quiet=quiet)
             if shard is not None:
                 return _report_shard(done, choice, as_json=as_json, quiet=quiet)
-            with (
-                report_stored_points(folder if keep else None),
-                collect_results(done) as (results, columns),
-            ):
-                _write(results, columns, folder, wanted)
-                return _report(results, columns, folder if keep else None, as_json, quiet, notes)
+            with report_stored_points(named), collect_results(done) as (results, columns):
+                document = _write(results, columns, folder, wanted)
+                return _report(document, named, as_json, quiet, notes)
 
 
-def _check(wanted: _Wanted, limits: Any, *, single_writer: bool) -> None:
+def _check(wanted: _Wanted, *, limited: bool, single_writer: bool) -> None:
     """`CaseError` for options that exclude each other, and for libraries that are not there."""
     names = ("workers", "scheduler", "executor")
     given = [f"--{name}" for name in names if getattr(wanted, name) is not None]
     if len(given) > 1:
         raise CaseError(f"{', '.join(given)}: found together; allowed: one of them")
-    if wanted.scheduler is not None and (limits.seconds or limits.memory):
+    if wanted.scheduler is not None and limited:
         allowed = "allowed: the limits of Dask, distributed.worker.memory and --lifetime"
         raise CaseError(f"--point-seconds, --point-memory: found with --scheduler; {allowed}")
     if not single_writer and (wanted.plot or wanted.parquet or wanted.csv):
@@ -185,15 +195,18 @@ def _compute(
         return run_batch(plan, directory, _pool(plan, wanted), choice, progress=progress)
 
 
-def _write(results: BatchResults, columns: Columns, directory: Path, wanted: _Wanted) -> None:
-    """Write the results of all points."""
+def _write(
+    results: BatchResults, columns: Columns, directory: Path, wanted: _Wanted
+) -> dict[str, Any]:
+    """Write the results of all points; their summary."""
     from ..batch import results as files
 
     with finish_first(f"results in {directory}"):
         table = wanted.csv or len(columns.source) <= files.MOST_LINES
-        files.write_batch(results, directory, columns, _others(wanted), table=table)
+        document = files.write_batch(results, directory, columns, _others(wanted), table=table)
         if wanted.plot:
             _plot(results, directory)
+    return document
 
 
 def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
@@ -202,7 +215,7 @@ def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
         return {}
     from oilfilm.postprocess.batch.write import write_batch_parquet
 
-    from ..batch.store import PARQUET
+    from ..batch.keys import PARQUET
 
     return {PARQUET: write_batch_parquet}
 
@@ -219,6 +232,11 @@ def _report_cost(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) 
     points = max(1, len(plan.points) // shards)
     what, seconds = batch_cost(first, points, plan.compute)
     count = workers or cores()
+    tables = set()
+    if isinstance(plan.points, tuple) and plan.table is None:
+        tables = {point.tables for point in plan.points} - {None}
+    if tables:
+        report_cost(table_cost(plan.table_points, len(tables), count), quiet=quiet)
     report_cost((f"{what}, {count} at a time", seconds / count), quiet=quiet)
     print_message("oilfilm: the time left is shown from the first point on")
 
@@ -302,26 +320,30 @@ def _report_shard(done: Batch, choice: PointSelection, *, as_json: bool, quiet: 
 
 
 def _report(
-    results: BatchResults,
-    columns: Columns,
-    directory: Path | None,
-    as_json: bool,
-    quiet: bool,
-    notes: bool,
+    document: dict[str, Any], directory: Path | None, as_json: bool, quiet: bool, notes: bool
 ) -> int:
     """Print summary or table; exit code, in which a lost worker is a failure of the machine."""
-    from oilfilm.postprocess.batch.summary import batch_summary, batch_table, counts_of
 
-    document = batch_summary(results, columns)
-    table = lambda: batch_table(results, columns)  # noqa: E731
+    def table() -> Group:
+        from oilfilm.postprocess.batch.summary import batch_table
+
+        return batch_table(document)
+
     code = report(document, table, directory, as_json, quiet, notes)
-    counts = results.counts or counts_of(results)
-    failed = counts.points - counts.done
-    if failed:
-        print_message(f"oilfilm: {failed} of {counts.points} points have no result:")
-        named = [point for point in results.points if point.summary is None]
-        for point in named[:MOST_LISTED]:
-            print_message(f"  point {point.number} ({point.label}): {point.message}")
-        for message, number in counts.reasons:
-            print_message(f"  {number}: {message}")
-    return terminal.FAILED if counts.lost else code
+    counts = document["counts"]
+    if document["failed"]:
+        print_message(
+            f"oilfilm: {document['failed']} of {counts['points']} points have no result:"
+        )
+        if document["points"] is None:
+            named = [text for text in document["messages"] if WITHOUT_RESULT in text]
+        else:
+            points = [point for point in document["points"] if point["status"] != "done"]
+            named = [f"point {p['point']} ({_label(p)}): {p['message']}" for p in points]
+        for text in named[:MOST_LISTED]:
+            print_message(f"  {text}")
+    return terminal.FAILED if counts["lost"] else code
+
+
+def _label(point: dict[str, Any]) -> str:
+    return ", ".join(f"{key} = {value}" for key, value in point["keys"].items())

@@ -21,6 +21,7 @@ from ..bearing.bearing_quantities import (
 )
 from ..bearing.contact_quantities import CONTACT_QUANTITY
 from ..quantities import CAGE_SPEED, Quantity, by_key, is_number, number
+from .design import Design
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (
@@ -341,20 +342,6 @@ class BatchPoint:
     def label(self) -> str:
         """The varied values in words."""
         return ", ".join(f"{key} = {value}" for key, value in self.values.items())
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Design:
-    """A block of points that belong together: its keys, and the samples or trajectories of it.
-
-    `start`: place of its first point among all, counted from 0.
-    """
-
-    block: str
-    keys: tuple[str, ...]
-    samples: int
-    start: int = 0
-    ranges: tuple[tuple[float, float], ...] = ()  # of the keys, in their units
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

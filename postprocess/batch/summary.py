@@ -31,7 +31,7 @@ from .results import (
     point_error,
     scalar_numbers,
 )
-from .store import FAILED, LOST
+from .store import DONE, FAILED, LOST
 
 CONFIDENCE = 0.95  # of intervals
 RESAMPLES = 999  # of a bootstrap
@@ -543,38 +543,36 @@ def point_numbers(point: BatchPoint) -> dict[str, Any]:
     return scalar_numbers(point.summary or {}) | main_results(point.summary)
 
 
-def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
+def batch_table(document: dict[str, Any]) -> Group:
     """The points of a batch, the ends of many, with the results that fit beside the keys.
 
     Parameters
     ----------
-    results : BatchResults
-        Results of the batch.
-    columns : Columns | None, optional
-        Numbers of all points; computed from `results` if None.
+    document : dict[str, Any]
+        Summary of the batch.
 
     Returns
     -------
     Group
         The table.
     """
-    columns = columns or columns_of(InMemory(results))
-    if results.counts is not None:
-        text = f"{results.counts.points} points, {results.counts.converged} converged"
-        return titled(results.title, text, *_uncertainties(results, columns))
-    main = [main_results(point.summary) for point in results.points]
-    given = {key: [point.values.get(key) for point in results.points] for key in results.keys}
-    keys = [key for key, varied in given.items() if len({*map(str, varied)}) > 1]
-    shown = [name for name in BATCH_COLUMNS if any(row.get(name) is not None for row in main)]
+    points = document["points"]
+    if points is None:
+        counts = document["counts"]
+        text = f"{counts['points']} points, {counts['converged']} converged"
+        return titled(document["title"], text, *_uncertainties(document))
+    given = {key: {str(point["keys"].get(key)) for point in points} for key in document["keys"]}
+    keys = [key for key, varied in given.items() if len(varied) > 1]
+    shown = [n for n in BATCH_COLUMNS if any(point.get(n) is not None for point in points)]
     free = WIDTH - 10 - sum(max(9, len(_name(key))) + 1 for key in keys)
     shown = shown[-max(1, free // CELL) :]
     headers = ["#", *(f"{_name(key)}\n{_unit(key)}" for key in keys)]
     headers += [f"{MAIN_QUANTITY[name].symbol}\n{_unit(name)}" for name in shown]
     rows = []
-    for point, row in zip(results.points, main, strict=True):
-        cells = [number(point.values.get(key), ".5g") for key in keys]
-        cells += [_result(row.get(name), name) for name in shown]
-        rows.append([str(point.number), *cells, _flag(point)])
+    for point in points:
+        cells = [number(point["keys"].get(key), ".5g") for key in keys]
+        cells += [_result(point.get(name), name) for name in shown]
+        rows.append([str(point["point"]), *cells, _flag(point)])
     half = MOST_ROWS // 2
     if len(rows) > MOST_ROWS:
         rows = [*rows[:half], ["..."], *rows[-half:]]
@@ -583,16 +581,16 @@ def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
     for column in table.columns[1 : 1 + len(keys)]:
         column.no_wrap = False
         column.overflow = "fold"
-    flags = {_flag(point) for point in results.points}
+    flags = {_flag(point) for point in points}
     meanings = {"!": "! not converged", "x": "x failed, see the messages"}
     notes = [text for flag, text in meanings.items() if flag in flags]
-    return titled(results.title, table, *notes, *_uncertainties(results, columns))
+    return titled(document["title"], table, *notes, *_uncertainties(document))
 
 
-def _uncertainties(results: BatchResults, columns: Columns) -> list[Table]:
+def _uncertainties(document: dict[str, Any]) -> list[Table]:
     """Sensitivities to each key, and bands over sampled keys, of a few main results, if any."""
     tables = []
-    changes = sensitivities(results)
+    changes = document["sensitivity"]
     names = [
         name for name in BATCH_COLUMNS if any(name in change["results"] for change in changes)
     ]
@@ -605,7 +603,7 @@ def _uncertainties(results: BatchResults, columns: Columns) -> list[Table]:
         title = "d ln(result)/d ln(key); ~: within the error bars"
         tables.append(number_table(headers, rows, ["key"], title=title))
         tables[-1].columns[0].no_wrap = False
-    spread = {name: band for name, band in bands(columns).items() if name in BATCH_COLUMNS}
+    spread = {n: band for n, band in document["bands"].items() if n in BATCH_COLUMNS}
     if spread:
         rows = [
             [
@@ -618,7 +616,7 @@ def _uncertainties(results: BatchResults, columns: Columns) -> list[Table]:
         count = min(band["points"] for band in spread.values())
         title = f"over {count} sampled points"
         tables.append(number_table(headers, rows, [""], title=title))
-    return [*tables, *_indices(design_documents(columns, results.designs))]
+    return [*tables, *_indices(document)]
 
 
 def _indices(documents: dict[str, Any]) -> Iterator[Table]:
@@ -668,5 +666,5 @@ def _unit(key: str) -> str:
     return unit_symbol(key.rpartition(".")[2])
 
 
-def _flag(point: BatchPoint) -> str:
-    return "x" if point.summary is None else "" if point.converged else "!"
+def _flag(point: dict[str, Any]) -> str:
+    return "x" if point["status"] != DONE else "" if point["converged"] else "!"

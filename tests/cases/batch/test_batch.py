@@ -7,6 +7,8 @@ import json
 import math
 import pickle
 import sqlite3
+import subprocess
+import sys
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import closing
@@ -22,6 +24,7 @@ from oilfilm.cases import CaseError, load_case
 from oilfilm.cases.batch import shared_tables
 from oilfilm.cases.batch.compute import compute_block, compute_point
 from oilfilm.cases.batch.engine import PointSelection, ProgressEstimate, duration, run_batch
+from oilfilm.cases.batch.finished import finished_summary
 from oilfilm.cases.batch.keys import WITHOUT_CONTACTS, content_key
 from oilfilm.cases.batch.points import Task
 from oilfilm.cases.batch.pools import LocalPool, scheduler_address
@@ -394,6 +397,39 @@ def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
     nothing = HerePool()
     run_batch(longer, tmp_path / "out", lambda: nothing, PointSelection(resume=True))
     assert nothing.handed_out == []
+
+
+def test_a_finished_batch_is_neither_computed_nor_written_again(tmp_path):
+    """Without a solver: its summary as it stands, points as taken over; anything changed goes the long way."""
+    sweep = tmp_path / "sweep.toml"
+    sweep.write_text(QUICK, encoding="utf-8")
+    out = tmp_path / "out"
+    ran = write_batch(load_results(run_batch(read_sweep(sweep), out, HerePool)), out)
+    before = {path: path.stat().st_mtime_ns for path in out.rglob("*")}
+    again = CliRunner().invoke(app, ["batch", str(sweep), "-o", str(out), "--json", "--resume"])
+    resumed = json.loads(again.stdout)
+    assert {path: path.stat().st_mtime_ns for path in out.rglob("*")} == before
+    assert resumed["resumed"] == 6 and all(point["resumed"] for point in resumed["points"])
+    changing = ("resumed", "timing_s", "points")
+    assert {k: v for k, v in resumed.items() if k not in changing} == {
+        k: v for k, v in ran.items() if k not in changing
+    }
+    files = ("batch.csv", "results.nc", "summary.json")
+    code = f"""
+import sys
+from pathlib import Path
+from oilfilm.cases.batch.finished import finished_summary
+print(finished_summary({str(sweep)!r}, Path({str(out)!r}), {files}) is None, "numba" in sys.modules)
+"""
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert told.stdout.split() == ["False", "False"]
+    assert finished_summary(sweep, out, (*files, "batch.parquet")) is None
+    for changed in (QUICK.replace("1750.0", "1760.0"), QUICK + "\n"):
+        sweep.write_text(changed, encoding="utf-8")
+        assert finished_summary(sweep, out, files) is None
+    sweep.write_text(QUICK, encoding="utf-8")
+    (out / "points.sqlite").touch()
+    assert finished_summary(sweep, out, files) is None
 
 
 def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatch):

@@ -278,7 +278,7 @@ def test_damaged_tables_fail_their_points_and_are_told(tmp_path):
 
 def test_damaged_tables_of_the_folder_are_told_and_made_anew(tmp_path, monkeypatch, capsys):
     from oilfilm.cases.batch import shared_tables
-    from oilfilm.cases.batch.store import TABLES
+    from oilfilm.cases.batch.keys import TABLES
 
     made = []
 

@@ -200,7 +200,7 @@ def test_lives_are_hours_without_powers_of_ten():
     points = tuple(replace(point, summary={**(point.summary or {}), "life": life}) for point in THREE.points)
     results = replace(THREE, points=points)
     terminal = Console(width=80, file=StringIO())
-    terminal.print(batch_table(results))
+    terminal.print(batch_table(batch_summary(results)))
     text = terminal.file.getvalue()
     assert "L10mh" in text and "1234000000" in text and "Q max" not in text
     assert max(len(line.rstrip()) for line in text.splitlines()) <= 80

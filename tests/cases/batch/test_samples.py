@@ -105,7 +105,7 @@ def test_designs_are_in_the_summary(tmp_path):
     assert band["q50_low"] <= band["q50"] <= band["q50_high"]
     assert band["q95_high"] is None  # eight points do not bound it
     assert "Sobol indices from 16 points" in uncertainty(batch_summary(results))
-    assert len(batch_table(results).renderables) >= 5
+    assert len(batch_table(batch_summary(results)).renderables) >= 5
 
 
 @pytest.mark.slow

@@ -175,7 +175,7 @@ def test_a_point_that_cannot_be_a_case_fails_with_its_message(tmp_path, monkeypa
     """In a sweep too large to check all of it: the others are computed."""
     monkeypatch.setattr("oilfilm.cases.batch.sweep.CHECKED", 1)
     text = HEAD + '[fixed]\n"ehl.film_maps" = "none"\n[sweep]\n"bearing.balls" = [8, 40, 9]\n'
-    monkeypatch.setattr("oilfilm.cases.batch.sweep._checked_indices", lambda plan, compute: [0])
+    monkeypatch.setattr("oilfilm.cases.batch.sweep._checked_indices", lambda plan, every: [0])
     results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert [point.status for point in results.points] == ["done", "failed", "done"]
     assert "at most 15 balls" in results.points[1].message

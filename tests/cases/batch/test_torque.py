@@ -18,6 +18,7 @@ from oilfilm.postprocess import summary
 from .test_batch import HerePool
 
 SWEEP = 'case = "case.toml"\ncompute = "torque"\n[sweep]\n"operation.radial_load_N" = [2000.0, 3000.0]\n'
+TABLES = "table_points = 257"
 LAW = 'traction = "four constants"\ntraction_maximum = 0.05\ntraction_maximum_slide = 0.03\ntraction_limit = 0.03\n'
 
 
@@ -39,12 +40,30 @@ def without_times(document):
     return {key: value for key, value in document.items() if key not in ("timing_s", "case", "messages")}
 
 
+def test_torque_is_that_of_a_run_without_film_maps(tmp_path):
+    """No tables are built for it; balls stay under the hypothesis of the case."""
+    sweep = sweep_of(tmp_path, case_text())
+    assert [point.tables for point in sweep.points] == [None, None]
+    results = load_results(run_batch(sweep, tmp_path / "out", HerePool))
+    path = tmp_path / "plain.toml"
+    path.write_text(case_text().replace('film_maps = "all"', 'film_maps = "none"'), encoding="utf-8")
+    assert without_times(results.points[1].summary) == without_times(summary(run_case(load_case(path))))
+
+
+@pytest.mark.parametrize("asked", ["", 'table_films = "atlas"\n'])
+def test_tables_are_shared_where_they_are_asked_for(asked, tmp_path):
+    sweep = sweep_of(tmp_path, case_text(asked), "" if asked else "table_points = 257")
+    assert len({point.tables for point in sweep.points} - {None}) == 1
+    balanced = sweep_of(tmp_path, case_text(kinematics="traction equilibrium"))
+    assert all(point.tables for point in balanced.points)
+
+
 def test_traction_equilibrium_is_the_default_with_tables(tmp_path):
     """Told in the point's case, so that it has another name than a hypothesis, which stays where it is given."""
-    default = sweep_of(tmp_path, case_text()).points
+    default = sweep_of(tmp_path, case_text(), TABLES).points
     assert [point.resolved["model"]["ball_kinematics"] for point in default] == ["traction equilibrium"] * 2
     assert all(point.tables for point in default)
-    given = sweep_of(tmp_path, case_text(kinematics="half and half")).points
+    given = sweep_of(tmp_path, case_text(kinematics="half and half"), TABLES).points
     assert [point.resolved["model"]["ball_kinematics"] for point in given] == ["half and half"] * 2
     assert default[0].key != given[0].key
     films = SWEEP.replace('"torque"', '"run"')
@@ -53,7 +72,7 @@ def test_traction_equilibrium_is_the_default_with_tables(tmp_path):
 
 
 def test_no_film_is_solved_for_the_loads_of_shared_tables(tmp_path):
-    case = case_of_document(sweep_of(tmp_path, case_text()).points[0].document)
+    case = case_of_document(sweep_of(tmp_path, case_text(), TABLES).points[0].document)
     assert case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     plain = _without_films(case)
     assert plain.model.ball_kinematics is BallKinematics.HALF_AND_HALF
@@ -84,7 +103,8 @@ def test_tables_of_points_with_heat_have_heat(tmp_path, monkeypatch):
     assert text != case_text()
     names = set()
     for heated in (False, True):
-        sweep = sweep_of(tmp_path, text.replace("[ehl]\n", '[ehl]\nfilm_model = "thermal"\n') if heated else text)
+        warmed = text.replace("[ehl]\n", '[ehl]\nfilm_model = "thermal"\n') if heated else text
+        sweep = sweep_of(tmp_path, warmed, TABLES)
         (name,) = {point.tables for point in sweep.points}
         names.add(name)
         made = shared_tables(sweep, name, lambda done, total, state: None)
