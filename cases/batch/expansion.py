@@ -45,7 +45,18 @@ class Source:
     folder: Path
 
     def error(self, faults: Iterable[CaseProblem]) -> CaseError:
-        """The faults with their lines."""
+        """The faults with their lines.
+
+        Parameters
+        ----------
+        faults : Iterable[CaseProblem]
+            Faults of the file.
+
+        Returns
+        -------
+        CaseError
+            An error to raise.
+        """
         return faults_error(faults, self.name, self.text)
 
 
