@@ -149,13 +149,10 @@ def main() -> None:
     """Solve, draw, and write the tables."""
     big = load_case("218_axial_22250N")
     by_speed = {rpm: dict(ways(at(big, rpm, 22250.0))) for rpm in SPEEDS}
-    small = load_case("7008_axial")
-    fast = dict(ways(at(small, 5000.0, 100.0)))
     draw(by_speed)
     lines = []
     for rpm in SHOWN:
         lines += ["", f"218, 22250 N axial, {rpm:g} r/min:", "", *table(by_speed[rpm])]
-    lines += ["", "7008, 100 N axial, 5000 r/min:", "", *table(fast)]
     text = PAGE.read_text(encoding="utf-8")
     head, rest = text.split(START)
     PAGE.write_text(f"{head}{START}\n" + "\n".join(lines[1:]) + f"\n{END}" + rest.split(END)[1], encoding="utf-8")
