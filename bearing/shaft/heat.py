@@ -210,11 +210,17 @@ class _Shaft:
         clearance = known.bearing.diametral_clearance
         return heat_state(at, at.fixed_paths(), float(film), clearance, (known, ()))
 
-    def temperatures(self, states: Sequence[HeatState], ends: tuple[int, int] = (0, 0)) -> Array:
+    def temperatures(
+        self,
+        states: Sequence[HeatState],
+        ends: tuple[int, int] = (0, 0),
+        heat: Array | float = 0.0,
+    ) -> Array:
         """Temperatures of the nodes of all bearings in one network (bearings, nodes) [K], paths of
-        the bearings and those between them at ends of their ranges: -1 low, 1 high.
+        the bearings and those between them at ends of their ranges: -1 low, 1 high; under their
+        sources and more heat [W].
         """
-        sources = np.concatenate([state.sources for state in states])
+        sources = np.concatenate([state.sources for state in states]) + heat
         network = self.network(states, against=ends[0] != ends[1])
         return network.temperatures(sources, ends[0]).reshape(len(states), -1)
 
@@ -384,21 +390,23 @@ def _ranges(whole: _Shaft, point: _Point, nearby: Sequence[_Point]) -> tuple[Arr
     """Lowest and highest temperatures of nodes and films at the ends of the paths' ranges, by one
     step of Newton's method from the balance with the derivatives there.
     """
-    nodes = [whole.temperatures(point.states)]
+    balance = whole.temperatures(point.states)
+    nodes = [balance]
     films = [point.unknowns[0]]
+    heat = [
+        np.concatenate([one.surplus(at) for one, at in zip(near.states, balance, strict=True)])
+        for near in nearby
+    ]
     for ends in ((-1, -1), (-1, 1), (1, -1), (1, 1)):
-        # 1. temperatures of the nodes, and what follows from them, at each point
-        found = [whole.temperatures(one.states, ends) for one in (point, *nearby)]
-        follow = [
-            whole.following(one.states, at).ravel()
-            for one, at in zip((point, *nearby), found, strict=True)
-        ]
+        # 1. temperatures of the nodes, and what follows from them, with the heat of each point
+        found = [whole.temperatures(point.states, ends, one - heat[0]) for one in heat]
+        follow = [whole.following(point.states, at).ravel() for at in found]
         # 2. their derivatives by the unknowns that differ
         moved = np.array([(one.unknowns - nearby[0].unknowns).ravel() for one in nearby[1:]])
         active = moved.any(axis=0)
         steps = moved[:, active].sum(axis=1)
-        warming = np.array([(at - found[1]).ravel() for at in found[2:]]).T / steps
-        slopes = (np.array(follow[2:]) - follow[1]).T / steps
+        warming = np.array([(at - found[0]).ravel() for at in found[1:]]).T / steps
+        slopes = (np.array(follow[1:]) - follow[0]).T / steps
         # 3. the step
         lacking = follow[0] - point.unknowns.ravel()
         step = np.linalg.solve(np.eye(steps.size) - slopes[active], lacking[active])

@@ -247,7 +247,7 @@ def flat(document: Mapping[str, Any], before: str = "") -> dict[str, Any]:
 
 def _changed(text: str, key: str, value: Any) -> str:
     """The text with another value of a key, its line and comment kept where there is one."""
-    path = case_path(key) if "." in key else (key,)
+    path = case_path(key)
     name = path[-1]
     table = key.rpartition(".")[0]
     lines = text.splitlines()

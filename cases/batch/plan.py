@@ -377,9 +377,9 @@ def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Itera
     """
     for variation in variations[:1] + variations[-1:]:
         for setting in variation.settings:
-            table, *_, key = map(str, case_path(setting.key))
+            table, *keys = map(str, case_path(setting.key))
             own = base.get(table)
-            if key != "name" or not isinstance(own, dict):
+            if keys[-1:] != ["name"] or not isinstance(own, dict):
                 continue
             given = [name for name in HIDING.get(table, ()) if name in own]
             if given:

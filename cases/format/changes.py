@@ -40,7 +40,9 @@ def case_path(key: str) -> KeyPath:
     tuple[str or int, ...]
         The path in a document.
     """
-    table, _, name_in_table = key.partition(".")
+    table, dot, name_in_table = key.partition(".")
+    if not dot:  # a whole table or list, or a key above the tables
+        return (table,)
     if table in NAMED or (table == "bearing" and "." in name_in_table):  # one of a shaft's
         name, _, last = name_in_table.rpartition(".")
         return table, name, last
@@ -72,7 +74,7 @@ def alternatives(
     for table, rows in ROWS.items():
         given = base.get(table)
         given = given if isinstance(given, dict) else {}
-        own = [path[1] for path in paths if path[0] == table]
+        own = [key for path in paths if path[0] == table for key in path[1:2]]
         for row in rows:
             first = next((key for key in own if key in row), None)
             if first is not None:
@@ -80,7 +82,7 @@ def alternatives(
                 yield from ((table, key, first) for key in others)
     operation = base.get("operation")
     if not near and isinstance(operation, dict):
-        own = [path[1] for path in paths if path[0] == "operation"]
+        own = [key for path in paths if path[0] == "operation" for key in path[1:2]]
         # self-heating finds the temperature itself
         if "temperature_C" in own and "temperature" in operation and "temperature" not in own:
             yield "operation", "temperature", "temperature_C"

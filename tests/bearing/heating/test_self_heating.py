@@ -258,3 +258,15 @@ def test_heat_of_drag_and_cage_goes_where_it_can_leave(filled):
     if not filled:
         places = {"balls": 0.5, "inner_ring": 0.25, "outer_ring_loaded": 0.125, "outer_ring_unloaded": 0.125}
     assert sources - without == pytest.approx(node_values(places), abs=1e-12)
+
+
+@pytest.mark.parametrize("widest", [24.0, 20.0])
+def test_ranges_and_margin_do_not_hang_on_where_the_search_begins(bearing, monkeypatch, widest):
+    """Other states of the search: the same balance, so the same slopes, and the same ends to 0.02 K."""
+    study = warm(bearing)
+    usual = solve_self_heating(study, "rolling")
+    monkeypatch.setattr("oilfilm.bearing.heating.self_heating.WIDEST", widest)
+    other = solve_self_heating(study, "rolling")
+    for name in ("coldest", "hottest"):
+        assert getattr(other.stability, name) == pytest.approx(getattr(usual.stability, name), abs=0.02)
+    assert other.stability.margin == pytest.approx(usual.stability.margin, abs=1e-3)

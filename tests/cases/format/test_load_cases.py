@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from oilfilm.cases import CaseError
+from oilfilm.cases import CaseError, load_case
 from oilfilm.cases.format.case import case_from_text
 
 CASE = """\
@@ -95,3 +95,11 @@ def test_a_table_in_place_of_a_list():
 def test_a_fault_of_operation_is_told_once():
     text = CASE.replace("radial_load_N = 2000.0", "radial_load_N = 2000.0\nforce_N = [1.0, 2.0, 3.0]")
     assert [message.partition(": ")[0] for message in faults("", text)] == ["case.toml:8", "case.toml:10"]
+
+
+def test_whole_tables_lists_and_the_title_are_values_of_a_case():
+    """A key without a dot stood in a table of its own: "title: found a table; allowed: text"."""
+    case = load_case("6208_duty_cycle").with_values({"load_cases": [{"share": 1.0}], "title": "another"})
+    assert case.title == "another" and len(case.document["load_cases"]) == 1
+    with pytest.raises(CaseError, match="nonsense: unknown"):
+        case.with_values({"nonsense": 1.0})

@@ -104,6 +104,7 @@ def test_a_viscosity_below_that_of_roelands_is_refused():
         ("bearing.ball_diameter_mm", ("bearing", "ball_diameter_mm")),
         ("operation.force_N.1", ("operation", "force_N", 1)),
         ("load.0.force_N.1", ("load", 0, "force_N", 1)),
+        ("load_cases", ("load_cases",)),
     ],
 )
 def test_paths_of_dotted_keys(key, path):
