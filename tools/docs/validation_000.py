@@ -418,14 +418,9 @@ def told(found: list[Statement], others: list[list[Statement]]) -> list[str]:
     """
     rows = []
     for k, one in enumerate(found):
-        cells = [word(one.holds), *(word(other[k].holds) for other in others)] + ["–"] * (len(VARIANTS) - len(others))
-        rows.append(f"| {one.section} | {one.text} | {' | '.join(cells)} | {'' if one.holds else one.ours} |")
+        marks = "".join("✓" if same.holds else "✗" for same in (one, *(other[k] for other in others)))
+        rows.append(f"| {one.section} | {one.text} | {marks} | {'' if one.holds else one.ours} |")
     return rows
-
-
-def word(holds: bool) -> str:
-    """Yes or no."""
-    return "yes" if holds else "**no**"
 
 
 def main() -> None:
@@ -484,8 +479,7 @@ def main() -> None:
             energies=max(one.statistics.energy_error for one in every),
             count=f"{sum(one.holds for one in found + ratios)} of {len(found) + len(ratios)} statements hold",
             factor=CATALOGUE,
-            variants=" | ".join(others),
-            bars="---|" * len(others),
+            variants="; ".join(others),
             statements="\n".join([*told(found, list(others.values())), *told(ratios, [])]),
             beyond=100.0
             * max(one.statistics.table_exceeded or 0.0 for runs in (axial, radial, mixed) for one in runs.values()),

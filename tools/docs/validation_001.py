@@ -363,8 +363,8 @@ def told(found: list[list[Statement]]) -> str:
     """Rows of the statements: whether they hold with each of the inputs, numbers of the first where not."""
     rows = []
     for same in zip(*found, strict=True):
-        cells = " | ".join("yes" if one.holds else "**no**" for one in same)
-        rows.append(f"| {same[0].section} | {same[0].text} | {cells} | {'' if same[0].holds else same[0].ours} |")
+        marks = "".join("✓" if one.holds else "✗" for one in same)
+        rows.append(f"| {same[0].section} | {same[0].text} | {marks} | {'' if same[0].holds else same[0].ours} |")
     return "\n".join(rows)
 
 
@@ -388,8 +388,7 @@ def main() -> None:
             loads=load_rows(every),
             others=other_rows(first.steady, first.ups),
             counts=counts({name: of.statements for name, of in every.items()}),
-            variants=" | ".join(every),
-            bars="---|" * len(every),
+            variants="; ".join(every),
             statements=told([of.statements for of in every.values()]),
             runs=sum(len(of.runs) for of in every.values()),
             limit=ENERGY_LIMIT,
