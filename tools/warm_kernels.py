@@ -18,8 +18,9 @@ from pathlib import Path
 
 COARSE = {"points": "65"}
 SHORT = {"end_time_s": "0.002", "output_interval_us": "100.0"}
+IMPLICIT = {"end_time_s": '0.002\nintegration = "implicit"', "output_interval_us": "100.0"}
 TABLE = ("--points", "65", "--tolerance", "0.2")
-# command, case, values to replace, further words
+# command, case, values to replace (and lines to add), further words
 Work = tuple[str, str, dict[str, str], tuple[str, ...]]
 FILMS: tuple[Work, ...] = (
     ("contact", "ball_on_disc", COARSE, ()),
@@ -37,6 +38,7 @@ FILMS: tuple[Work, ...] = (
 MOTION: tuple[Work, ...] = (
     ("dynamics", "7008_axial", SHORT, ()),
     ("dynamics", "7008_combined", SHORT, ()),
+    ("dynamics", "7008_combined", IMPLICIT, ()),
     ("dynamics", "6304_planar", SHORT, ()),
     ("vibration", "6208_waviness", {"duration_s": "0.02"}, ()),
     # last, when the other process has compiled the kernels of films

@@ -10,12 +10,26 @@ import io
 import re
 import tokenize
 from dataclasses import dataclass
+from functools import cache
 
 DEFINITIONS = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
 NO_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING,
     tokenize.ENDMARKER,
 }  # fmt: skip
+
+
+@cache
+def parsed(text):
+    """Syntax tree of a text, once for all measures."""
+    return ast.parse(text)
+
+
+@cache
+def tokens(text):
+    """Kinds of tokens of a text, with the first and last line of each."""
+    found = tokenize.generate_tokens(io.StringIO(text).readline)
+    return [(token.type, token.start[0], token.end[0]) for token in found]
 
 
 def docstring_node(node):
@@ -33,10 +47,10 @@ def lines_of(node):
 def code_lines(text):
     """Number of lines with code: without docstrings, comments and blank lines."""
     lines = set()
-    for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type not in NO_CODE:
-            lines.update(range(token.start[0], token.end[0] + 1))
-    for node in ast.walk(ast.parse(text)):
+    for kind, first, last in tokens(text):
+        if kind not in NO_CODE:
+            lines.update(range(first, last + 1))
+    for node in ast.walk(parsed(text)):
         if isinstance(node, DEFINITIONS) and (docstring := docstring_node(node)):
             lines -= lines_of(docstring)
     return len(lines)
@@ -167,8 +181,7 @@ def comment_blocks(text):
 
 def real_comment_blocks(text):
     """As `comment_blocks`, without lines of strings that look like comments."""
-    tokens = tokenize.generate_tokens(io.StringIO(text).readline)
-    comments = {token.start[0] for token in tokens if token.type == tokenize.COMMENT}
+    comments = {line for kind, line, _ in tokens(text) if kind == tokenize.COMMENT}
     return [(number, comment) for number, comment in comment_blocks(text) if number in comments]
 
 
@@ -215,7 +228,7 @@ def messages(tree):
 
 def fragments(text):
     """(line, kind, text) of docstrings, stand-alone comments and messages that begin as no sentence does."""
-    tree = ast.parse(text)
+    tree = parsed(text)
     kinds = (("docstring", docstrings(tree)), ("comment", real_comment_blocks(text)), ("message", messages(tree)))
     for kind, found in kinds:
         for line, sentence in found:
@@ -246,6 +259,11 @@ NUMBA = {  # what its documentation names; https://numba.readthedocs.io, referen
 UNDOCUMENTED = {"_nrt", "no_cfunc_wrapper", "no_cpython_wrapper", "Dispatcher", "cgutils", "targetoptions"}
 
 
+def of_numba(node):
+    """Whether an expression is the name of the package."""
+    return isinstance(node, ast.Name) and node.id == "numba"
+
+
 def numba_faults(tree):
     """(line, name) of what numba's documentation does not name: modules, names, options, attributes."""
     for node in ast.walk(tree):
@@ -258,7 +276,7 @@ def numba_faults(tree):
                 allowed = NUMBA.get(node.module, set())
                 if allowed is not None and alias.name not in allowed:
                     yield node.lineno, f"{node.module}.{alias.name}"
-        elif isinstance(node, ast.Attribute) and ast.unparse(node.value) == "numba" and node.attr not in NUMBA["numba"]:
+        elif isinstance(node, ast.Attribute) and of_numba(node.value) and node.attr not in NUMBA["numba"]:
             yield node.lineno, ast.unparse(node)
         elif isinstance(node, ast.Attribute) and node.attr in UNDOCUMENTED:
             yield node.lineno, node.attr

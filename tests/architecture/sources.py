@@ -6,6 +6,7 @@ import ast
 from functools import cache
 
 from .import_graph import LAYERS, ROOT, module_files
+from .measures import parsed
 
 FILES = {path.relative_to(ROOT).as_posix(): path for path in module_files().values()}
 
@@ -19,7 +20,7 @@ def text(name):
 @cache
 def tree(name):
     """Syntax tree of a file."""
-    return ast.parse(text(name))
+    return parsed(text(name))
 
 
 def layer(name):

@@ -21,6 +21,7 @@ from .measures import (
     listed_parameters,
     numba_faults,
     only_types,
+    parsed,
     without_parameter_list,
 )
 from .sources import FILES, ROOT, layer, nothing, text, tree
@@ -155,9 +156,7 @@ def test_numba_by_its_documentation():
     """Also where tests compile kernels for all workers."""
     texts = {name: text(name) for name in FILES}
     texts |= {"tests/conftest.py": (ROOT / "tests" / "conftest.py").read_text(encoding="utf-8")}
-    offenders = [
-        f"{name}:{line} {used}" for name, code in texts.items() for line, used in numba_faults(ast.parse(code))
-    ]
+    offenders = [f"{name}:{line} {used}" for name, code in texts.items() for line, used in numba_faults(parsed(code))]
     assert nothing(offenders)
 
 
