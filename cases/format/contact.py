@@ -115,11 +115,11 @@ class ContactEhlTable(GridTable):
     """Grid of a single contact, and its response to movement."""
 
     response_frequencies_Hz: list[Frequency] = described(
-        "at which stiffness and damping are computed beside those of slow movement", []
+        "of stiffness and damping, in addition to those of slow movement", []
     )
     track_passes: int | None = described(
-        "contacts on one track, each behind the layer that the last one left; the first behind "
-        "the inlet film",
+        "contacts on one track, each behind the layer of the last one, the first behind the inlet "
+        "film",
         ge=2,
         le=MOST_PASSES,
     )
@@ -188,8 +188,8 @@ class ContactTable(Table):
     slide_roll_ratio: float | None = within(1e6, "(u1 - u2)/u_m; default 0")
     lateral_slide_ratio: float | None = within(1e6, "(v1 - v2)/u_m, at right angles; else 0")
     velocity_1_m_s: Velocity | None = described(
-        "[u1, v1] of the surface of body 1 along x and y; with velocity_2_m_s in place of "
-        "entrainment_speed_m_s, its angle and the slide ratios"
+        "[u1, v1] of the surface of body 1; with velocity_2_m_s instead of entrainment_speed_m_s, "
+        "its angle and the slide ratios"
     )
     velocity_2_m_s: Velocity | None = described("[u2, v2] of the surface of body 2")
     spin_rad_s: float | None = within(1e7, "of body 1 on 2 about the normal into 2; default 0")

@@ -131,7 +131,7 @@ class BearingFile(CaseFile):
         "states of a duty cycle", strict=False, min_length=1, max_length=1000
     )
     measured: str | None = described(
-        "file of torque, film or temperature over speed, load or temperature, beside the results",
+        "file of measured torque, film or temperature over speed, load or temperature",
         min_length=1,
     )
     load_spectrum: str | None = described(

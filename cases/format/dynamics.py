@@ -63,8 +63,8 @@ class DynamicsTable(Table):
     output_interval_us: float | None = above(
         0,
         1e9,
-        "between rows of the history; default: a 2000th of the simulated time, a 64th of a turn "
-        'with end_time = "steady"; with [form], the nearest multiple of the record\'s',
+        "between rows of the history; default: a 2000th of the simulated time, with end_time = "
+        '"steady" a 64th of a turn; with [form] a multiple of the record\'s',
     )
     start: Annotated[str, OneOf(Start)] = described(
         "equilibrium; balls rolling on the outer race; or at rest there", "quasi-static"
@@ -72,15 +72,15 @@ class DynamicsTable(Table):
     starts: int | None = between(
         1,
         100,
-        "runs in all: others with balls turned by a part of a pitch, and slower; default: 2 "
-        "where a load across the axis leaves it to pockets, else 1",
+        "runs, with balls turned by a part of a pitch, and slower; default: 2 where pockets alone "
+        "drive balls under a load across the axis, else 1",
     )
     equations: Annotated[str, OneOf("by load", LoadType)] = described(
         "the fewest that the loads allow, or those named", "by load"
     )
     integration: Annotated[str, OneOf(Integration)] = described(
-        "explicit steps that resolve contact vibration; implicit ones leave it and impacts out, "
-        "in a tenth to a half of the time",
+        "explicit: resolves contact vibration and impacts; implicit: without them, in a tenth to "
+        "a half of the time",
         "explicit",
     )
     speed_table_rpm: SpeedTable | None = described(
@@ -109,10 +109,7 @@ class DynamicsTable(Table):
     )
     restitution: float = above(0, 1, "e that the contact law is given", 0.9)
     impact_speed_floor_m_s: float = above(
-        0,
-        1e3,
-        "least speed that counts as that of an impact; slower ones are damped by their film",
-        0.05,
+        0, 1e3, "least speed of an impact; slower ones are damped by their film", 0.05
     )
     race_stiffness: Annotated[str, OneOf(RaceStiffness)] = described(
         "of the grooved race, or a sphere on the race's circle, Shan et al. (2023)", "hertz"
@@ -121,7 +118,7 @@ class DynamicsTable(Table):
         "of ball on race, constants in [friction]; table: solved films", "four constants"
     )
     friction_on: Literal["ellipse", "centre"] = described(
-        "a coefficient counts over the Hertz ellipse, or at its centre alone", "ellipse"
+        "a coefficient holds over the Hertz ellipse, or at its centre only", "ellipse"
     )
     friction_dead_band_m_s: float = between(0, 100, "coulomb: v0, no friction below", 0.0)
     friction_full_m_s: float = above(0, 100, "coulomb: v1, all of it above", 0.05)
@@ -129,7 +126,7 @@ class DynamicsTable(Table):
     mixture_density_kg_m3: float | None = between(0, 2e4, "of oil and air; or ball_drag_N")
     drag_coefficient: float = between(0, 10, "of a ball in the mixture", 0.47)
     rotating_load_N: float | None = above(
-        0, 1e9, "on the inner ring across the axis, goes round; beside the loads of [operation]"
+        0, 1e9, "rotating, on the inner ring across the axis, added to the loads of [operation]"
     )
     rotating_load_speed_rpm: float | None = within(
         1e6, "of this load; default: that of the inner ring in [operation]"

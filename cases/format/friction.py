@@ -74,9 +74,8 @@ class LawTable(Table):
         "file of `oilfilm table`; also of a simulation's table", min_length=1
     )
     table_films: Literal["solved", "atlas"] = described(
-        "films of traction tables that are computed: solved, or of the film atlas where it has "
-        "all of a table: loaded contacts (A from 15 on, beyond L 20 from 27 on) sheared after "
-        "Eyring up to a limiting stress",
+        "films of traction tables: solved, or of the film atlas where it has all of a table "
+        "(A from 15 on, beyond L 20 from 27 on; Eyring's law up to a limiting stress)",
         "solved",
     )
 
@@ -89,14 +88,14 @@ class FrictionTable(LawTable):
         "main",
     )
     lubrication: Annotated[str, OneOf(Lubrication)] = described(
-        "how the oil comes to the bearing, for SKF's model and Palmgren's", "low oil bath"
+        "oil supply, for SKF's model and Palmgren's", "low oil bath"
     )
     oil: Literal["mineral", "synthetic", "transmission fluid"] = described(
         "base oil, for SKF's mu_EHL", "mineral"
     )
     dry_surface: str | None = described(
-        "of dry running, else by the balls; of oiled races the film that the cage transfers, "
-        "whose friction is that of asperities: a name of `oilfilm list dry_surfaces`"
+        "a name of `oilfilm list dry_surfaces`: surface of dry balls, else by their material; of "
+        "oiled races the film that the cage transfers, whose friction is that of asperities"
     )
     boundary_coefficient: float = above(
         0, 1, "of asperities that touch: SKF's mu_bl, and of the films with [surface]", 0.12
@@ -142,7 +141,7 @@ class FrictionTable(LawTable):
     )
     cooling_oil_C: float | None = between(-100, 300, "temperature as it comes; else ambient_C")
     highest_temperature_C: float = between(
-        0, 400, "film temperature beyond which no balance counts; assumed, of mineral oils", 150.0
+        0, 400, "largest film temperature of a balance; assumed, of mineral oils", 150.0
     )
     heating_torque: Literal[
         "integrated",

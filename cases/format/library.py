@@ -47,8 +47,8 @@ BASE_OIL_NAMES = {  # other names of classes of base oils
 
 
 class MaterialTable(Table):
-    """A material of the case, before those of the library; what it leaves out of thermal data,
-    strength and kind is taken from the library's of this name.
+    """A material of the case, before those of the library. Thermal data, strength and kind that
+    it lacks are those of the library's material of this name.
     """
 
     youngs_modulus_GPa: float = above(0, 2e3, "Young's modulus", ...)

@@ -183,7 +183,7 @@ class SlipTable(Table):
     critical_points: int = between(2, 201, "radial loads of the critical curves, evenly apart", 21)
     limit: float = above(0, 1e3, "slip factor below which a ball slips", 10.0)
     as_printed: Literal["half centrifugal force"] | None = described(
-        "an error of the source, shown beside the right maps"
+        "an error of the source, shown in addition to the right maps"
     )
     minimum_axial_load_factor_kN: float | None = above(0, 1e3, "A of SKF: F_am = A (n/1000)^2")
     minimum_radial_load_factor_kN: float | None = above(

@@ -94,8 +94,8 @@ class HousingTable(Table):
     """Seats of the outer rings, alike or by a matrix of the housing; rigid by default."""
 
     stiffness: str | None = described(
-        "file of its stiffness, condensed on x, y, z and the rotations about them of a seat (6 x "
-        "6, of all seats alike) or of all seats in the order of [[support]]",
+        "file of the stiffness on x, y, z and the rotations about them, of each seat (6 x 6) or "
+        "of all seats in the order of [[support]]",
         min_length=1,
     )
     stiffness_units: Literal["N m rad", "N mm rad"] = described("of that file", "N m rad")

@@ -101,7 +101,7 @@ class FeatureTable(Table):
     )
     start_um: float | None = within(
         1e8,
-        "x at time zero of its middle, of a profile its foremost place, of waviness its front; "
+        "x at time zero: of its middle, of a profile's foremost place, of the front of waviness; "
         "default: ahead of the box, of waviness on a body at rest everywhere",
     )
 

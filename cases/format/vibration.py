@@ -99,8 +99,8 @@ class FormTable(Table):
     """Form of the surfaces: what they differ by from circles; `oilfilm vibration`."""
 
     quality: Annotated[str, OneOf(*GRADES)] | None = described(
-        "grade of the balls by ISO 3290-1: their form and diameters, and the form of races, which "
-        "no standard limits, are drawn within it where no other is given"
+        "grade of the balls by ISO 3290-1: form and diameters of balls, and form of races (no "
+        "standard), are drawn within it if not given"
     )
     seed: int = between(0, 2**31 - 1, "of these random numbers", 58_201)
 
@@ -137,7 +137,7 @@ class SupportTable(Table):
         0,
         1e9,
         "radial, of the outer ring's seat; 0: loaded against a held inner ring; default: "
-        "the outer ring stands still",
+        "the outer ring is fixed",
     )
     seat_axial_stiffness_N_um: float | None = between(0, 1e9, "axial; default: the radial one")
     seat_damping_N_s_m: float | None = between(0, 1e9, "of the seat, in all directions")
