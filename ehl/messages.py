@@ -1,5 +1,7 @@
 """Kinds of messages."""
 
+OUTSIDE_TABLE = "traction table: outside its range"  # begins a message on contacts
+
 
 class Caution(str):
     """A message that changes a decision: terminal and report show it with the numbers, other

@@ -7,6 +7,7 @@ Fraction of a waviness that moves the bodies.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import pi, sqrt
 
 import numpy as np
@@ -38,11 +39,8 @@ from .form import FormBody, SurfaceForm, heights, hollow, rolled
 from .inputs import ContactLaw, VibrationModel, WaveFilter
 
 STEP = 0.8  # of k a at most, between waves that are solved; splines between them
-
-
 LEAST = 3  # waves that are solved at least
-
-
+KEPT = 64  # films of which response and waves are kept: records of one state are many
 FASTEST = 4.0  # k a beyond which the dry part counts: less than a quarter of a wave is left there
 
 
@@ -99,6 +97,7 @@ def dry_transmission(semi_axis: float) -> Transmission:
     )
 
 
+@lru_cache(maxsize=KEPT)
 def film_transmission(
     conditions: ContactConditions, semi_axis: float, largest: float, options: SolverOptions
 ) -> Transmission:
@@ -273,6 +272,9 @@ def film_load_fractions(
     return shares
 
 
+_response = lru_cache(maxsize=KEPT)(normal_response)
+
+
 def solved_films(
     contact: BearingContact, factor: float, frequency: float, options: SolverOptions | None = None
 ) -> SolvedFilms:
@@ -310,7 +312,7 @@ def solved_films(
     for fraction in SOLVED_LOADS:
         lighter: ContactConditions = replace(conditions, load=fraction * conditions.load)
         at = min(frequency, highest_frequency(lighter))
-        responses.append((lighter.load, at, normal_response(lighter, grid, (at,))))
+        responses.append((lighter.load, at, _response(lighter, grid, (at,))))
         response = responses[-1][2]
         if not response.converged:
             where = f"film at the {contact.race.value} race under {lighter.load:.4g} N"

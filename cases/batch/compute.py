@@ -22,12 +22,10 @@ from typing import Any
 
 from pydantic_core import from_json, to_json
 
-from oilfilm.bearing.contacts.contact import BearingContact
 from oilfilm.bearing.friction.friction_sources import LawTraction
 from oilfilm.bearing.friction.tables import Tables, save_race_tables
 from oilfilm.postprocess import summary
 from oilfilm.postprocess.batch.store import FAILED, Record, record_of
-from oilfilm.postprocess.batch.summary import OUTSIDE
 from oilfilm.postprocess.bearing.results import BearingResults
 from oilfilm.postprocess.bearing.write import write_bearing_netcdf
 from oilfilm.postprocess.contact.summary import ContactResults
@@ -97,10 +95,10 @@ def compute(
         return shaft_summary(run_shaft(case)), {}
     if task.compute == "slip":
         return slip_summary(run_slip(case, "case", 1)), {}
+    if task.compute == "vibration" or (task.compute == "dynamics" and case.only_vibrates):
+        return _vibration(case, task)
     if task.compute == "dynamics":
         return _dynamics(case, task, tables)
-    if task.compute == "vibration":
-        return _vibration(case, task)
     if task.compute == "table":
         return _table(case, task)
     if task.compute == "torque":
@@ -191,7 +189,7 @@ def torque_by_tables(
     results
         Results without films.
     notes
-        Notes on the accuracy and the range of the tables.
+        Note on the accuracy of the tables.
 
     Raises
     ------
@@ -207,29 +205,12 @@ def torque_by_tables(
     )
     case = replace(case, film_maps="none", traction=traction)
     results = run_case(case, 1, equilibria=equilibria)
-    return results, () if results.torque is None else _notes(results.contacts, tables)
-
-
-def _notes(contacts: Sequence[BearingContact], tables: Tables) -> tuple[str, ...]:
-    """Accuracy of the tables, and how many contacts lie outside them."""
-    outside = 0
-    for contact in contacts:
-        if contact.conditions is not None:
-            limits = tables[contact.race].range
-            speed = contact.conditions.entrainment_speed
-            inside = (
-                limits.load[0] <= contact.load <= limits.load[1]
-                and limits.speed[0] <= speed <= limits.speed[1]
-            )
-            outside += not inside
     worst = max(table.error.quantile for table in tables.values())
-    notes = [
+    note = (
         "torque: integrated by traction tables; 95 % of their forces within "
         f"{100.0 * worst:.1f} % of the largest"
-    ]
-    if outside:
-        notes.append(f"torque: {outside} contacts {OUTSIDE}; the nearest place counts")
-    return tuple(notes)
+    )
+    return results, () if results.torque is None else (note,)
 
 
 @contextmanager

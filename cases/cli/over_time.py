@@ -144,9 +144,7 @@ def dynamics(
     """Simulate a bearing over time: balls, cage and inner ring."""
     terminal.enter_context(compiled_ahead("motion"))
     loaded = load_bearing(case, "a simulation needs a bearing")
-    formed = loaded.file.form is not None or loaded.file.support is not None
-    simulated = loaded.file.dynamics
-    if formed and not (simulated and simulated.model_fields_set - {"end_time_s"}):
+    if loaded.only_vibrates:
         if any(option is not None for option in (restart, table, animation)):
             allowed = "with [form] or [support] they need [dynamics], which simulates friction"
             raise CaseError(f"{case}: --restart, --table, --animate: {allowed}")

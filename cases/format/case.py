@@ -159,6 +159,18 @@ class Case(AnyCase):
         least = self.pour_point
         return least is not None and self.operation.temperature < least
 
+    @property
+    def simulates_friction(self) -> bool:
+        """[dynamics] has more than an end time: friction, cage and slip are simulated."""
+        table = self.file.dynamics
+        return table is not None and bool(table.model_fields_set - {"end_time_s"})
+
+    @property
+    def only_vibrates(self) -> bool:
+        """A form or supports, and no friction to simulate."""
+        formed = self.file.form is not None or self.file.support is not None
+        return formed and not self.simulates_friction
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LoadCaseInput:

@@ -113,6 +113,7 @@ def run_dynamics(
         model = build_model(case, tables, notify)
         vibrating = None
         if any(given is not None for given in (file.form, file.support, file.vibration)):
+            notify(0, 1000, "equilibrium and films")
             formed = case_with_form(case, name)
             run, vibrating = _with_form(case, model, formed)
         else:

@@ -6,6 +6,7 @@ Traction equilibrium takes its friction from the films of the run, on a coarser 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import partial
+from math import isclose
 from typing import Any
 
 import numpy as np
@@ -15,11 +16,14 @@ from oilfilm.bearing.contacts.motion import ContactTraction, bearing_kinematics,
 from oilfilm.bearing.friction.contact_friction import BallTraction
 from oilfilm.bearing.friction.equilibrium import solve_traction_equilibrium
 from oilfilm.bearing.friction.friction_sources import FilmTraction, LawTraction
+from oilfilm.bearing.friction.tables import SAME_RADIUS
 from oilfilm.bearing.geometry import SINGLE, Bearing, Row
 from oilfilm.bearing.operation import BallKinematics, Operation, QuasistaticModel
 from oilfilm.bearing.quasistatic.solution import QuasistaticSolution
 from oilfilm.bearing.quasistatic.solver import solve_quasistatic
 from oilfilm.ehl import ContactConditions, ContactSolution
+from oilfilm.ehl.messages import OUTSIDE_TABLE, Caution
+from oilfilm.ehl.traction_table.table import TractionTable
 
 from ..format.case import Case
 from ..format.film_model import CaseFilms
@@ -133,18 +137,19 @@ def _outside(
             u = contact.conditions.entrainment_speed
             law = source.laws[contact.race]
             outside = law.forces(contact.load, u, k.sliding_x, k.sliding_y, k.spin).outside
+            radius = contact.conditions.radius_x
+            if isinstance(law, TractionTable) and not isclose(
+                radius, law.contact.radius_x, rel_tol=SAME_RADIUS
+            ):
+                outside = (*outside, "rolling radius")
             if outside:
                 places[f"{contact.race.value} race of ball {contact.ball}"] = ", ".join(outside)
     if not places:
         return ()
     first = next(iter(places))
-    places_outside = (
-        f"traction table: outside its range at {len(places)} of {len(contacts)} contacts, "
-    )
-    return (
-        f"{places_outside}first the {first} ({places[first]}); the nearest place counts, in "
-        "proportion to the load",
-    )
+    where = f"{len(places)} of {len(contacts)} contacts, first the {first} ({places[first]})"
+    counted = "the nearest place counts, in proportion to the load"
+    return (Caution(f"{OUTSIDE_TABLE} at {where}; {counted}"),)
 
 
 def contact_tractions(

@@ -116,23 +116,6 @@ def _band(table: VibrationTable) -> tuple[float, float] | None:
     return low, high
 
 
-def simulates(case: Case) -> bool:
-    """Check that [dynamics] has more than an end time: friction, cage and slip are simulated.
-
-    Parameters
-    ----------
-    case : Case
-        The bearing.
-
-    Returns
-    -------
-    bool
-        True if it has.
-    """
-    table = case.file.dynamics
-    return table is not None and bool(table.model_fields_set - {"end_time_s"})
-
-
 def check_keys(case: Case, name: str, refused: Sequence[str]) -> None:
     """Refuse keys of [dynamics] that a vibration does not take.
 
@@ -262,7 +245,7 @@ def run_vibration(
     check_keys(case, name, NOT_TAKEN)
     notify(0, 1000, "equilibrium and films")
     formed = case_with_form(case, name)
-    base = build_model(case, None, notify) if simulates(case) else None
+    base = build_model(case, None, notify) if case.simulates_friction else None
     try:
         run = vibration_run(formed.state, formed.model, formed.equations, base)
     except ValueError as error:

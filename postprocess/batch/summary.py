@@ -15,6 +15,7 @@ from rich.console import Group
 from rich.table import Table
 
 from oilfilm.ehl.arrays import Array
+from oilfilm.ehl.messages import OUTSIDE_TABLE
 from oilfilm.ehl.units import unit_symbol, without_unit
 
 from ..quantities import NOTHING, in_figures, number, number_table, titled
@@ -405,7 +406,6 @@ def _quantiles(values: Array) -> dict[str, float | None]:
 STATE = {"point": "number", "block": "block", "status": "status", "converged": "converged"}
 COUNTS = ("points", "done", "failed", "lost", "missing", "converged")
 MOST_NAMED = 10  # points listed in a message
-OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
 MOST_ROWS = 40  # of the terminal's table; the files have all
 WIDTH = 80
 MOST_INDICES = 3  # results whose indices fit beside the keys
@@ -519,12 +519,13 @@ def _messages(results: BatchResults) -> Iterator[str]:
     if outside:
         named = ", ".join(outside[:MOST_NAMED]) + (" ..." if len(outside) > MOST_NAMED else "")
         where = "where the nearest place counts"
-        yield f"{len(outside)} points with contacts {OUTSIDE}, {where}: {named}"
+        yield f"{len(outside)} points with contacts outside their tables, {where}: {named}"
 
 
 def _is_outside(point: BatchPoint) -> bool:
     """True if contacts of a point lie outside its traction tables."""
-    return any(OUTSIDE in message for message in (point.summary or {}).get("messages", ()))
+    messages = (point.summary or {}).get("messages", ())
+    return any(message.startswith(OUTSIDE_TABLE) for message in messages)
 
 
 def point_numbers(point: BatchPoint) -> dict[str, Any]:

@@ -26,9 +26,10 @@ from oilfilm.ehl.units import to_si
 
 from .. import plot_style
 from ..files import SUMMARY_FILE, write_json
+from ..open_results import open_history
 from ..quantities import FREQUENCIES
 from .history import HISTORY_FILE
-from .results import PLOTTED, STATES, DynamicsResults, dynamics_summary, open_history
+from .results import PLOTTED, STATES, DynamicsResults, dynamics_summary
 
 RUNNING = 0.02  # of the largest speed, below which a slip in percent says nothing [-]
 RACES = (("inner", plot_style.INNER_COLOUR), ("outer", plot_style.OUTER_COLOUR))

@@ -1,4 +1,4 @@
-"""A time simulation: results, quantities, summary, table, and its history read from disk."""
+"""A time simulation: results, quantities, summary, table."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from rich.console import Group
 
 from oilfilm.bearing.dynamics._integration_kernels import EVALUATIONS, REJECTED, STEPS
@@ -24,11 +23,11 @@ from oilfilm.bearing.dynamics.statistics import (
     states,
 )
 from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
+from oilfilm.ehl.messages import Caution
 from oilfilm.ehl.units import from_si
 
 from .. import vibration as seen
 from ..files import plain
-from ..netcdf_write import open_netcdf
 from ..quantities import (
     CAGE_SPEED,
     Results,
@@ -40,7 +39,6 @@ from ..quantities import (
     titled,
     values_of,
 )
-from .history import FORMAT, HISTORY_FILE
 
 NO_INTERVAL = "there are fewer samples than a confidence interval needs"
 NO_WHIRL = "the centre stays on the axis or is fixed"
@@ -141,35 +139,6 @@ class DynamicsResults(Results):
     vibration: "seen.VibrationResults | None" = None  # of a case with form or supports
 
 
-def open_history(path: str | Path) -> xr.Dataset:
-    """Open the history of a time simulation; quantities are read from disk when first used.
-
-    Parameters
-    ----------
-    path : str | Path
-        File or its folder.
-
-    Returns
-    -------
-    xr.Dataset
-        History, SI.
-
-    Raises
-    ------
-    ValueError
-        If there is no history, or one that this version does not read.
-    """
-    path = Path(path)
-    path = path / HISTORY_FILE if path.is_dir() else path
-    if not path.is_file():
-        raise ValueError(f"{path.parent} holds no history of a simulation: {path.name} is missing")
-    data = open_netcdf(path, xr.open_dataset)
-    if data.attrs.get("oilfilm_history") != FORMAT:
-        data.close()
-        raise ValueError(f"{path} is no history of a simulation that this version reads")
-    return data
-
-
 def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
     """The simulation as plain JSON: speeds [r/min], energies [J], loads [N], times [s].
 
@@ -228,7 +197,7 @@ def _start_messages(results: DynamicsResults, document: dict[str, Any]) -> Itera
         yield f"dynamics: {lost} of the further starts did not reach the end"
     if document["states_found"] > 1:
         speeds = ", ".join(f"{end['cage_speed_rpm']:.1f}" for end in document["starts"])
-        yield (
+        yield Caution(
             f"dynamics: {document['states_found']} states found from {len(document['starts'])} "
             f"starts, by the cage speed: {speeds} r/min; which one a bearing takes depends on its "
             "history, and the intervals hold within a state"
@@ -244,17 +213,17 @@ def _messages(numbers: SimulationStatistics | None, implicit: bool) -> Iterator[
         advice = "take explicit steps" if implicit else "lower tolerance"
         yield f"dynamics: not converged: the energies are off by {error}; {advice}"
     if numbers.steady is False:
-        yield _transient(numbers)
+        yield Caution(_transient(numbers))
     elif (width := numbers.load_interval) is not None and width > LOADS:
-        yield (
+        yield Caution(
             f"dynamics: the mean load of a race is known to {100.0 * width:.2g} % only (95 %): it "
             "changes widely, as of a ring that bounces; simulate longer"
         )
     if numbers.table_exceeded:
         largest = numbers.largest_load.max(axis=1)
-        yield (
-            f"dynamics: {numbers.table_exceeded:.2g} of the loaded contacts over the last third "
-            f"lie outside the traction table: up to {largest[0]:.3g} N and "
+        yield Caution(
+            f"dynamics: {100.0 * numbers.table_exceeded:.2g} % of the loaded contacts over the "
+            f"last third lie outside the traction table: up to {largest[0]:.3g} N and "
             f"{numbers.fastest[0]:.3g} m/s at the inner, {largest[1]:.3g} N and "
             f"{numbers.fastest[1]:.3g} m/s at the outer race, or at angles whose rolling radius "
             "is 5 % off; there speeds count as the nearest of the table, forces in proportion to "
@@ -262,7 +231,7 @@ def _messages(numbers: SimulationStatistics | None, implicit: bool) -> Iterator[
         )
     if numbers.gyroscopic_load is not None and numbers.gyroscopic_load > HELD:
         spin = abs(numbers.gyroscopic_speed / numbers.spin_speed) if numbers.spin_speed else 0.0
-        yield (
+        yield Caution(
             f"dynamics: gyroscopic slip: the couple is {numbers.gyroscopic_load:.2f} of what "
             f"friction holds at most; balls turn about the tangent at {spin:.2f} of their spin"
         )
@@ -287,7 +256,7 @@ def _other_speed(simulation: Simulation, numbers: SimulationStatistics | None) -
     rolling = state.cage_speed
     if rolling and abs(numbers.cage_speed - rolling) > SAME * abs(rolling):
         there = from_si("speed_rpm", rolling)
-        yield (
+        yield Caution(
             f"dynamics: the cage turns at {numbers.cage_speed / rolling:.3f} of the "
             f"{there:.1f} r/min of rolling balls in equilibrium, which run, vibration without "
             "[dynamics] and frequencies take: their defect frequencies are off by as much"

@@ -97,6 +97,34 @@ def spectrum(signal: Array, rate: float) -> Spectrum:
     )
 
 
+def largest_lines(result: Spectrum, count: int, above: float = 0.0) -> list[tuple[float, float]]:
+    """Largest peaks of a spectrum, placed between its bins by the larger neighbour (Grandke, 1983:
+    (2 r - 1)/(1 + r) of a bin, r of the top, exact for one line in Hann's window).
+
+    Parameters
+    ----------
+    result : Spectrum
+        Spectrum with Hann's window.
+    count : int
+        Peaks at most [-].
+    above : float, default 0.0
+        Frequency below which there is none [Hz].
+
+    Returns
+    -------
+    list[tuple[float, float]]
+        Frequency [Hz] and amplitude of the top bin, the largest first.
+    """
+    size = np.where(result.frequency > above, result.amplitude, 0.0)
+    inner = size[1:-1]
+    tops = 1 + np.flatnonzero((inner > size[:-2]) & (inner >= size[2:]) & (inner > 0.0))
+    tops = tops[np.argsort(-size[tops])][:count]
+    beside = size[tops + 1] - size[tops - 1]
+    ratio = np.maximum(size[tops + 1], size[tops - 1]) / size[tops]
+    places = tops + np.sign(beside) * np.maximum(2.0 * ratio - 1.0, 0.0) / (1.0 + ratio)
+    return list(zip((places * result.frequency[1]).tolist(), size[tops].tolist(), strict=True))
+
+
 def band_rms(signal: Array, rate: float, band: tuple[float, float]) -> float:
     """Root mean square of a signal within a band, Hann's window.
 

@@ -27,6 +27,7 @@ from .results import (
     envelope,
     envelope_band,
     kurtosis,
+    largest_lines,
     measured,
     shaft_frequency,
     spectrum,
@@ -187,11 +188,6 @@ def _peaks(
     """Largest lines of the velocity's spectrum with their names, and what of the form is there."""
     if run.model.options.start_speed_ratio != 1.0:
         return []
-    result = spectrum(seen.velocity, seen.rate)
-    size = result.amplitude
-    inner = size[1:-1]
-    tops = 1 + np.flatnonzero((inner > size[:-2]) & (inner >= size[2:]) & (inner > 0.0))
-    largest = tops[np.argsort(-size[tops])][:PEAKS]
     width = WIDTH * seen.rate / seen.velocity.size
     waves = spectral.expected_lines(run.solution, run.assembled, run.model.form)
     shaft = abs(shaft_frequency(run))
@@ -203,20 +199,24 @@ def _peaks(
         if line.body in places
     }
     rows = []
-    for k in largest:
-        frequency = float(result.frequency[k])
+    for frequency, size in largest_lines(spectrum(seen.velocity, seen.rate), PEAKS):
         near = [line for line in waves if abs(line.frequency - frequency) <= width]
         line = min(near, key=lambda line: abs(line.frequency - frequency)) if near else None
         name = spectral.name_of(frequency, named, PLACE * width, strengths)
         rows.append(
             {
                 "frequency_Hz": frequency,
-                "velocity_um_s": from_si("x_um_s", float(size[k])),
+                "velocity_um_s": from_si("x_um_s", size),
                 "name": line.name if line else name or UNKNOWN,
-                "source": line.source if line else sources.get(name or "", UNKNOWN),
+                "source": line.source if line else _source(name or "", sources),
             }
         )
     return rows
+
+
+def _source(name: str, sources: Mapping[str, str]) -> str:
+    """What of the form a peak may be of, by its names."""
+    return next((sources[part] for part in name.split(" or ") if part in sources), UNKNOWN)
 
 
 def _diagnosis(results: VibrationResults, seen: Measured) -> dict[str, Any]:
@@ -274,19 +274,13 @@ def _envelope_peaks(
         return []
     width = WIDTH * rate / signal.size
     place = PLACE * width
-    result = spectrum(signal, rate)
-    size = np.where(result.frequency > width, result.amplitude, 0.0)
-    inner = size[1:-1]
-    tops = 1 + np.flatnonzero((inner > size[:-2]) & (inner >= size[2:]) & (inner > 0.0))
-    largest = tops[np.argsort(-size[tops])][:PEAKS]
     return [
         {
-            "frequency_Hz": float(result.frequency[k]),
-            "acceleration_m_s2": float(size[k]),
-            "name": spectral.name_of(float(result.frequency[k]), named, place, strengths)
-            or UNKNOWN,
+            "frequency_Hz": frequency,
+            "acceleration_m_s2": size,
+            "name": spectral.name_of(frequency, named, place, strengths) or UNKNOWN,
         }
-        for k in largest
+        for frequency, size in largest_lines(spectrum(signal, rate), PEAKS, width)
     ]
 
 

@@ -102,7 +102,7 @@ def test_tables_that_are_given(shared, tmp_path):
     assert len(made) == 2
     assert [point.converged for point in results.points] == [True] * 4
     document = batch_summary(results)
-    assert any(m.startswith("2 points with contacts outside loads") for m in document["messages"])
+    assert any(m.startswith("2 points with contacts outside their tables") for m in document["messages"])
     sent = Task(
         key="a",
         document=given.points[0].document,
