@@ -26,8 +26,8 @@ from .html import estimated_keys
 KIND_OF_PART = {part: kind for kind, _, parts in KINDS for part in parts}
 # blocks of a summary that have a place on the page
 PLACED = frozenset(
-    "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance "
-    "life duty_cycle frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind "
+    "oilfilm case converged messages warnings ring equilibrium cage_speed_rpm balls contacts "
+    "clearance life duty_cycle frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind "
     "rows vibration".split()
 )
 # input among the results of a rating
