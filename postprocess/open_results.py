@@ -22,35 +22,6 @@ WITH_CONTACTS = ("bearing", "contact")
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"
 
 
-def open_history(path: str | Path) -> xarray.Dataset:
-    """Open the history of a time simulation; quantities are read from disk when first used.
-
-    Parameters
-    ----------
-    path : str | Path
-        File or its folder.
-
-    Returns
-    -------
-    xarray.Dataset
-        History, SI.
-
-    Raises
-    ------
-    ValueError
-        If there is no history, or one that this version does not read.
-    """
-    path = Path(path)
-    path = path / HISTORY_FILE if path.is_dir() else path
-    if not path.is_file():
-        raise ValueError(f"{path.parent} holds no history of a simulation: {path.name} is missing")
-    data = open_netcdf(path, xarray.open_dataset)
-    if data.attrs.get("oilfilm_history") != HISTORY_FORMAT:
-        data.close()
-        raise ValueError(f"{path} is no history of a simulation that this version reads")
-    return data
-
-
 def open_results(directory: str | Path) -> xarray.DataTree:
     """Open the results of a command, by its folder or netCDF file.
 

@@ -9,8 +9,8 @@ import matplotlib.pyplot as plt
 
 from oilfilm.cases import load_case
 from oilfilm.cases.runs.dynamics import run_dynamics
+from oilfilm.postprocess.dynamics.read import open_history
 from oilfilm.postprocess.dynamics.results import dynamics_summary
-from oilfilm.postprocess.open_results import open_history
 
 case = load_case("6304_planar").with_values({"dynamics.end_time_s": 0.4})
 results = run_dynamics(case, "6304_planar", Path("cage_run_up.nc"))

@@ -26,9 +26,9 @@ from oilfilm.ehl.units import to_si
 
 from .. import plot_style
 from ..files import SUMMARY_FILE, write_json
-from ..open_results import open_history
 from ..quantities import FREQUENCIES
 from .history import HISTORY_FILE
+from .read import open_history
 from .results import PLOTTED, STATES, DynamicsResults, dynamics_summary
 
 RUNNING = 0.02  # of the largest speed, below which a slip in percent says nothing [-]

@@ -21,8 +21,8 @@ from oilfilm.ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 from .. import plot_style
 from ..contact.transient_plots import MILLISECOND, film_span, shown
+from ..dynamics.read import open_history
 from ..files import write_text
-from ..open_results import open_history
 from .geometry import Surface, ring_shape, ring_surface
 from .render_process import read_request, write_gif
 from .scene import AnimationOptions

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from oilfilm.ehl.arrays import Array
 
+from ..dynamics.read import open_history
 from ..files import write_text
-from ..open_results import open_history
 from . import geometry
 from .vtk import add_array, collection_text, poly_data, write_block
 

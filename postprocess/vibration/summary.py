@@ -215,7 +215,7 @@ def _peaks(
 
 
 def _source(name: str, sources: Mapping[str, str]) -> str:
-    """What of the form a peak may be of, by its names."""
+    """The part of the form that a peak may be of, by its names."""
     return next((sources[part] for part in name.split(" or ") if part in sources), UNKNOWN)
 
 

@@ -53,7 +53,7 @@ def comparison(folder: Path) -> None:
 
 
 def history(folder: Path) -> None:
-    from oilfilm.postprocess.open_results import open_history
+    from oilfilm.postprocess.dynamics.read import open_history
 
     with open_history(folder) as data:
         data.load()

@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 from numpy.testing import assert_allclose
 
-from oilfilm.postprocess.open_results import open_history
+from oilfilm.postprocess.dynamics.read import open_history
 from oilfilm.postprocess.scene.geometry import about_axis, cage_surface, ring_shape, ring_surface, rotation
 from oilfilm.postprocess.scene.render_process import RenderingError, require_rendering
 from oilfilm.postprocess.scene.scene import AnimationOptions, animate
