@@ -4,7 +4,7 @@ import shutil
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import xarray
@@ -14,24 +14,15 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from oilfilm.bearing.dynamics.choices import Integration
-from oilfilm.bearing.dynamics.statistics import (
-    AVERAGED_SHARE,
-    INPUTS,
-    LOSSES,
-    angle_by_load,
-    spin_speeds,
-)
-from oilfilm.bearing.quasistatic.solution import ball_spin_without_slip, cage_speed_without_slip
-from oilfilm.ehl.units import to_si
+from oilfilm.bearing.dynamics.statistics import INPUTS, LOSSES
 
 from .. import plot_style
 from ..files import SUMMARY_FILE, write_json
 from ..quantities import FREQUENCIES
 from .history import HISTORY_FILE
-from .read import open_history
+from .read import averaged, open_history, simulated_speeds
 from .results import PLOTTED, STATES, DynamicsResults, dynamics_summary
 
-RUNNING = 0.02  # of the largest speed, below which a slip in percent says nothing [-]
 RACES = (("inner", plot_style.INNER_COLOUR), ("outer", plot_style.OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
 MECHANISM_COLOURS = (
@@ -51,140 +42,6 @@ SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says noth
 ROUND_ORBIT = 1e-3  # smaller over larger extent of an orbit below which it is a line [-]
 SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of the inner ring [-]
 FEWEST_SAMPLES = 8  # of the half that a spectrum is of [-]
-
-
-class Motion(NamedTuple):
-    """A speed over time [rad/s], shape (m,), of balls (m, Z), and the same without sliding."""
-
-    speed: Any
-    without_slip: Any  # (m,)
-
-    @property
-    def slip(self) -> Any:
-        """Deficit over the speed without sliding [-]; NaN where hardly anything turns."""
-        size = np.abs(self.without_slip)
-        rolling = np.where(size > RUNNING * size.max(), self.without_slip, np.nan)
-        return 1.0 - self.speed / (rolling if np.ndim(self.speed) == 1 else rolling[:, None])
-
-
-class Speeds(NamedTuple):
-    """Motions of a simulation over its samples."""
-
-    cage: Motion
-    orbit: Motion  # of the balls about the axis
-    spin: Motion  # of the balls about their own axes, in the frame that goes round with them
-
-
-def simulated_speeds(data: xarray.Dataset, document: dict[str, Any]) -> Speeds:
-    """Speeds of cage and balls, and those without sliding at the mean contact angle of each
-    sample.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        History of a simulation, SI.
-    document : dict[str, Any]
-        Summary of the results in named units.
-
-    Returns
-    -------
-    Speeds
-        Speeds over the samples.
-    """
-    cage = data["cage_velocity"].sel(cage_coordinate="rotation").to_numpy()
-    orbit = orbit_speed(data)
-    spin = spin_speeds(data["ball_angular_velocity"].to_numpy(), orbit)
-    inner, outer = ring_speeds(data, document)
-    ratio = float(data.attrs["ball_diameter"]) / float(data.attrs["pitch_diameter"])
-    gamma = ratio * np.cos(contact_angle(data))
-    rolling = cage_speed_without_slip(gamma, inner, outer)
-    turning = ball_spin_without_slip(ratio, gamma, inner, outer)
-    return Speeds(Motion(cage, rolling), Motion(orbit, rolling), Motion(spin, turning))
-
-
-def orbit_speed(data: xarray.Dataset) -> Any:
-    """Angular speed of each ball's centre about the axis.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        History of a simulation, SI.
-
-    Returns
-    -------
-    Any
-        Speed, shape (m, Z) [rad/s].
-    """
-    place = data["ball_position"].to_numpy()
-    speed = data["ball_velocity"].to_numpy()
-    turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
-    return turn / (place[..., 1] ** 2 + place[..., 2] ** 2)
-
-
-def contact_angle(data: xarray.Dataset) -> Any:
-    """Mean contact angle of each sample, weighed by the loads.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        History of a simulation, SI.
-
-    Returns
-    -------
-    Any
-        Angle, shape (m,) [rad]; that of the last loaded sample where no ball is loaded.
-    """
-    loads = data["contact_load"].to_numpy().astype(np.float64)
-    angles = angle_by_load(loads, data["contact_contact_angle"].to_numpy())
-    loaded = np.flatnonzero(loads.sum(axis=(1, 2)) > 0.0)
-    if not loaded.size:
-        return angles
-    place = np.searchsorted(loaded, np.arange(angles.size), side="right") - 1
-    return angles[loaded[np.maximum(place, 0)]]
-
-
-def ring_speeds(data: xarray.Dataset, document: dict[str, Any]) -> tuple[Any, Any]:
-    """Speeds of both rings over the samples.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        History of a simulation, SI.
-    document : dict[str, Any]
-        Summary of the results in named units.
-
-    Returns
-    -------
-    value
-        Speed of the inner ring by the angle that it turned, shape (m,) [rad/s].
-    value
-        Speed of the outer ring by the case, shape (m,) [rad/s].
-    """
-    time = data["time"].to_numpy()
-    case = document["case"]
-    table = (case.get("dynamics") or {}).get("outer_speed_table_rpm")
-    outer = case["operation"].get("outer_speed_rpm") or 0.0
-    outer = np.interp(time, *np.transpose(table)) if table else np.full(time.shape, outer)
-    turned = data["ring_rotation"].to_numpy()
-    inner = np.gradient(turned, time) if time.size > 1 else turned / time
-    return inner, to_si("speed_rpm", outer)
-
-
-def averaged(data: xarray.Dataset) -> Any:
-    """Samples over which the means of the summary are taken.
-
-    Parameters
-    ----------
-    data : xarray.Dataset
-        History of a simulation, SI.
-
-    Returns
-    -------
-    Any
-        True at these samples, shape (m,).
-    """
-    time = data["time"].to_numpy()
-    return time >= (1.0 - AVERAGED_SHARE) * time[-1]
 
 
 def write_dynamics(

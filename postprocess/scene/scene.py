@@ -7,7 +7,8 @@ from dataclasses import asdict, dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..dynamics.read import open_history, open_results, require_contacts
+from ..dynamics.read import open_history
+from ..open_results import open_results, require_contacts
 from .render_process import (
     PATIENCE,
     RenderingError,

@@ -30,8 +30,7 @@ from oilfilm.cases.format.shipped import find_case
 from oilfilm.cases.runs.dynamics import Interrupted, case_key, run_dynamics
 from oilfilm.cases.runs.motion_model import build_model
 from oilfilm.postprocess import summary
-from oilfilm.postprocess.dynamics.plots import averaged, simulated_speeds
-from oilfilm.postprocess.dynamics.read import open_history
+from oilfilm.postprocess.dynamics.read import averaged, open_history, simulated_speeds
 from oilfilm.postprocess.dynamics.results import dynamics_summary, dynamics_table
 from oilfilm.postprocess.report.html import figure, number
 from oilfilm.postprocess.report.page import report_page

@@ -9,7 +9,7 @@ import pytest
 import xarray
 from numpy.testing import assert_allclose
 
-from oilfilm.postprocess.dynamics.plots import averaged, simulated_speeds
+from oilfilm.postprocess.dynamics.read import averaged, simulated_speeds
 
 RATIO = 0.2  # ball over pitch diameter
 ANGLE = radians(25.0)
