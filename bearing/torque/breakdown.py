@@ -49,6 +49,7 @@ PAPERS = (
     *("pure_rolling_lines", "houpert", "yao", "balanced_lines", "kakuta", "constant_coulomb"),
     "skf_lambda",
 )
+NOT_ASKED = "not asked for"
 NOT_COMPUTED = 'not computed; [friction] models = "all" computes the models of single papers'
 NO_FILMS = "needs the film of every loaded contact and the oil's shear law"
 
@@ -214,13 +215,15 @@ def friction_torque(
     wanted = rough and friction.all_models
     asperities = shear.asperity_share if shear is not None and wanted else None
     by_skf = skf_model(solution, lubricant, friction, asperities)
-    lines = balanced_friction(solution, contacts, mu, lines=True)
     models = dict.fromkeys(PAPERS, ModelTorque(note=NOT_COMPUTED)) | {
         INTEGRATED: _integrated(shear, by_skf[SKF]),
         **by_skf,
         "palmgren": palmgren_model(solution, lubricant, friction),
-        "coulomb": coulomb_model(solution, contacts, mu, lines),
+        "coulomb": ModelTorque(note=NOT_ASKED),
     }
+    if friction.bounds or friction.all_models:
+        lines = balanced_friction(solution, contacts, mu, lines=True)
+        models["coulomb"] = coulomb_model(solution, contacts, mu, lines)
     if friction.all_models:
         models |= line_models(solution, contacts, mu, lines)
         models["yao"] = yao_model(solution, contacts, lubricant, friction, mu)

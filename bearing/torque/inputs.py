@@ -95,6 +95,8 @@ class FrictionInput:
     transferred: DrySurface | None = None
     # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
     all_models: bool = False
+    # beside the total its bounds (flooded, other roughness, other supplies) and Coulomb's model
+    bounds: bool = True
 
     @property
     def film_friction(self) -> float:

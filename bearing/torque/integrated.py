@@ -448,17 +448,21 @@ def films_torque(
     """
     operating = bearing_films(solution, contacts, films, friction, inlet)
     resistance = friction.resistance(solution.bearing, lubricant, solution.operation.shaft_speed)
-    whole = flooded_films(operating)
+    whole = flooded_films(operating) if friction.bounds else None
     nodes = film_nodes(solution, contacts, (operating, whole or ()), rheology)
     state = partial(
         solved_shear, solution, contacts, rheology=rheology, resistance=resistance, nodes=nodes
     )
     shear = state(films=operating, whole=whole)
     existing = [film for film in operating if film is not None]
+    ranges = {}
+    if friction.bounds:
+        ranges = _rough_ranges(state, contacts, operating, friction, shear.torque.total)
     return replace(
         shear,
         films=operating,
-        ranges=_rough_ranges(state, contacts, operating, friction, shear.torque.total),
+        ranges=ranges,
+        flooded=shear.flooded if friction.bounds else None,
         by_formula=sum(film.origin is not FilmOrigin.SOLVED for film in existing),
         by_atlas=sum(film.origin is FilmOrigin.ATLAS for film in existing),
         lubricated=len(existing),

@@ -7,7 +7,7 @@ those that fill maps and curves.
 import base64
 import os
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from math import degrees
@@ -35,7 +35,7 @@ from oilfilm.postprocess.stiffness.results import ross_lines
 from ..format.case import Case, case_of_document
 from ..format.rules import CaseError
 from ..format.shaft_case import ShaftCase, any_case_of_document
-from ..runs.bearing import run_case
+from ..runs.bearing import of_main_numbers, run_case
 from ..runs.equilibrium import Equilibria
 from ..runs.processes import prepare_worker
 from ..runs.shaft import run_shaft
@@ -79,11 +79,13 @@ class Engine:
             "seconds": perf_counter() - start,
         }
 
-    def _run(self, document: dict[str, Any]) -> BearingResults | ShaftResults:
+    def _run(
+        self, document: dict[str, Any], asked: Callable[[Case], Case] = lambda case: case
+    ) -> BearingResults | ShaftResults:
         """Results of a bearing with films of the film atlas, or of a shaft."""
         if "shaft" in document:
             return run_shaft(_shaft_case(document))
-        case = _bearing_case(live_document(document))
+        case = asked(_bearing_case(live_document(document)))
         return run_case(case, workers=1, equilibria=self.equilibria)
 
     def scene(self, member: int = 0) -> Answer:
@@ -176,7 +178,7 @@ class Engine:
         dict[str, Any]
             Main numbers, None where a point has none.
         """
-        found = _summary(self._run(document))
+        found = _summary(self._run(document, of_main_numbers))
         return main_numbers(found if member is None else of_member(found, member))
 
     def report(self, document: dict[str, Any]) -> Answer:

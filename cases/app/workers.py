@@ -1,12 +1,13 @@
 """Worker processes of the live program: one request at a time each, and an end at any time."""
 
 import asyncio
-import os
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from importlib import import_module
 from multiprocessing.connection import Connection
 from typing import Any
+
+from oilfilm.ehl.multigrid.threads import cores
 
 from ..runs.processes import PATIENCE, start_fork_server, worker_context
 
@@ -104,12 +105,11 @@ class Field:
     Parameters
     ----------
     count : int | None, optional
-        Processes [-]; None: one for each core but one, at least one.
+        Processes [-]; None: one for each core.
     """
 
     def __init__(self, count: int | None = None) -> None:
-        number = count or max((os.cpu_count() or 2) - 1, 1)
-        self.workers = [Worker(quiet=True) for _ in range(number)]
+        self.workers = [Worker(quiet=True) for _ in range(count or cores())]
         self.job = 0
 
     async def fill(self, tasks: Iterable[Task], show: Callable[[Any, Answer], None]) -> bool:

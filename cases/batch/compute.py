@@ -40,7 +40,7 @@ from oilfilm.postprocess.vibration.write import write_record
 from ..format.case import Case, ContactCase
 from ..format.shaft_case import ShaftCase, any_case_of_document
 from ..format.traction import require_fitting_tables, resisted_traction
-from ..runs.bearing import run_case
+from ..runs.bearing import of_main_numbers, run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
 from ..runs.equilibrium import Equilibria
@@ -51,6 +51,7 @@ from ..runs.stiffness_and_slip import run_slip
 from ..runs.traction_table import run_table
 from ..runs.vibration import run_vibration
 from .keys import CONTACTS, digest, program_digest, value_in
+from .plan import asked_parts
 from .points import Limits, PointResult, Task
 from .shared_tables import ContactCache, tables_once
 from .store import write_file, write_files
@@ -101,6 +102,8 @@ def compute(
         return _dynamics(case, task, tables)
     if task.compute == "table":
         return _table(case, task)
+    if task.outputs:
+        case = of_main_numbers(case, **asked_parts(task.outputs))
     if task.compute == "torque":
         return _torque(case, tables, equilibria)
     return _with_fields(run_case(case, 1, None, solve, equilibria=equilibria), task)

@@ -331,6 +331,7 @@ def _tasks(
                 keys=sweep.keys,
                 tables=None if tables is None else str(tables.resolve()),
                 table_points=sweep.table_points,
+                outputs=sweep.outputs,
                 limits=limits,
             )
 

@@ -429,6 +429,27 @@ def _meets(path: KeyPath, problem: KeyPath) -> bool:
     return shorter > 0 and path[:shorter] == tuple(problem[:shorter])
 
 
+def asked_parts(outputs: Sequence[str]) -> dict[str, bool]:
+    """Parts of a run that the wanted numbers need beside loads, films, total torque and life.
+
+    Parameters
+    ----------
+    outputs : Sequence[str]
+        Names of the wanted numbers; none: all.
+
+    Returns
+    -------
+    dict[str, bool]
+        Arguments of `of_main_numbers`; empty where all numbers are wanted.
+    """
+    if not outputs:
+        return {}
+    own = ("torque_N_mm.total", "torque_N_mm.models.integrated")
+    bounds = (n for n in outputs if n.startswith(("torque_N_mm.", "supply.", "decay.")))
+    heat = any(name.startswith("self_heating.") for name in outputs)
+    return {"heat": heat, "bounds": any(not name.startswith(own) for name in bounds)}
+
+
 class PointName:
     """Names of points: hashes of all that their results depend on, the program included.
 
@@ -440,6 +461,7 @@ class PointName:
         whole: Document = {"compute": file.compute, "fields": file.fields, "format": FORMAT}
         if file.compute == "table":
             whole["table_points"] = file.table_points
+        whole |= asked_parts(file.outputs)
         text = document_text(whole | {"program": program_digest()})
         self.head = hashlib.sha256(text.encode())
         self.without = frozenset(NOT_IN_TRACTION_TABLES if file.compute == "table" else DESCRIBING)

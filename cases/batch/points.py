@@ -129,6 +129,7 @@ class Sweep:
     table: Path | None = None
     table_points: int = 257
     plot: tuple[str, ...] = ()
+    outputs: tuple[str, ...] = ()  # that are wanted; all if it is empty
     designs: tuple[Design, ...] = ()
     film_models: tuple[str, ...] = ()  # of the points that were checked
     share_contacts: bool = False  # whether contacts may be equal in several points
@@ -160,6 +161,7 @@ class Task:
     keys: tuple[str, ...] = ()  # varied, of which the values as run are kept
     tables: str | None = None  # file of traction tables on the machine of the batch
     table_points: int = 257
+    outputs: tuple[str, ...] = ()
     limits: Limits = NO_LIMITS
     program: str = field(default_factory=program_digest)
 

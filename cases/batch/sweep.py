@@ -118,7 +118,9 @@ def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
         blocks.append(changed)
     examples = [variation for block in blocks for variation in of_each_kind(block)]
     notes += [*replaced_keys(case, [fixed]), *replaced_keys(base, examples)]
-    problems += plot_problems(file.plot, point_kind(base, file.compute))
+    kind = point_kind(base, file.compute)
+    problems += plot_problems(file.plot, kind)
+    problems += unknown_numbers(file.outputs, kind, "outputs")
     if problems:
         raise source.error(problems)
     keys = varied_keys(blocks)
@@ -145,6 +147,7 @@ def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
         table=table,
         table_points=file.table_points,
         plot=file.plot,
+        outputs=file.outputs,
         designs=tuple(designs),
         film_models=tuple(sorted({_film_model(case) for _, case in checked.values()})),
         share_contacts=_may_share_contacts(blocks, keys),
@@ -378,18 +381,38 @@ def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseProblem]:
     Iterator[CaseProblem]
         The problems.
     """
-    known = result_names(kind)
-    for k, name in enumerate(names):
-        if name not in known:
-            allowed = "allowed: main results, torque_N_mm, supply and self_heating of batch.csv"
-            longer = (whole for whole in known if whole.endswith(f".{name}"))
-            nearest = next(longer, nearest_name(name, known))
-            yield CaseProblem(("plot", k), f"found {shown(name)}", allowed, nearest=nearest)
-        elif name in names[:k]:
-            yield CaseProblem(("plot", k), f"found {shown(name)} twice", "allowed: once")
+    yield from unknown_numbers(names, kind, "plot")
     units = [unit_of(name) for name in names]
     if 1 < len(set(units)) and (len(set(units)) < len(units) or len(units) > MOST_PANELS):
         names_of_units = ", ".join(unit or "no unit" for unit in dict.fromkeys(units))
         finding = f"found {len(units)} numbers in {names_of_units}"
         allowed = f"allowed: all in one unit, or up to {MOST_PANELS} in one unit each"
         yield CaseProblem(("plot",), finding, allowed)
+
+
+def unknown_numbers(names: tuple[str, ...], kind: str, key: str) -> Iterator[CaseProblem]:
+    """Problems of the names of numbers of batch.csv.
+
+    Parameters
+    ----------
+    names : tuple[str, ...]
+        The names.
+    kind : str
+        Quantity that is computed; "contact" for a single contact.
+    key : str
+        Key of the sweep file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
+    known = result_names(kind)
+    for k, name in enumerate(names):
+        if name not in known:
+            allowed = "allowed: main results, torque_N_mm, supply and self_heating of batch.csv"
+            longer = (whole for whole in known if whole.endswith(f".{name}"))
+            nearest = next(longer, nearest_name(name, known))
+            yield CaseProblem((key, k), f"found {shown(name)}", allowed, nearest=nearest)
+        elif name in names[:k]:
+            yield CaseProblem((key, k), f"found {shown(name)} twice", "allowed: once")

@@ -89,6 +89,13 @@ class SweepFile(Table):
     plot: tuple[str, ...] = described(
         "numbers of batch.csv that --plot draws; else main results", (), strict=False, max_length=8
     )
+    outputs: tuple[str, ...] = described(
+        "numbers of batch.csv that are wanted: the heat balance at a given temperature, bounds of "
+        "the torque and Coulomb's model are left out where none of these is theirs; else all",
+        (),
+        strict=False,
+        max_length=100,
+    )
     fixed: dict[str, Any] = described("values by key, at every point in place of the case's", {})
     sweep: dict[str, Any] = described("lists of values by key; every combination is a point", {})
     combinations: tuple[dict[str, Any], ...] = described("points, a table each", (), strict=False)

@@ -206,6 +206,8 @@ def torque_over_supply(
     friction = case.friction
     if friction is None or torque is None or state.operation.shaft_speed == 0.0:
         return {}
+    if not friction.bounds:
+        return {}
     total = _total_at(case, state, contacts, films, torque)
     found: dict[str, Any] = {}
     if case.inlet.limit and case.inlet.replenishment != 1.0:
@@ -335,6 +337,30 @@ def run_case(
             break
         warmed = with_temperature(case, heating)
     return in_balance(results, at)
+
+
+def of_main_numbers(case: Case, *, heat: bool = False, bounds: bool = False) -> Case:
+    """The case without what loads, films, total torque and life do not need.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    heat : bool, default False
+        True: with the heat balance, also at a temperature that is given.
+    bounds : bool, default False
+        True: with bounds of the torque, and Coulomb's model.
+
+    Returns
+    -------
+    Case
+        The case; the numbers that are left are those of the whole run.
+    """
+    if case.file.operation.temperature != SELF_HEATED and not heat:
+        case = replace(case, heating=None)
+    if case.friction is None:
+        return case
+    return replace(case, friction=replace(case.friction, bounds=bounds))
 
 
 def _with_all_balances(
@@ -629,7 +655,11 @@ def _operating(
     torque: TorqueBreakdown | None,
 ) -> Films | None:
     """Operating films, those of the torque where it has them; None where heat is not known."""
-    if case.friction is None or not state.converged or not (case.heating or conducts(case)):
+    if (
+        case.friction is None
+        or not state.converged
+        or not (case.heating or (case.friction.bounds and conducts(case)))
+    ):
         return None
     if torque is not None and torque.shear is not None and torque.shear.films:
         return torque.shear.films

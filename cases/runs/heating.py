@@ -94,12 +94,14 @@ def with_temperature(
         changed["temperatures"] = part_temperatures(file.temperatures, parts)
     found = case_of_file(file.model_copy(update=changed), case.title or "case")
     assert isinstance(found, Case)  # a bearing
+    assert case.friction is not None and found.friction is not None  # of every bearing case
     found = replace(
         found,
         document=_warmed_document(found.document),
-        load_cases=case.load_cases,
+        load_cases=case.load_cases,  # each warms itself
         given=case.given,
-    )  # each load case warms itself
+        friction=replace(found.friction, bounds=case.friction.bounds),
+    )
     note = (
         f"operation.temperature: computed at {balanced:.1f} C, where friction ({heating.model}) "
         "and cooling agree"

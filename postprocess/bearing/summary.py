@@ -618,9 +618,10 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
     if results.interrupted:
         return
     if heating is None:
-        yield null(
-            "self_heating", "the case gives no friction.heat_transfer_W_K, or nothing turns"
-        )
+        lacking = (results.case.get("friction") or {}).get("heat_transfer_W_K") is None
+        turning = results.quasistatic.operation.shaft_speed
+        why = "the case gives no friction.heat_transfer_W_K, or nothing turns"
+        yield null("self_heating", why if lacking or not turning else "it is not asked for")
     elif heating.balance is None or not heating.converged:
         yield null("self_heating", f"not converged: {heating.note}; {_advice(results, heating)}")
     else:

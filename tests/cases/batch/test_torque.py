@@ -6,7 +6,7 @@ import pytest
 
 from oilfilm.bearing import Race
 from oilfilm.bearing.operation import BallKinematics
-from oilfilm.cases import load_case, run_case
+from oilfilm.cases import CaseError, load_case, run_case
 from oilfilm.cases.batch.engine import run_batch
 from oilfilm.cases.batch.results import load_results
 from oilfilm.cases.batch.shared_tables import _without_films, shared_tables
@@ -112,3 +112,31 @@ def test_tables_of_points_with_heat_have_heat(tmp_path, monkeypatch):
         assert (solids is not None) == heated
         assert made[Race.INNER].solids == made[Race.OUTER].solids == solids
     assert len(names) == 2
+
+
+@pytest.mark.parametrize(("name", "left_out"), [("torque_N_mm", True), ("self_heating.temperature_C", False)])
+def test_what_is_asked_for_is_that_of_the_whole_run(name, left_out, tmp_path):
+    """Loads, films, total, life to the last bit; a heat balance at a given temperature only where it is asked for."""
+    text = case_text("heat_transfer_W_K = 2.0\nambient_C = 25.0\n")
+    found = {}
+    for outputs in ((), (name,)):
+        sweep = sweep_of(tmp_path, text, f"outputs = {list(outputs)}")
+        results = load_results(run_batch(sweep, tmp_path / f"out{len(outputs)}", HerePool))
+        found[outputs] = results.points[1]
+    whole, asked = (found[key].summary for key in ((), (name,)))
+    assert whole["self_heating"]["temperature_C"] is not None
+    assert (asked["self_heating"]["temperature_C"] is None) == left_out
+    assert asked["torque_N_mm"]["flooded_isothermal"] is None
+    for key in ("balls", "life", "cage_speed_rpm"):
+        assert asked[key] == whole[key]
+    for one, other in zip(asked["contacts"], whole["contacts"], strict=True):
+        assert all(one[key] == other[key] for key in one if "conductance" not in key)
+    assert asked["torque_N_mm"]["total"] == whole["torque_N_mm"]["total"]
+    assert asked["torque_N_mm"]["parts"] == whole["torque_N_mm"]["parts"]
+    assert found[()].key != found[(name,)].key
+
+
+def test_an_output_that_no_point_has_is_told(tmp_path):
+    with pytest.raises(CaseError) as caught:
+        sweep_of(tmp_path, case_text(), 'outputs = ["torque"]')
+    assert "outputs" in caught.value.messages[0] and "torque_N_mm" in caught.value.messages[0]
