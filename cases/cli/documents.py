@@ -21,6 +21,7 @@ Contact = Annotated[
 
 # formats of `export` that are no meshes
 DOCUMENTS = {"xlsx": "workbook", "pdf": "pages", "fmu": "unit", "rexs": "model"}
+FORMATS = ("xdmf", "inp", "msh", "vtu", *DOCUMENTS)
 
 
 class Axis(StrEnum):
@@ -235,7 +236,7 @@ def export(
         str,
         typer.Option(
             "--format",
-            metavar="[xdmf|inp|msh|vtu|xlsx|pdf|fmu|rexs]",
+            metavar=f"[{'|'.join(FORMATS)}]",
             help="Meshes; workbook; pages; table of a batch for co-simulation; drive.",
         ),
     ],
@@ -256,6 +257,8 @@ def export(
     """Write films as meshes, numbers as a workbook or a PDF, a batch as an FMU, or results into
     the drive in REXS that the case came from.
     """
+    if file_format not in FORMATS:
+        raise CaseError(f"--format {file_format}: unknown; allowed: {', '.join(FORMATS)}")
     stem = f"{directory.resolve().name}" if file_format in DOCUMENTS else "films"
     file = output or Path(f"{stem}.{file_format}")
     if file.suffix.lower() != f".{file_format}":

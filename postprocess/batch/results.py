@@ -96,7 +96,7 @@ MOST_STYLES = 4  # and by the style of line
 LOADS = ("radial_load_N", "axial_load_N")  # these are the colours of lines
 SPEEDS = ("inner_speed_rpm", "outer_speed_rpm")  # results are drawn over these first
 NOT_NUMBERS = frozenset(
-    "case oilfilm messages balls contacts stiffness points domain nodes surface "
+    "case oilfilm messages stiffness points domain nodes surface "
     # times depend on the machine
     "timing_s wall_s critical_curves minimum_preload".split()
 )

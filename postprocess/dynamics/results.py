@@ -404,7 +404,9 @@ def _facts(document: dict[str, Any]) -> dict[str, str]:
     if document["steady"] is False:
         left = document["cage_speed_to_come_rpm"]
         facts["cage"] += ", not steady" + ("" if left is None else f": {left:+.3g} r/min to come")
-    facts["friction torque"] = f"{document['friction_torque_N_mm']:.4g} N mm"
+    friction = document["case"].get("dynamics", {}).get("friction", "table")
+    partly = "" if friction == "table" else f" by {friction}, without rolling resistance"
+    facts["friction torque"] = f"{document['friction_torque_N_mm']:.4g} N mm{partly}"
     facts["sliding"] = _sliding(document["balls"])
     lost = document["energy"]["dissipated_J"]
     supplied = sum(document["energy"]["input_J"].values())

@@ -189,6 +189,7 @@ def test_work_of_films_is_told_beside_what_is_lost(folder, films, words):
     console.print(dynamics_table(document))
     text = console.export_text()
     assert words in text
+    assert "N mm by four constants, without rolling resistance" in " ".join(text.split())
     assert f"{sum(document['energy']['dissipated_J'].values()):.4g} J lost" in text
 
 

@@ -10,6 +10,7 @@ from contextlib import closing
 
 import pytest
 
+from oilfilm.postprocess.batch.results import scalar_numbers
 from oilfilm.postprocess.batch.store import (
     DONE,
     PointStore,
@@ -165,3 +166,10 @@ def test_rows_that_cannot_be_read_are_counted(tmp_path):
     stored = StoredPoints([path])
     assert stored.damaged == {path: 1}
     assert len(stored.status) == 4
+
+
+def test_numbers_that_balls_have_in_other_tables_are_columns():
+    """The balls' temperature and the safety of the contacts had no column: lists of that name were left out by it."""
+    parts = {"temperatures_C": {"balls": 41.0}, "strength": {"contacts": {"rim_safety": 2.0}}}
+    lists = {"balls": [{"ball": 1}], "contacts": [{"load_N": 3.0}]}
+    assert scalar_numbers(parts | lists) == {"temperatures_C.balls": 41.0, "strength.contacts.rim_safety": 2.0}

@@ -194,7 +194,10 @@ def test_the_command(bearing_folder, tmp_path, monkeypatch):
     assert answer.stderr.splitlines() == ["mesh in films.xdmf", "values in films.h5"]
     assert sorted(p.name for p in tmp_path.iterdir()) == ["films.h5", "films.xdmf"]
     for words, message in (
-        ((bearing_folder, "--format", "stl"), "unknown mesh format 'stl'; allowed: xdmf, inp, msh, vtu"),
+        (
+            (bearing_folder, "--format", "stl"),
+            "--format stl: unknown; allowed: xdmf, inp, msh, vtu, xlsx, pdf, fmu, rexs",
+        ),
         ((bearing_folder, "--format", "vtu", "-o", "a.msh"), "allowed: a .vtu file"),
         (("nowhere", "--format", "vtu"), "nowhere: no such directory"),
         ((tmp_path, "--format", "vtu"), "holds no results"),
