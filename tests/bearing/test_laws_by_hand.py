@@ -31,6 +31,8 @@ from oilfilm.bearing.heating.friction_heat import loaded_half
 from oilfilm.bearing.invariants import _frequencies
 from oilfilm.bearing.quasistatic.solution import _cage_speed
 from oilfilm.bearing.rating import dry_running
+from oilfilm.bearing.torque import models
+from oilfilm.bearing.torque.skf import Series
 from oilfilm.bearing.vibration.form import rolled
 
 
@@ -198,3 +200,22 @@ def test_life_of_the_film_that_a_cage_gives():
     assert found == pytest.approx(
         (play["value"] * volume / 4.0, play["range"][0] * volume / 8.0, play["range"][1] * volume / 2.0)
     )
+
+
+def test_loads_and_oil_of_skfs_model(monkeypatch):
+    """Radial and axial load of the ring without their signs, kinematic viscosity; round-off is no load."""
+    monkeypatch.setattr(models, "bearing_kind", lambda bearing: Series.DEEP_GROOVE)
+    monkeypatch.setattr(models, "static_capacity", lambda bearing, friction: 1e4)
+    monkeypatch.setattr(models, "_seal_diameter", lambda bearing, friction: None)
+    names = ("lubrication", "oil", "oil_level", "boundary", "full_film", "drag_factor", "sealed")
+    friction = SimpleNamespace(series="62", **dict.fromkeys(names))
+    solution = SimpleNamespace(
+        bearing=SimpleNamespace(bore=0.03, outside_diameter=0.062),
+        ring_force=(-12.0, 3.0, -4.0),
+        operation=SimpleNamespace(shaft_speed=70.0),
+    )
+    oil = SimpleNamespace(dry=False, viscosity=0.02, density=800.0)
+    _, at = models._skf_inputs(solution, oil, friction)
+    assert (at.radial_load, at.axial_load, at.speed, at.viscosity) == (5.0, 12.0, 70.0, 2.5e-5)
+    assert models.ring_loads(SimpleNamespace(ring_force=(-12.0, 0.0, 1e-14))) == (0.0, 12.0)
+    assert models.ring_loads(SimpleNamespace(ring_force=(1e-14, 0.0, -5.0))) == (5.0, 0.0)
