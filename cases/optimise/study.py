@@ -15,7 +15,7 @@ from oilfilm.postprocess.batch.summary import point_numbers
 
 from ..batch import plan
 from ..batch.keys import value_in
-from ..batch.points import Sweep
+from ..batch.points import Plan, Sweep
 from ..batch.samples import RANGE, Distribution, distribution, unit_sample, with_law
 from ..batch.sweep_file import OptimisationFile, SearchTable, SweepFile
 from ..format.document import parse, read_text
@@ -116,9 +116,7 @@ class Study:
             compute="run",
             fields=False,
             keys=keys,
-            points=plan.Plan(
-                [block], documents.document, plan.PointName(file, base).name_of, keys
-            ),
+            points=Plan([block], documents.document, plan.PointName(file, base).name_of, keys),
         )
 
     def _is_whole(self, key: str) -> bool:
