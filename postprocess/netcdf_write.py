@@ -1,13 +1,16 @@
 """netCDF-4 files of results, written without xarray and looked through before it reads them, and
 the files of a study.
 
-Loading xarray and its libraries takes longer than writing the fields of a bearing.
+Loading xarray and its libraries takes longer than writing the fields of a bearing. The files are
+HDF5 with dimensions as scales, as the netCDF-4 format describes them: h5py writes them in half the
+time that h5netcdf takes.
 """
 
 import io
 import json
-from collections.abc import Callable, Collection, Container, Iterable
+from collections.abc import Callable, Collection, Container, Iterable, Iterator
 from dataclasses import dataclass, field
+from itertools import count
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -37,6 +40,7 @@ FILTERS = {h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLE
 PACKED_ONCE = 1100
 WITHOUT_VALUES = 64  # of a variable without values [bytes]
 NO_VARIABLE = b"This is a netCDF dimension but not a netCDF variable"
+PROVENANCE = f"version=2,h5py={h5py.version.version},hdf5={h5py.version.hdf5_version}"
 T = TypeVar("T")
 
 
@@ -88,10 +92,27 @@ def write_groups(groups: dict[str, DataGroup], path: Path) -> None:
         File to write.
     """
     content = io.BytesIO()  # HDF5 may end the program on a full disk
-    with h5netcdf.File(content, "w") as file:
+    numbers = count()
+    with _new_file(content) as file:
         for name, group in groups.items():
-            _write_group(file if name == "/" else file.create_group(name), group)
+            own = file if name == "/" else file.create_group(name, track_order=True)
+            _write_group(own, group, numbers)
     write_bytes(path, content.getvalue())
+
+
+def _new_file(target: Any) -> h5py.File:
+    """A file whose groups keep the order in which their variables were written."""
+    file = h5py.File(target, "w", track_order=True)
+    file.attrs["_NCProperties"] = np.bytes_(PROVENANCE)
+    return file
+
+
+@dataclass(frozen=True, slots=True)
+class _Later:
+    """Values that come in parts."""
+
+    shape: tuple[int, ...]
+    dtype: np.dtype[Any]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -137,33 +158,25 @@ def write_dataset_in_parts(
         Before anything is written, if the disk has no room.
     """
     sizes = {d: n for v in variables.values() for d, n in zip(v[0], np.shape(v[1]), strict=True)}
-    scales = {name: variable for name, variable in variables.items() if name in sizes}
-    others = {name: variable for name, variable in variables.items() if name not in scales}
-    plain = DataGroup(variables=scales, attributes=_head(attributes, coordinates, parts.types))
+    over = (parts.dimension,)
+    later: Variables = {
+        name: (over, _Later((parts.size,), np.dtype(kind)), parts.attributes.get(name, {}))
+        for name, kind in parts.types.items()
+    }
+    first = [name for name in variables if name in sizes] + [parts.dimension]
+    everything = {name: (later | variables)[name] for name in first} | variables | later
+    head = _head(attributes, coordinates, parts.types)
     with atomic_path(path) as temporary:
         # HDF5 may end the program on a full disk
         require_room(path.parent, VALUE_BYTES * parts.size * len(parts.types) + _bytes(variables))
-        with h5netcdf.File(temporary, "w") as file:
-            file.dimensions.update(sizes | {parts.dimension: parts.size})
-            _write_group(file, plain)
-            _create(file, parts, lambda name: name == parts.dimension)
-            _write_group(file, DataGroup(variables=others))
-            _create(file, parts, lambda name: name != parts.dimension)
+        with _new_file(temporary) as file:
+            _write_group(file, DataGroup(variables=everything, attributes=head), count())
             start = 0
             for part in parts.values:
                 stop = start + len(next(iter(part.values())))
                 for name, array in part.items():
                     file[name][start:stop] = array
                 start = stop
-
-
-def _create(file: h5netcdf.File, parts: DatasetParts, chosen: Callable[[str], bool]) -> None:
-    """Create variables that come in parts, without values."""
-    for name in filter(chosen, parts.types):
-        kind = parts.types[name]
-        form: Any = h5py.string_dtype() if kind is object else kind
-        variable = file.create_variable(name, (parts.dimension,), dtype=form)
-        variable.attrs.update(parts.attributes.get(name, {}))
 
 
 def _bytes(variables: Variables) -> int:
@@ -173,30 +186,60 @@ def _bytes(variables: Variables) -> int:
     return MARGIN + sum(array.nbytes for array in sizes) + sum(texts)
 
 
-def _write_group(target: Any, group: DataGroup) -> None:
-    target.attrs.update(group.attributes)
-    for name, (dimensions, values, attributes) in group.variables.items():
-        array = np.asarray(values)
-        if array.dtype.kind in "UO":
-            array = array.astype(object)
-        for dimension, size in zip(dimensions, array.shape, strict=True):
-            if dimension not in target.dimensions:
-                target.dimensions[dimension] = size
-        _write_variable(target, name, dimensions, array, attributes)
+def _write_group(target: h5py.Group, group: DataGroup, numbers: Iterator[int]) -> None:
+    """Write variables and attributes of a group, its dimensions as scales numbered in the file."""
+    _describe(target, group.attributes)
+    arrays = {name: _storable(values) for name, (_, values, _) in group.variables.items()}
+    sizes: dict[str, int] = {}
+    for name, (over, _, _) in group.variables.items():
+        sizes |= zip(over, arrays[name].shape, strict=True)
+    own = {name for name in sizes if name in arrays and group.variables[name][0] == (name,)}
+    scales = {}
+    for name in sizes.keys() - own:
+        scales[name] = target.create_dataset(name, (sizes[name],), dtype=">f4", track_order=True)
+        scales[name].make_scale(NO_VARIABLE + b".%10d" % sizes[name])
+    written = {}
+    for name, (_, values, attributes) in group.variables.items():
+        if np.asarray(values).dtype == bool:
+            attributes = attributes | {"dtype": "bool"}
+        free = name if name not in scales else f"_nc4_non_coord_{name}"
+        written[name] = _write_variable(target, free, arrays[name], name in FIELDS)
+        _describe(written[name], attributes)
+        if name in own:
+            scales[name] = written[name]
+            scales[name].make_scale(name)
+    for name in sizes:
+        scales[name].attrs["_Netcdf4Dimid"] = np.int32(next(numbers))
+    for name, (over, _, _) in group.variables.items():
+        for axis, dimension in enumerate(() if name in own else over):
+            written[name].dims[axis].attach_scale(scales[dimension])
 
 
-def _write_variable(
-    target: Any, name: str, dimensions: tuple[str, ...], array: Any, attributes: dict[str, Any]
-) -> None:
-    """Fields are compressed, text has any length, truth values are bytes marked as such."""
+def _describe(target: Any, attributes: dict[str, Any]) -> None:
+    """Write attributes; numbers are lists of one."""
+    attrs = target.attrs
+    for name, value in attributes.items():
+        attrs[name] = value if isinstance(value, str) else np.atleast_1d(value)
+
+
+def _storable(values: Any) -> Any:
+    """Text of any length as objects, truth values as bytes."""
+    if isinstance(values, _Later):
+        return values
+    array = np.asarray(values)
+    if array.dtype.kind in "UO":
+        return array.astype(object)
+    return array.astype("i1") if array.dtype.kind == "b" else array
+
+
+def _write_variable(target: h5py.Group, name: str, array: Any, field: bool) -> h5py.Dataset:
+    """Fields are compressed; a variable whose values come later has none yet."""
     kind: Any = h5py.string_dtype() if array.dtype == object else array.dtype
-    if array.dtype.kind == "b":
-        array = array.astype("i1")
-        kind = array.dtype
-        attributes = attributes | {"dtype": "bool"}
-    form = COMPRESSION if name in FIELDS else {}
-    variable = target.create_variable(name, dimensions, dtype=kind, data=array, **form)
-    variable.attrs.update(attributes)
+    form = COMPRESSION if field else {}
+    data = None if isinstance(array, _Later) else array
+    return target.create_dataset(
+        name, array.shape, dtype=kind, data=data, track_order=True, **form
+    )
 
 
 def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
