@@ -23,7 +23,7 @@ from oilfilm.postprocess.report.pdf_and_workbook import _is_table
 from oilfilm.postprocess.scene.patch import Patch
 from oilfilm.postprocess.scene.vtk_history import MovingBearing, shown_rows
 from oilfilm.postprocess.shaft.results import _heat
-from oilfilm.postprocess.temperatures.results import temperature_study_messages
+from oilfilm.postprocess.temperatures.results import balance_columns, temperature_study_messages
 
 
 def test_defect_frequencies_of_a_simulation():
@@ -199,3 +199,22 @@ def test_samples_shown_are_those_of_the_last_turns_or_of_a_window():
     assert shown_rows(history, 100, 9.0, (1.0, 3.0)).tolist() == [2, 3, 4, 5, 6]
     with pytest.raises(ValueError, match="1000 to 1200 ms"):
         shown_rows(history, 100, 1.0, (1.0, 1.2))
+
+
+def test_columns_of_balances_over_the_speed():
+    """Power over speed is the torque; temperatures in degrees Celsius, a column a node."""
+    nodes = 273.15 + np.arange(8.0)
+    states = [
+        SimpleNamespace(
+            friction=SimpleNamespace(power=power), film_temperature=300.0, clearance=2e-5, temperatures=nodes + k
+        )
+        for k, power in enumerate((6.0, 50.0))
+    ]
+    balances = [SimpleNamespace(speed=speed, state=state) for speed, state in zip((30.0, 100.0), states, strict=True)]
+    found = balance_columns(SimpleNamespace(branch=SimpleNamespace(balances=balances)))
+    by_unit = {"rpm": 30.0 / pi * np.array([30.0, 100.0]), "W": [6.0, 50.0], "N_mm": [200.0, 500.0], "um": [20.0, 20.0]}
+    for unit, values in by_unit.items():
+        (key,) = (key for key in found if key.endswith(f"_{unit}"))
+        assert found[key] == pytest.approx(values), key
+    assert found["shaft_temperature_C"] == pytest.approx([0.0, 1.0])
+    assert found["housing_temperature_C"] == pytest.approx([7.0, 8.0])
