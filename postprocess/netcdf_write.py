@@ -195,7 +195,7 @@ def _write_group(target: h5py.Group, group: DataGroup, numbers: Iterator[int]) -
         sizes |= zip(over, arrays[name].shape, strict=True)
     own = {name for name in sizes if name in arrays and group.variables[name][0] == (name,)}
     scales = {}
-    for name in sizes.keys() - own:
+    for name in (name for name in sizes if name not in own):
         scales[name] = target.create_dataset(name, (sizes[name],), dtype=">f4", track_order=True)
         scales[name].make_scale(NO_VARIABLE + b".%10d" % sizes[name])
     written = {}
