@@ -523,12 +523,41 @@ def _gross_slip(results: BearingResults) -> Iterator[str]:
         )
 
 
+def _open_sides(results: BearingResults) -> Iterator[str]:
+    """Warn where balls of angular contact bearings roll at the bottom of their groove, beyond
+    which it has no shoulder; a single row counts as mounted for the thrust that it carries.
+    """
+    bearing = results.quasistatic.bearing
+    inner = [c for c in results.contacts if c.race is Race.INNER and c.gap is None]
+    loaded = [(c, c.hertz) for c in inner if c.hertz is not None]
+    if not (loaded and bearing.angular_contact):
+        return
+    thrust = sum(c.load * c.contact_angle for c, _ in loaded)
+    rows = results.case.get("rows") or [{"loaded_by": "+x" if thrust > 0.0 else "-x"}]
+    beyond = [
+        angle
+        for c, hertz in loaded
+        for angle in [
+            c.contact_angle if rows[c.row - 1]["loaded_by"] == "+x" else -c.contact_angle
+        ]
+        if angle * bearing.inner_groove_radius < hertz.semi_axis_y
+    ]
+    if beyond:
+        least = float(np.degrees(min(beyond))) + 0.0
+        yield Caution(
+            f"contacts: {len(beyond)} of {len(loaded)} loaded ellipses of the inner race reach "
+            "across the bottom of the groove to the side where a bearing of angular contact is "
+            f"open (contact angles down to {least:.2g} degrees): more thrust, or another row"
+        )
+
+
 def _ratio_messages(results: BearingResults) -> Iterator[str]:
     """Give the reason why Hirano's ratio or the lambda ratio are null."""
     yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
     if not any(force > 0.0 for force in results.quasistatic.centrifugal_force):
         yield null("contacts.hirano_ratio", "there is no centrifugal force")
     yield from _gross_slip(results)
+    yield from _open_sides(results)
     surface = results.case.get("surface")
     if surface is None:
         yield null(

@@ -129,3 +129,15 @@ def test_gross_slip_is_a_warning_where_simulations_slip(axial, warned, noted):
     cautious = [message for message in found["messages"] if "a fourth to a fifth" in message]
     assert bool(cautious) is noted
     assert not set(cautious) & set(found["warnings"])
+
+
+@pytest.mark.parametrize(("force", "told"), [((0.0, 500.0, 0.0), True), ((300.0, 100.0, 0.0), False)])
+def test_balls_on_the_open_side_of_angular_contact_are_a_warning(force, told):
+    """A 7008 without thrust rolls at the bottom of its grooves; a tandem pushed the other way on its open sides."""
+    case = load_case("7008_axial").with_values({"ehl.film_maps": "none"})
+    found = summary(run_case(replace(case, operation=replace(case.operation, force=force))))
+    assert any("open (contact angles down to" in message for message in found["warnings"]) is told
+    tandem = [{"axial_position_mm": x, "loaded_by": "+x" if told else "-x"} for x in (-8.0, 8.0)]
+    rows = case.with_values({"rows": tandem})
+    found = summary(run_case(replace(rows, operation=replace(rows.operation, force=(-300.0, 100.0, 0.0)))))
+    assert any("open (contact angles down to -" in message for message in found["warnings"]) is told
