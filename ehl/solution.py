@@ -130,7 +130,7 @@ class OilSupply:
         )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)  # equal is the same object
 class ContactSolution:
     """Pressure and film of one lubricated contact.
 

@@ -33,7 +33,7 @@ taken as the circle of its curvature there (Euler), which is exact in both princ
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from math import hypot, inf, nan
 from typing import NamedTuple
 
@@ -59,6 +59,7 @@ DIRECTIONS = 720  # rays from the centre
 RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distance
 SMALLEST_DISTANCE = 1e-12  # from the centre over a [-]: a direction at the centre itself
 
+SOLUTIONS = 32  # last ones of which the moment is kept, some 1 MB each
 SAME_ANGLE = 1e-9  # [rad]
 # Error by the mesh over the sum of what the balance of power changes and the share of the step of
 # the central film from the finest grid to its limit [-]: 95 % of 71 random contacts are within
@@ -411,6 +412,7 @@ class RollingMoment:
     note: str = ""  # why the layer does not end the oil, or does not flood the contact
 
 
+@lru_cache(maxsize=SOLUTIONS)
 def rolling_moment(
     solution: ContactSolution, inlet_film_thickness: float | None = None
 ) -> RollingMoment:
