@@ -413,8 +413,6 @@ def _bearing_case(file: BearingFile) -> Case:
     dry_friction, film = with_dry_friction(given_friction, file.bearing.ball_material)
     dry = film if given_friction.lubrication == Lubrication.DRY.value else None
     file = file.model_copy(update={"friction": dry_friction})
-    if file.form is not None:  # its files are judged before a run
-        surface_form(file.form, 1)
     frequency_response(file.support)
     if file.measured is not None:
         case_table(("measured",), file.measured)
@@ -427,6 +425,8 @@ def _bearing_case(file: BearingFile) -> Case:
     library = _materials(file, at.temperature)
     cage = (library.get(file.bearing.cage_material or ""), guiding_land(file.cage))
     delivered = bearings.bearing(file.bearing, library, file.title)
+    if file.form is not None:  # judged before a run
+        surface_form(file.form, delivered.balls)
     file = _with_surface(file, delivered)
     seats = fits.fit(file.fit, library, file.bearing)
     bearing, clearance = fits.in_operation(delivered, at, seats, file.temperatures, cage)

@@ -324,8 +324,11 @@ def surface_form(table: FormTable, balls: int) -> SurfaceForm:
     Raises
     ------
     InvalidKeyError
-        If a profile cannot be read.
+        If a profile cannot be read, or a ball is given a form that is not there.
     """
+    for key, rows in (("ball_waviness", table.ball_waviness), ("defects", table.defects)):
+        if (number := max((row.ball for row in rows), default=0)) > balls:
+            raise InvalidKeyError(("form", key), f"ball {number}", f"allowed: up to {balls}")
     waves = {
         FormBody.INNER: tuple(wave.build(Wave) for wave in table.inner_waviness),
         FormBody.OUTER: tuple(wave.build(Wave) for wave in table.outer_waviness),

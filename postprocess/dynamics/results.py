@@ -222,7 +222,7 @@ def _messages(numbers: SimulationStatistics | None, implicit: bool) -> Iterator[
     if numbers.table_exceeded:
         largest = numbers.largest_load.max(axis=1)
         yield Caution(
-            f"dynamics: {100.0 * numbers.table_exceeded:.2g} % of the loaded contacts over the "
+            f"dynamics: {100.0 * numbers.table_exceeded:.3g} % of the loaded contacts over the "
             f"last third lie outside the traction table: up to {largest[0]:.3g} N and "
             f"{numbers.fastest[0]:.3g} m/s at the inner, {largest[1]:.3g} N and "
             f"{numbers.fastest[1]:.3g} m/s at the outer race, or at angles whose rolling radius "

@@ -132,7 +132,7 @@ def test_files_for_ears_and_eyes(folder):
     ("change", "words"),
     [
         (("order = 300", "order = 3000"), "half of the"),
-        (("ball = 2", "ball = 12"), "there are 9 balls"),
+        (("ball = 2", "ball = 12"), "ball 12; allowed: up to 9"),
         (("0, -0.1]", "-0.1]"), "8 values"),
         (("shaft_mass_kg = 1.0", 'shaft_mass_kg = 1.0\ninner_ring = "held"\n#'), ""),
         (("seat_damping_N_s_m = 400.0", ""), "seat_damping_N_s_m: missing"),
