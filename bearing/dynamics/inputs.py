@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
+import scipy
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.oil.lubricant import Lubricant
@@ -297,7 +297,9 @@ def smooth(time: Array, position: Array, at: Array) -> tuple[Array, Array]:
     """
     # a row like the first before it, and like the last behind: there the curve is level
     t = np.concatenate([[time[0] - 1.0], time, [time[-1] + 1.0]])
-    curve = PchipInterpolator(t, np.concatenate([position[:1], position, position[-1:]]))
+    curve = scipy.interpolate.PchipInterpolator(
+        t, np.concatenate([position[:1], position, position[-1:]])
+    )
     return np.asarray(curve(at)), np.asarray(curve(at, 1))
 
 

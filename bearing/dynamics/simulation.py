@@ -15,7 +15,7 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
-from scipy.integrate import LSODA
+import scipy
 from threadpoolctl import threadpool_limits
 
 from oilfilm.ehl.arrays import Array
@@ -311,7 +311,7 @@ def _solver(
         return out
 
     energy = np.maximum(np.abs(y[mechanical:size]), 1.0) * ACCUMULATOR_TOLERANCE
-    return LSODA(
+    return scipy.integrate.LSODA(
         rates,
         state.time,
         y[:size].copy(),

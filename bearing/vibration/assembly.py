@@ -11,8 +11,8 @@ from functools import lru_cache
 from math import pi, sqrt
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from oilfilm.ehl.arrays import Array
 from oilfilm.ehl.closed_form.hertz import contact_stiffness
@@ -71,7 +71,7 @@ class Transmission:
         dry: NDArray[np.complex128] = np.sinc(number / np.pi).astype(np.complex128)
         if self.numbers.size < 2:
             return dry
-        spline = CubicSpline(self.numbers, self.parts)
+        spline = scipy.interpolate.CubicSpline(self.numbers, self.parts)
         last = self.numbers[-1]
         inside = number <= last
         result = dry.copy()

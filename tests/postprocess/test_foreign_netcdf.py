@@ -13,8 +13,8 @@ from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.runs.output_directory import write_digests
 from oilfilm.ehl.foreign_files import DamagedFileError
 from oilfilm.postprocess.dynamics.read import open_history
-from oilfilm.postprocess.open_results import open_results
 from oilfilm.postprocess.netcdf_write import FIELDS_FILE
+from oilfilm.postprocess.open_results import open_results
 
 
 def external_link(file, secret):

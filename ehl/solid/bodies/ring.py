@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from math import ceil, pi
 
 import numpy as np
-from scipy.interpolate import RegularGridInterpolator
+import scipy
 
 from ...arrays import Array
 from ..subsurface import SubsurfaceStress, subsurface_stress
@@ -146,7 +146,9 @@ class StressDifference:
             xx, yy, zz, xy, yz, xz, shape (6, nx, ny, nz) [Pa]
         """
         grid = np.stack(np.meshgrid(np.abs(x), y, depth, indexing="ij"), axis=-1)
-        values = RegularGridInterpolator(self.lines, np.moveaxis(self.stress, 0, -1))(grid)
+        values = scipy.interpolate.RegularGridInterpolator(
+            self.lines, np.moveaxis(self.stress, 0, -1)
+        )(grid)
         values = np.moveaxis(values, -1, 0)
         values[[3, 5]] *= np.sign(x)[:, None, None]  # odd in x
         return np.asarray(values)
