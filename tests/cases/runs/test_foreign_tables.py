@@ -7,7 +7,9 @@ from math import cos, radians
 import pytest
 from typer.testing import CliRunner
 
+from oilfilm.bearing.contacts.contacts import contact_conditions
 from oilfilm.bearing.dynamics.statistics import table_limits
+from oilfilm.bearing.friction.friction_sources import LawTraction
 from oilfilm.bearing.friction.tables import save_race_tables, save_temperature_tables
 from oilfilm.bearing.geometry import Race
 from oilfilm.bearing.material import load_material
@@ -17,8 +19,12 @@ from oilfilm.cases.cli.main import app
 from oilfilm.cases.format.case import case_from_text
 from oilfilm.cases.format.rules import CaseError
 from oilfilm.cases.format.shipped import find_case
+from oilfilm.cases.format.traction import read_race_tables, resisted_traction
+from oilfilm.cases.runs.equilibrium import case_equilibrium, traction_messages
 from oilfilm.cases.runs.motion_model import build_model
+from oilfilm.ehl.messages import OUTSIDE_TABLE
 from oilfilm.ehl.traction_table.temperature import TemperatureTable
+from oilfilm.postprocess.quantities import is_warning
 
 from ..made_up_tables import made_up_tables
 
@@ -76,6 +82,17 @@ def test_tables_count_where_balls_roll_on_about_their_radius(folder):
         least, most = table_limits(law, case.bearing, race)[:, 2]
         assert least < cos(radians(15.0)) < most
         assert cos(radians(60.0)) < least
+
+
+def test_a_run_tells_contacts_at_other_rolling_radii(folder):
+    case = case_from_text(text_of("angle_deg = 15.0", "angle_deg = 60.0"), "case.toml")
+    tables = read_race_tables(folder / "made.zip", case.bearing, case.lubricant, case.rheology)
+    source = LawTraction(laws=dict(tables))
+    traction = resisted_traction(source, case.friction, case.bearing, case.lubricant, 500.0, case.inlet)
+    state = case_equilibrium(case)
+    _, message = traction_messages(traction, state, contact_conditions(state, case.lubricant))
+    assert message.startswith(OUTSIDE_TABLE) and "rolling radius" in message
+    assert is_warning(message)
 
 
 @pytest.mark.parametrize(("what", "change"), FOREIGN.items(), ids=FOREIGN)

@@ -12,6 +12,7 @@ from oilfilm.postprocess.vibration.results import (
     by_order,
     envelope,
     kurtosis,
+    largest_lines,
     sampled,
     spectrum,
     speed_bands,
@@ -32,6 +33,14 @@ def test_levels_of_a_sine():
     assert found.frequency[found.amplitude.argmax()] == 400.0
     assert_allclose(kurtosis(signal), 1.5, rtol=1e-6)
     assert kurtosis(np.ones(50)) is None
+
+
+def test_peaks_stand_between_bins():
+    """Two lines off their bins of 1 Hz, to a hundredth of a bin beside each other; none below a limit."""
+    signal = np.sin(2.0 * np.pi * 146.37 * TIME) + 0.3 * np.cos(2.0 * np.pi * 116.9 * TIME)
+    (high, _), (low, _) = largest_lines(spectrum(signal, RATE), 2)
+    assert_allclose([high, low], [146.37, 116.9], atol=0.01)
+    assert all(frequency > 130.0 for frequency, _ in largest_lines(spectrum(signal, RATE), 9, 130.0))
 
 
 def test_anderon_and_bands():
