@@ -119,7 +119,7 @@ class FrictionTable(LawTable):
     oil_fraction: float | None = between(
         0, 1, "share of oil in the cavity; drag of the balls in it, else that of a bath"
     )
-    supply_mL_min: float | None = between(
+    supply_mL_min: float | None = above(
         0, 1e6, "for the model starved, with [surface], bearing.width_mm; or inlet_film_um"
     )
     supply_track_share: float = above(0, 1, "share in the grooves; assumed, no source", 0.5)

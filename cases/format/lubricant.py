@@ -639,7 +639,7 @@ def _layer_faults(values: CaseValues) -> Iterator[CaseProblem]:
         allowed = 'allowed: "auto" or "solved", or starvation = "none"'
         yield CaseProblem(("ehl", "films"), found, allowed)
     for key in (*layers, ("friction", "supply_mL_min")):
-        if values.get(*key) == 0.0 and (chosen is not None or key in layers):
+        if values.get(*key) == 0.0 and key in layers:
             allowed = 'allowed: above 0, a dry inlet has no film; or starvation = "none"'
             yield CaseProblem(key, "found 0", allowed)
         if solved and values.given(*key) and values.get("ehl", "certify"):

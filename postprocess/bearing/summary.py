@@ -118,6 +118,9 @@ CYCLE_MESSAGE = (
 # general catalogue as quoted; RBC Bearings, "Misalignment": 0.5 to 3 [mrad]
 PERMISSIBLE_TILT = (0.6, 2.9)
 AGREEMENT = 1.0  # of temperatures that count as one [K]
+STARVED = (
+    0.5  # share of flooded films below which a life by the viscosity is warned of, chosen [-]
+)
 AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
 RELUBRICATION = "relubrication_interval_h"
 HOT_HALVINGS = 3.0  # of the interval of a grease from which its temperature is named
@@ -818,6 +821,16 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
         yield from _cage_messages(results)
     if life is None or life.viscosity_ratio is None:
         return
+    pairs = zip(results.contacts, results.operating, strict=True)
+    loaded = [(c.load, film.supply.central) for c, film in pairs if film is not None]
+    share = max(loaded, default=(0.0, 1.0))[1]
+    kappa = life.viscosity_ratio
+    left = kappa * share ** (results.case.get("surface") or {}).get("kappa_exponent", 1.0)
+    if left < STARVED * min(kappa, LARGEST_KAPPA):
+        yield Caution(
+            f"life: kappa {kappa:.3g} and the modified life are those of flooded inlets; the oil "
+            f"that comes leaves {share:.2g} of the film at the heaviest load, kappa {left:.2g}"
+        )
     films = life_by_films(results)
     if films is None:
         yield (

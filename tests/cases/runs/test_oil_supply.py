@@ -214,6 +214,20 @@ def test_a_flow_tells_its_films_and_the_oil_in_the_cavity():
     assert supply["torque_N_mm"] < supply["flooded_torque_N_mm"]
 
 
+@pytest.mark.parametrize(("flow", "told"), [(0.001, True), (1000.0, False)])
+def test_a_life_by_the_viscosity_of_oil_that_does_not_come_is_a_warning(flow, told):
+    """A film of a thousandth of the flooded one, kappa 1.5 and a_ISO of clean oil beside it were no word's worth."""
+    text = TEXT.replace("density_kg_m3", "contamination_factor = 0.5\ndensity_kg_m3")
+    document = found(text + f"[friction]\nsupply_mL_min = {flow}\n")
+    assert any("those of flooded inlets" in message for message in document["warnings"]) is told
+
+
+def test_a_flow_of_nothing_is_refused():
+    """It ended in a division by zero, or in a torque of nan."""
+    with pytest.raises(CaseError, match="supply_mL_min: found 0"):
+        found(TEXT + "[friction]\nsupply_mL_min = 0.0\n")
+
+
 def test_a_typical_roughness_stands_for_one_that_is_not_given(flooded):
     document = found(with_film(0.2).replace(SURFACE, ""))
     assert document["torque_N_mm"]["parts"]["rolling"] < 0.2 * flooded["torque_N_mm"]["parts"]["rolling"]
