@@ -512,7 +512,8 @@ def _messages(results: BatchResults) -> Iterator[str]:
             reasons = [
                 f": {message}"
                 for message in point.summary.get("messages", ())
-                if "not converged" in message or message.startswith("equilibrium")
+                if "not converged" in message
+                or message.startswith(("equilibrium", "check failed"))
             ]
             yield f"point {point.number} ({point.label}): not converged{''.join(reasons[:1])}"
     outside = [str(point.number) for point in results.points if _is_outside(point)]
