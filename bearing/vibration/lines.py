@@ -62,7 +62,7 @@ def expected_lines(
     Returns
     -------
     tuple[Line, ...]
-        lines, each frequency once [Hz]
+        lines above zero, each frequency once [Hz]
     """
     speeds = np.asarray(equations.speeds) / (2.0 * pi)
     balls = solution.bearing.balls
@@ -95,7 +95,8 @@ def expected_lines(
             )
             for k in range(1, HARMONICS + 1)
         ]
-    unique = {(line.source, line.name, round(line.frequency, 6)): line for line in lines}
+    moving = (line for line in lines if line.frequency > 0.0)
+    unique = {(line.source, line.name, round(line.frequency, 6)): line for line in moving}
     return tuple(unique.values())
 
 

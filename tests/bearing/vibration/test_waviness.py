@@ -111,6 +111,19 @@ def test_nothing_moves_without_waves():
     assert found.motion[:, 1:3].std() < 1e-15
 
 
+def test_a_wave_that_stands_still_under_the_cage_has_no_line():
+    """An outer ring at rest that lies off its centre, order 1, moves nothing; order 10 has one line, 9 x cage."""
+    state = solve_quasistatic(bearing(), Operation(inner_speed=628.3))
+    conditions = contact_conditions(state, case().lubricant)
+    found = {}
+    for order in (1, 10):
+        form = SurfaceForm(waves={FormBody.OUTER: (Wave(order=order, amplitude=AMPLITUDE),)})
+        equations = assembled(state, conditions, VibrationModel(form=form, options=VibrationOptions(duration=0.1)))
+        found[order] = expected_lines(state, equations, form)
+    assert found[1] == () and len(found[10]) == 1
+    assert found[10][0].frequency == pytest.approx(9.0 * abs(equations.speeds[2]) / (2.0 * np.pi))
+
+
 def test_an_outer_ring_that_floats_moves_as_an_inner_one():
     """The inner ring held, the outer one loaded against it: the same springs, another mass."""
     state = solve_quasistatic(bearing(), Operation(inner_speed=628.3))
