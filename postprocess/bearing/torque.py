@@ -278,6 +278,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield from _free_message(results, torque)
         yield from _seal_message(torque)
         yield from _churning_message(results, torque)
+        yield from _both_rings_message(results, torque)
         yield from _range_message(results)
 
 
@@ -449,6 +450,19 @@ def _churning_message(results: BearingResults, torque: TorqueBreakdown) -> Itera
         f": half as much oil takes {0.5 * share * TORQUE.value(torque):.3g} N mm off"
     )
     yield Caution(message) if assumed else message
+
+
+def _both_rings_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[str]:
+    """Warn if drag against the housing is divided by the small difference of two ring speeds."""
+    state = results.quasistatic
+    drag = torque.models[torque.chosen].components.get("drag") if torque.chosen else None
+    if drag and _churning_share(torque) and state.operation.shaft_speed < abs(state.cage_speed):
+        power = drag * state.operation.shaft_speed
+        yield Caution(
+            f"torque_N_mm.total: {TORQUE.in_unit(drag):.3g} N mm of it is drag of balls and cage "
+            f"that orbit faster than the rings differ, {power:.3g} W over that difference; both "
+            "rings drive it, so that no ring has this torque"
+        )
 
 
 def _balance_text(results: BearingResults, shear: SolvedShear) -> str:

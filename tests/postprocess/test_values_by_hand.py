@@ -15,7 +15,7 @@ from oilfilm.bearing.rating.life import LARGEST_A_ISO
 from oilfilm.postprocess.batch import write
 from oilfilm.postprocess.bearing.contact_quantities import finite_body_messages
 from oilfilm.postprocess.bearing.summary import _life_text
-from oilfilm.postprocess.bearing.torque import CHURNING_SHARE, _churning_share
+from oilfilm.postprocess.bearing.torque import CHURNING_SHARE, _both_rings_message, _churning_share
 from oilfilm.postprocess.dynamics import results
 from oilfilm.postprocess.files import plain
 from oilfilm.postprocess.report.page import _rows
@@ -57,6 +57,16 @@ def test_drag_is_told_where_it_is_much_of_the_total():
 
     assert share(4.0) == pytest.approx(0.4)
     assert share(0.99 * CHURNING_SHARE * 10.0) is share(None) is share(4.0, None) is share(4.0, 10.0, None) is None
+
+
+@pytest.mark.parametrize(("outer", "drag", "told"), [(290.0, 4.0, True), (0.0, 4.0, False), (290.0, 0.5, False)])
+def test_drag_over_a_small_difference_of_the_rings_is_told(outer, drag, told):
+    """Balls that orbit at half the sum of both speeds lose the same power, whichever ring drives them."""
+    models = {"films": SimpleNamespace(components={"drag": drag})}
+    torque = SimpleNamespace(models=models, chosen="films", total=5.0)
+    state = SimpleNamespace(operation=SimpleNamespace(shaft_speed=300.0 - outer), cage_speed=0.5 * (300.0 + outer))
+    found = list(_both_rings_message(SimpleNamespace(quasistatic=state), torque))
+    assert ["40 W over that difference" in message for message in found] == [True] * told
 
 
 def test_life_at_its_limit():
