@@ -233,16 +233,13 @@ def unsolved_nodes(
         The films that differ.
     """
     unsolved = [one.film for one in films]
-    first = first_same([film.conditions for film in unsolved])
-    distinct = sorted(set(first))
-    numbers = dict(zip(distinct, _shape_numbers([unsolved[n] for n in distinct]), strict=True))
-    places = np.array([
-        (*numbers[n], one.curvature, one.width) for n, one in zip(first, films, strict=True)
-    ])  # fmt: skip
+    numbers, shares = _shape_numbers(unsolved)
+    surfaces = [(one.curvature, one.width) for one in films]
+    places = np.concatenate([numbers, surfaces], axis=1)
     kind, like = _alike(places)
     shapes = _shapes(places[kind], unsolved[0].conditions.lubricant, rheology, temperature)
     # the same shapes with other gaps, of operating and flooded films
-    gaps = np.array([(film.central.value, film.gap_fraction) for film in unsolved])
+    gaps = np.stack([[film.central.value for film in unsolved], shares], axis=1)
     chosen, kinds = _alike(np.column_stack([like, gaps]))
     return kinds, _with_gaps(shapes, like[chosen], gaps[chosen])
 
@@ -253,16 +250,21 @@ def _alike(places: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return unique_rows(places / np.where(scale > 0.0, scale, 1.0))
 
 
-def _shape_numbers(films: Sequence[ContactFilm]) -> list[tuple[float, ...]]:
+def _shape_numbers(films: Sequence[ContactFilm]) -> tuple[Array, Array]:
     """Place of each film in the atlas, semi-axes [m], Hertz' pressure [Pa], radius, central film
-    [m].
+    [m], shape (n, PLACE + 5); and the share of its shape's gap that the film is, shape (n,) [-].
+
+    The shape is that of the flooded film. Of contacts lighter than the atlas, whose oil spreads as
+    far as the root of the film, it is that of the film itself.
     """
     sizes = np.array([film.size for film in films])
     places = shape_coordinates([film.conditions for film in films], sizes[:, 0])
-    return [
-        (*place, *film.size, film.conditions.radius_x, film.flooded_central)
-        for place, film in zip(places.tolist(), films, strict=True)
-    ]
+    light = places[:, -1] > 0.0
+    radii = [film.conditions.radius_x for film in films]
+    own = [film.central.value for film in films]
+    central = np.where(light, own, [film.flooded_central for film in films])
+    shares = np.where(light, 1.0, [film.gap_fraction for film in films])
+    return np.column_stack([places, sizes, radii, central]), shares
 
 
 def _shapes(

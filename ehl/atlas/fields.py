@@ -481,7 +481,10 @@ def film_shapes(places: Array, central: Array) -> FilmShapes:
     wider = np.where(
         places[:, PLACE - 1] > 0.0, central * load * np.exp(-_central(components)), 1.0
     )
-    zone = _stretched(_zone(components), wider)
+    own = _zone(components)
+    # a film thinner than the lightest of the table: up to Hertz' pressure
+    wider = np.maximum(wider, np.minimum(own[3].max(axis=1), 1.0))
+    zone = _stretched(own, wider)
     around = _stretched(_around(components, load), wider)
     around[4] *= wider[:, None]
     return FilmShapes(zone=_mirrored_shapes(zone), around=_mirrored_shapes(around))

@@ -41,7 +41,7 @@ class Limit:
         return number <= self.most <= max(self.aim, (1.0 + SLACK) * number)
 
 
-CODE_LINES = Limit(most=72_900, aim=45_000)
+CODE_LINES = Limit(most=73_180, aim=45_000)
 IMPORT_SHARE = Limit(most=0.0500, aim=0.04)  # of all lines
 WITHOUT_PARAMETER_LIST = Limit(most=0, aim=0)  # public functions and methods
 FRAGMENTS = Limit(most=0, aim=0)  # docstrings, comments and messages whose first sentence is none

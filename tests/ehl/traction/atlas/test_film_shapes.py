@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from oilfilm import ehl
+from oilfilm.bearing.films.film import FilmThickness
 from oilfilm.bearing.films.unsolved_films import formula_values_of, hertz_size, plain_film
 from oilfilm.bearing.friction._kernels import film_frictions
 from oilfilm.bearing.friction.film_friction import MIN_SLIDING
@@ -103,6 +104,25 @@ def test_light_contacts_have_the_friction_of_solved_films(load):
 def test_nearly_rigid_contacts_are_alike(load):
     """A 0.7 and 1.7, lighter than those of the table: sliding along; spin goes with the size of the solved box."""
     assert errors(load)[:2, 0].max() < 0.03
+
+
+def test_a_thinner_film_of_a_light_contact_spreads_less():
+    """Oil spreads as the root of the film: a hundredth of the flooded one resists spin by some hundredth, not more."""
+    conditions = contact(0.1)
+    size = hertz_size(conditions)
+    flooded = plain_film(conditions, formula_values_of([(conditions, size[1::-1])])[0].central)
+    assert flooded.flooded_central > 20.0 * size[0] ** 2 / conditions.radius_x
+    thin = replace(flooded, central=FilmThickness(0.01 * flooded.flooded_central))
+    places = [FilmOnSurface(film, CURVATURE, size[1]) for film in (flooded, thin)]
+    own, block = unsolved_nodes(places, SHEAR, None)
+    reach = np.abs(block.nodes[4:6, own]).max(axis=2)
+    assert reach[:, 1] == pytest.approx(0.1 * reach[:, 0], rel=1e-6)
+    *films, own = joined_nodes([block], own)
+    moved = np.tile([0.0, 0.0, 0.2 * conditions.entrainment_speed / conditions.radius_x, 0.0], (2, 1))
+    found, slope = np.empty((2, 4)), np.empty((2, 4, 4))
+    film_frictions(*films, moved, own, MIN_SLIDING, found, slope)
+    full, thinner = np.abs(found[:, 2])
+    assert thinner < 0.03 * full
 
 
 def places_of(contacts):
