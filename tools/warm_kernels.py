@@ -34,11 +34,11 @@ FILMS: tuple[Work, ...] = (
     ("run", "6208_starved", COARSE | {"film_maps": "[0.0]"}, ()),
     ("table", "6208_with_heat", COARSE, (*TABLE, "--loads", "100,600", "--speeds", "9,15")),
     ("slip", "hirano_7000C", {"points": "3", "critical_points": "2"}, ()),
+    ("dynamics", "7008_combined", IMPLICIT, ()),  # here: the other process has more to do
 )
 MOTION: tuple[Work, ...] = (
     ("dynamics", "7008_axial", SHORT, ()),
     ("dynamics", "7008_combined", SHORT, ()),
-    ("dynamics", "7008_combined", IMPLICIT, ()),
     ("dynamics", "6304_planar", SHORT, ()),
     ("vibration", "6208_waviness", {"duration_s": "0.02"}, ()),
     # last, when the other process has compiled the kernels of films
