@@ -3,8 +3,9 @@
 Nothing is checked as a case here, and no solver is loaded.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -20,6 +21,7 @@ from .plan import (
     MOST_POINTS,
     Document,
     Factorial,
+    PointDocuments,
     Sampled,
     Variation,
     block_settings,
@@ -259,22 +261,33 @@ def may_share_tables(file: SweepFile, base: Document, keys: Sequence[str]) -> bo
     return asked or wants_tables(file)
 
 
-def torque_document(document: Document, *, tables: bool) -> Document:
-    """The document of a torque point: balls in traction equilibrium where its friction is that of
-    tables or of a law, unless the case says otherwise.
+def point_documents(file: SweepFile, base: Document) -> Callable[[Variation], Document]:
+    """Give the documents of the points of a sweep by their variations.
 
     Parameters
     ----------
-    document : Document
-        Document of the point.
-    tables : bool
-        True: the sweep asks for traction tables.
+    file : SweepFile
+        The sweep file.
+    base : Document
+        Document of the case.
 
     Returns
     -------
-    Document
-        The document with its ball kinematics.
+    Callable[[Variation], Document]
+        Document of a variation; of a torque point with balls in traction equilibrium where its
+        friction is that of tables or of a law, unless the case says otherwise.
     """
+    made = PointDocuments(base).document
+    if file.compute != "torque":
+        return made
+    return partial(_torque_document, made, tables=wants_tables(file))
+
+
+def _torque_document(
+    made: Callable[[Variation], Document], variation: Variation, *, tables: bool
+) -> Document:
+    """The document of a torque point, by what makes those of others."""
+    document = made(variation)
     model = document.get("model", {})
     asked = tables or any(
         value_in(document, key) is not None for key in ("friction.traction", TABLE_KEYS[1])

@@ -4,7 +4,6 @@ Names of points are hashes of all that their results depend on. No solver is loa
 checked.
 """
 
-from collections.abc import Sequence
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -21,16 +20,16 @@ from .expansion import (
     assumed_keys,
     expanded,
     may_share_tables,
+    point_documents,
     sweep_title,
-    torque_document,
     varied_keys,
 )
-from .keys import FOLDERS, STORES, SUMMARY
-from .plan import PointDocuments, PointName
+from .keys import DATA, FOLDERS, PARQUET, STORES, SUMMARY, TABLE
+from .plan import PointName
 
 
 def finished_summary(
-    name_or_path: str | Path, directory: Path, files: Sequence[str]
+    name_or_path: str | Path, directory: Path, *, parquet: bool
 ) -> dict[str, Any] | None:
     """Summary of a batch whose points are all finished and whose files are as they were written.
 
@@ -40,8 +39,8 @@ def finished_summary(
         The sweep file or its name.
     directory : Path
         Folder of the batch.
-    files : Sequence[str]
-        Names of the files that are wanted.
+    parquet : bool
+        True: the table is wanted as Parquet, too.
 
     Returns
     -------
@@ -55,11 +54,14 @@ def finished_summary(
         If the file is no sweep, or its case cannot be found.
     """
     start = perf_counter()
+    wanted = {TABLE, DATA, SUMMARY}
+    if parquet:
+        wanted.add(PARQUET)
     path = find_sweep(name_or_path)
     text = read_text(path)
     try:
         found = read_summary(directory)
-        written = read_json(directory / DIGESTS).keys() >= {*files}
+        written = read_json(directory / DIGESTS).keys() >= wanted
         points = found["points"] or ()
         before = [point["key"] for point in points if point["status"] == "done"]
         if not written or found["sweep"] != text or _is_changed(directory):
@@ -70,8 +72,9 @@ def finished_summary(
     keys = varied_keys(sweep.blocks)
     if may_share_tables(sweep.file, sweep.base, keys) or sweep.file.sensitivity is not None:
         return None  # names of points follow from checked cases
-    described = sweep_title(sweep.file, sweep.base, keys), [*assumed_keys(sweep.base)]
-    if described != (found["title"], found["assumed"]) or before != _names(sweep):
+    title = sweep_title(sweep.file, sweep.base, keys)
+    assumed = list(assumed_keys(sweep.base))
+    if (title, assumed, _names(sweep)) != (found["title"], found["assumed"], before):
         return None
     resumed = [point | {"resumed": True} for point in points]
     timing = {"total": perf_counter() - start}
@@ -91,8 +94,5 @@ def _is_changed(directory: Path) -> bool:
 def _names(sweep: Expansion) -> list[str]:
     """Names of all points, in their order."""
     name = PointName(sweep.file, sweep.base).name_of
-    made = PointDocuments(sweep.base).document
-    documents = (made(variation) for block in sweep.blocks for variation in block)
-    if sweep.file.compute == "torque":
-        documents = (torque_document(document, tables=False) for document in documents)
-    return [name(document) for document in documents]
+    made = point_documents(sweep.file, sweep.base)
+    return [name(made(variation)) for block in sweep.blocks for variation in block]

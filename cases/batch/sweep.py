@@ -5,9 +5,8 @@ Shards are parts of a batch that are computed by programs which do not know of e
 
 import random
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
 from oilfilm.ehl.foreign_files import read_file
@@ -25,8 +24,8 @@ from .expansion import (
     expanded,
     may_share_tables,
     of_each_kind,
+    point_documents,
     sweep_title,
-    torque_document,
     varied_keys,
     wants_tables,
 )
@@ -34,7 +33,6 @@ from .keys import WITHOUT_CONTACTS, digest, value_in
 from .plan import (
     Document,
     Factorial,
-    PointDocuments,
     PointName,
     Sampled,
     Variation,
@@ -124,9 +122,7 @@ def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
     if problems:
         raise source.error(problems)
     keys = varied_keys(blocks)
-    plan = Plan(blocks, PointDocuments(base).document, PointName(file, base).name_of, keys)
-    if file.compute == "torque":
-        plan.document = partial(_torque_document, plan.document, tables=wants_tables(file))
+    plan = Plan(blocks, point_documents(file, base), PointName(file, base).name_of, keys)
     checked = _checked(plan, file, base, fixed, source)
     sharing = {number: common for number, (common, _) in checked.items() if common is not None}
     points: Sequence[Point] = plan
@@ -152,12 +148,6 @@ def sweep_from_text(text: str, name: str, folder: Path | None = None) -> Sweep:
         film_models=tuple(sorted({_film_model(case) for _, case in checked.values()})),
         share_contacts=_may_share_contacts(blocks, keys),
     )
-
-
-def _torque_document(
-    made: Callable[[Variation], Document], variation: Variation, *, tables: bool
-) -> Document:
-    return torque_document(made(variation), tables=tables)
 
 
 def _may_share_contacts(blocks: Sequence[Sequence[Variation]], keys: tuple[str, ...]) -> bool:

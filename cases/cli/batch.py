@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from ..batch.pools import Pool
 
 MOST_LISTED = 10  # points without a result that are named
-WITHOUT_RESULT = "points without a result"  # of a message of a large batch
 Workers = Annotated[
     int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")
 ]
@@ -125,10 +124,8 @@ def batch(
         named = folder if keep else None
         if resume and shard is None and not plot:
             from ..batch.finished import finished_summary
-            from ..batch.keys import DATA, PARQUET, SUMMARY, TABLE
 
-            files = (TABLE, DATA, SUMMARY, *((PARQUET,) if parquet else ()))
-            finished = finished_summary(sweep, folder, files)
+            finished = finished_summary(sweep, folder, parquet=parquet)
             if finished is not None:
                 return _report(finished, named, as_json, quiet, notes)
         # loads while this process plans
@@ -332,6 +329,9 @@ def _report(
     code = report(document, table, directory, as_json, quiet, notes)
     counts = document["counts"]
     if document["failed"]:
+        from oilfilm.postprocess.batch.results import values_in_words
+        from oilfilm.postprocess.batch.summary import WITHOUT_RESULT
+
         print_message(
             f"oilfilm: {document['failed']} of {counts['points']} points have no result:"
         )
@@ -339,11 +339,10 @@ def _report(
             named = [text for text in document["messages"] if WITHOUT_RESULT in text]
         else:
             points = [point for point in document["points"] if point["status"] != "done"]
-            named = [f"point {p['point']} ({_label(p)}): {p['message']}" for p in points]
+            named = [
+                f"point {p['point']} ({values_in_words(p['keys'])}): {p['message']}"
+                for p in points
+            ]
         for text in named[:MOST_LISTED]:
             print_message(f"  {text}")
     return terminal.FAILED if counts["lost"] else code
-
-
-def _label(point: dict[str, Any]) -> str:
-    return ", ".join(f"{key} = {value}" for key, value in point["keys"].items())

@@ -1,5 +1,6 @@
 """Results of a batch: its points, varied keys, main results, and every number of a summary."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import hypot
 from operator import itemgetter
@@ -319,6 +320,22 @@ def _tables(summary: dict[str, Any]) -> dict[str, Any]:
     return numbers
 
 
+def values_in_words(values: Mapping[str, Any]) -> str:
+    """The varied values of a point in words.
+
+    Parameters
+    ----------
+    values : Mapping[str, Any]
+        Values by key.
+
+    Returns
+    -------
+    str
+        The words.
+    """
+    return ", ".join(f"{key} = {value}" for key, value in values.items())
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BatchPoint:
     """One point: its place in the sweep, the values varied, how it ended, and any summary."""
@@ -341,7 +358,7 @@ class BatchPoint:
     @property
     def label(self) -> str:
         """The varied values in words."""
-        return ", ".join(f"{key} = {value}" for key, value in self.values.items())
+        return values_in_words(self.values)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

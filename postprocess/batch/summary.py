@@ -406,6 +406,7 @@ def _quantiles(values: Array) -> dict[str, float | None]:
 STATE = {"point": "number", "block": "block", "status": "status", "converged": "converged"}
 COUNTS = ("points", "done", "failed", "lost", "missing", "converged")
 MOST_NAMED = 10  # points listed in a message
+WITHOUT_RESULT = "points without a result"  # in a message of a batch with too many to be listed
 MOST_ROWS = 40  # of the terminal's table; the files have all
 WIDTH = 80
 MOST_INDICES = 3  # results whose indices fit beside the keys
@@ -500,7 +501,7 @@ def _counted(counts: Counts) -> Iterator[str]:
     if off:
         yield f"{off} of {counts.points} points not converged; column converged of the table"
     for message, count in counts.reasons[:MOST_NAMED]:
-        yield f"{count} points without a result, as: {message}"
+        yield f"{count} {WITHOUT_RESULT}, as: {message}"
 
 
 def _messages(results: BatchResults) -> Iterator[str]:

@@ -534,14 +534,10 @@ def _open_sides(results: BearingResults) -> Iterator[str]:
         return
     thrust = sum(c.load * c.contact_angle for c, _ in loaded)
     rows = results.case.get("rows") or [{"loaded_by": "+x" if thrust > 0.0 else "-x"}]
-    beyond = [
-        angle
-        for c, hertz in loaded
-        for angle in [
-            c.contact_angle if rows[c.row - 1]["loaded_by"] == "+x" else -c.contact_angle
-        ]
-        if angle * bearing.inner_groove_radius < hertz.semi_axis_y
-    ]
+    sides = [1.0 if row["loaded_by"] == "+x" else -1.0 for row in rows]
+    ellipses = [(sides[c.row - 1] * c.contact_angle, hertz.semi_axis_y) for c, hertz in loaded]
+    reach = bearing.inner_groove_radius
+    beyond = [angle for angle, half_width in ellipses if angle * reach < half_width]
     if beyond:
         least = float(np.degrees(min(beyond))) + 0.0
         yield Caution(

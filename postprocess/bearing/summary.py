@@ -118,9 +118,8 @@ CYCLE_MESSAGE = (
 # general catalogue as quoted; RBC Bearings, "Misalignment": 0.5 to 3 [mrad]
 PERMISSIBLE_TILT = (0.6, 2.9)
 AGREEMENT = 1.0  # of temperatures that count as one [K]
-STARVED = (
-    0.5  # share of flooded films below which a life by the viscosity is warned of, chosen [-]
-)
+# share of flooded films below which a life by the viscosity is warned of, chosen [-]
+STARVED = 0.5
 AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
 RELUBRICATION = "relubrication_interval_h"
 HOT_HALVINGS = 3.0  # of the interval of a grease from which its temperature is named

@@ -455,8 +455,9 @@ def _churning_message(results: BearingResults, torque: TorqueBreakdown) -> Itera
 def _both_rings_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[str]:
     """Warn if drag against the housing is divided by the small difference of two ring speeds."""
     state = results.quasistatic
-    drag = torque.models[torque.chosen].components.get("drag") if torque.chosen else None
-    if drag and _churning_share(torque) and state.operation.shaft_speed < abs(state.cage_speed):
+    share = _churning_share(torque)
+    if share and torque.total and state.operation.shaft_speed < abs(state.cage_speed):
+        drag = share * torque.total
         power = drag * state.operation.shaft_speed
         yield Caution(
             f"torque_N_mm.total: {TORQUE.in_unit(drag):.3g} N mm of it is drag of balls and cage "

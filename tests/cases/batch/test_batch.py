@@ -414,22 +414,21 @@ def test_a_finished_batch_is_neither_computed_nor_written_again(tmp_path):
     assert {k: v for k, v in resumed.items() if k not in changing} == {
         k: v for k, v in ran.items() if k not in changing
     }
-    files = ("batch.csv", "results.nc", "summary.json")
     code = f"""
 import sys
 from pathlib import Path
 from oilfilm.cases.batch.finished import finished_summary
-print(finished_summary({str(sweep)!r}, Path({str(out)!r}), {files}) is None, "numba" in sys.modules)
+print(finished_summary({str(sweep)!r}, Path({str(out)!r}), parquet=False) is None, "numba" in sys.modules)
 """
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert told.stdout.split() == ["False", "False"]
-    assert finished_summary(sweep, out, (*files, "batch.parquet")) is None
+    assert finished_summary(sweep, out, parquet=True) is None
     for changed in (QUICK.replace("1750.0", "1760.0"), QUICK + "\n"):
         sweep.write_text(changed, encoding="utf-8")
-        assert finished_summary(sweep, out, files) is None
+        assert finished_summary(sweep, out, parquet=False) is None
     sweep.write_text(QUICK, encoding="utf-8")
     (out / "points.sqlite").touch()
-    assert finished_summary(sweep, out, files) is None
+    assert finished_summary(sweep, out, parquet=False) is None
 
 
 def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatch):
